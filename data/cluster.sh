@@ -30,7 +30,9 @@ install_packages() {
 install_qgis() { install_missing python3-qgis qgis-providers; }
 
 # The tests of the core and of SQL need these.
-install_for_tests() { install_packages && install_missing libgtest-dev; }
+install_for_tests() {
+  install_packages && install_missing libgtest-dev "postgresql-$(pg_config --version | sed -E 's/[^0-9]*([0-9]+).*/\1/')-plpgsql-check"
+}
 
 # The programs that judge what the suites write.
 install_judges() { install_missing assimp-utils sumo sumo-tools libxml2-utils python3 glpk-utils; }

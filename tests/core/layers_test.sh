@@ -53,6 +53,11 @@ for header in "$root"/include/streetgen/*.hpp; do
 done
 rule 'lines of SQL end at 120 characters' '! awk "length > 120 { print FILENAME \":\" FNR }" "$root"/sql/*/*.sql "$root"/sql/*/*/*.sql | grep . >&2'
 
+# Statements stand in strings only where names or pieces of them vary.  The counts only fall; the aim is 600 lines, no text over five and 120.
+quoted=$(python3 "$root/tests/core/quoted_sql.py" "$root/sql")
+rule 'SQL in quoted text: at most 6,510 lines, 280 texts of more than five lines and 336 EXECUTE format' \
+  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 6510 ] && [ "${BASH_REMATCH[2]}" -le 280 ] && [ "${BASH_REMATCH[3]}" -le 336 ] || { echo "$quoted" >&2; false; }'
+
 # Comments begin with their subject: "The nearest edge …", not "Of two edges …" or "What lies …".  Prints the first line of each other one, and last
 # how many of a thousand these are.
 comments_without_subject() {
@@ -65,8 +70,8 @@ comments_without_subject() {
     text ~ /^(Of|What|Whose|Which|Those|It|Who|Where|How)[^a-z]/ { without++; print FILENAME ":" FNR ": " text }
     END { printf "%d\n", 1000 * without / all }'
 }
-# The share only falls: whoever mends comments lowers the bound.  The aim is 80.
+# The share only falls: whoever mends comments lowers the bound.
 share=$(comments_without_subject | tail -1)
-rule "of a thousand comments no more than 100 begin without a subject" '[ "$share" -le 100 ] || { comments_without_subject >&2; false; }'
+rule "of a thousand comments no more than 80 begin without a subject" '[ "$share" -le 80 ] || { comments_without_subject >&2; false; }'
 
 rule 'pages of docs/development hold at most 12,000 words together' '[ "$(cat "$root"/docs/development/*.md | wc -w)" -le 12000 ]'

@@ -287,7 +287,7 @@ RESET ROLE;
 SELECT 'what an editor does is followed', test.difference('town', 'once') IS NULL AND EXISTS (SELECT FROM town.edge WHERE axis_id = 4 AND width = 8.5);
 -- An editor of objects calls what holds their streets.
 SELECT 'functions in the schema are the owner''s, and those that run with its rights are nobody else''s', count(*) >= 4 AND bool_and(proowner = nspowner AND NOT (prosecdef AND proname <> ALL ('{_begin_ruled_edit,_lock_beside,_hold_borders}') AND has_function_privilege('streetgen_test_live', p.oid, 'EXECUTE'))
-    AND 'search_path=pg_catalog, public, pg_temp' = ANY (proconfig)) AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
+    AND proconfig && '{"search_path=pg_catalog, public, pg_temp","search_path=town, public, pg_temp"}') AND bool_and(prosecdef) FILTER (WHERE prorettype = 'trigger'::regtype)
   FROM pg_proc p JOIN pg_namespace n ON n.oid = pronamespace WHERE nspname = 'town';
 
 -- Replicas and restores.

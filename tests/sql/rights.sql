@@ -41,8 +41,8 @@ SELECT 'an editor reads each', pg_temp.told() IS NULL;
 RESET ROLE;
 CREATE VIEW public.routine AS SELECT p.oid, p.oid::regprocedure::text AS name, prosecdef, prosrc, prosqlbody, lanname, prokind, proacl, pronamespace::regnamespace::text AS home,
   (SELECT substr(c, 13) FROM unnest(proconfig) c WHERE c LIKE 'search_path=%') AS path FROM pg_proc p JOIN pg_language l ON l.oid = prolang WHERE pronamespace IN ('streetgen'::regnamespace, 'town'::regnamespace);
-SELECT 'functions find others in the system and beside PostGIS alone, temporary ones last', string_agg(name, ', ') = 'streetgen.generate_clusters(name)' FROM public.routine WHERE lanname NOT IN ('c', 'internal') AND prosqlbody IS NULL
-  AND coalesce(path, '') NOT IN ('pg_catalog, pg_temp', (SELECT format('pg_catalog, %I, pg_temp', nspname) FROM pg_extension JOIN pg_namespace n ON n.oid = extnamespace WHERE extname = 'postgis'));
+SELECT 'functions find others in the system, in their model and beside PostGIS alone, temporary ones last', string_agg(name, ', ' ORDER BY name) = 'streetgen._use_model(name), streetgen.generate_clusters(name)' FROM public.routine WHERE lanname NOT IN ('c', 'internal') AND prosqlbody IS NULL
+  AND coalesce(path, '') <> 'pg_catalog, pg_temp' AND coalesce(path, '') NOT IN (SELECT format(own, nspname) FROM unnest(CASE home WHEN 'streetgen' THEN '{"pg_catalog, %I, pg_temp"}' ELSE '{"pg_catalog, %I, pg_temp","town, %I, pg_temp"}'::text[] END) own, pg_extension JOIN pg_namespace n ON n.oid = extnamespace WHERE extname = 'postgis');
 SELECT 'with the rights of a superuser run two, which see the system alone', array_agg(name ORDER BY name) = '{streetgen._forget_models(),"streetgen._register_model(name,integer,integer)"}' AND bool_and(path = 'pg_catalog, pg_temp') FROM public.routine WHERE home = 'streetgen' AND prosecdef;
 SELECT 'with those of the owner none but looks for functions of others first', count(*) > 20 AND bool_and(prosrc ~ E'^\\s*(#variable_conflict use_column\\s*)?DECLARE\\s+only_own_functions constant boolean := streetgen._only_own_functions\\(''town''\\);') FROM public.routine WHERE home = 'town' AND prosecdef;
 SELECT 'nobody else may call these but for the locks of objects: ' || role, coalesce(string_agg(split_part(name, '(', 1), ' ' ORDER BY name), '') = may FROM (VALUES ('rights_reader', ''), ('rights_nobody', ''), ('rights_editor', 'town._begin_ruled_edit town._hold_borders town._lock_beside')) v(role, may)
@@ -50,7 +50,7 @@ SELECT 'nobody else may call these but for the locks of objects: ' || role, coal
 SELECT 'temporary tables are named as such', coalesce(string_agg(DISTINCT name, ', '), '') = '' FROM public.routine, regexp_matches(prosrc, 'CREATE TEMPORARY (?:TABLE|VIEW) (_\w+)', 'g') made
   WHERE prosrc ~ format('(FROM|JOIN|INTO|UPDATE|ON|USING|DROP TABLE|ANALYZE|,)\s+%s\M', made[1]);
 -- Casts of format(…) take names of tables and functions of models; what stands in a row, or comes as an argument, becomes a name of the catalogue here alone.
-SELECT 'text becomes the name of a function, table or type in known places alone', string_agg(DISTINCT split_part(name, '(', 1), ' ' ORDER BY split_part(name, '(', 1)) = 'streetgen._follow_again streetgen._function_named streetgen._has_no_objects' FROM public.routine, regexp_matches(prosrc, '(\w+)::reg(?:class|proc|type|oper)|to_reg(?:class|proc|type|oper)\w*\((\w[\w.]*) *[,)|]', 'g') m
+SELECT 'text becomes the name of a function, table or type in known places alone', string_agg(DISTINCT split_part(name, '(', 1), ' ' ORDER BY split_part(name, '(', 1)) = 'streetgen._follow_again streetgen._function_named' FROM public.routine, regexp_matches(prosrc, '(\w+)::reg(?:class|proc|type|oper)|to_reg(?:class|proc|type|oper)\w*\((\w[\w.]*) *[,)|]', 'g') m
   WHERE home = 'streetgen' AND coalesce(m[1], m[2]) !~* 'oid$|relid$';
 
 -- Each public function of a model, called by each role: no more happens than that.
@@ -114,6 +114,19 @@ SELECT 'nobody ran what they say', count(*) = 0 FROM public.gained;
 -- Functions of others beside PostGIS, by names of the system, whose arguments fit better than those of the system do.
 CREATE FUNCTION pg_temp.edit() RETURNS text LANGUAGE sql AS $$ SELECT test.state(format('UPDATE town.axis SET width = %s WHERE axis_id = 1', 6 + random())) $$;
 CREATE FUNCTION pg_temp.place() RETURNS text LANGUAGE sql AS $$ SELECT test.state('INSERT INTO town.street_object_editing (type, geom) SELECT ''bench'', ST_Translate(ST_StartPoint(ST_Force2D(geom)), 30 * random(), 5) FROM town.axis WHERE axis_id = 1') $$;
+GRANT USAGE, CREATE ON SCHEMA town TO rights_nobody;
+SET ROLE rights_editor;
+SELECT 'an editor lends no rights of the owner to who may make functions in the model', (r).state = '42501' AND (r).said = 'schema "town" is open to functions of rights_nobody' AND (r).hint LIKE 'REVOKE CREATE ON SCHEMA town FROM rights_nobody%'
+  FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
+SET ROLE rights_nobody;
+CREATE FUNCTION town.concat_ws(text, name) RETURNS text LANGUAGE plpgsql AS $$ BEGIN PERFORM public.gain(); RETURN $2; END $$;
+RESET ROLE;
+REVOKE USAGE, CREATE ON SCHEMA town FROM rights_nobody;
+SET ROLE rights_owner;
+SELECT 'and nobody edits where such a function stands in the model', (r).state = '42501' AND (r).said LIKE '% in schema "town": town.concat_ws(text,name) of role rights_nobody'
+  FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
+RESET ROLE;
+DROP FUNCTION town.concat_ws(text, name);
 GRANT CREATE ON SCHEMA public TO rights_nobody;
 SET ROLE rights_owner;
 SELECT 'where others may make some, the owner edits', pg_temp.edit() = 'none' AND pg_temp.place() = 'none';

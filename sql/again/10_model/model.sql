@@ -225,13 +225,13 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_owner(model);
     schema := (SELECT oid FROM pg_namespace WHERE nspname = model);
-    -- What is named here goes without a notice; what others made of it goes with one.
+    -- The parts named here go without a notice. A notice tells of what others made of them.
     FOR part IN SELECT format('DROP %s %s CASCADE', kind, string_agg(name, ', ')) FROM (
             SELECT 1 AS turn, 'VIEW' AS kind, oid::regclass::text AS name FROM pg_class WHERE relnamespace = schema
                 AND relkind = 'v'
             UNION ALL SELECT 2, 'TABLE', oid::regclass::text FROM pg_class WHERE relnamespace = schema
                 AND relkind IN ('r', 'p')
-            -- Those of rows of a table have gone with it.
+            -- Functions of the rows of a table have gone with it.
             UNION ALL SELECT 3, 'ROUTINE', p.oid::regprocedure::text FROM pg_proc p WHERE pronamespace = schema
                 AND NOT EXISTS (SELECT FROM pg_type t WHERE t.typnamespace = schema
                     AND (t.oid = prorettype OR t.oid = ANY (proargtypes)))) p
@@ -409,7 +409,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('role', role);
     PERFORM streetgen._take_back(model, role);
-    -- What a role has by others it is not alone to lose.
+    -- A right that a role has by others stays when it loses its own.
     SELECT string_agg(CASE grantee WHEN 0 THEN 'public' ELSE grantee::regrole::text END, ', ' ORDER BY grantee)
         INTO through
         FROM pg_namespace, aclexplode(nspacl) WHERE nspname = model AND privilege_type = 'USAGE' AND role <> 'public'

@@ -1,4 +1,4 @@
--- What models of older builds lack: columns that came since, with what they mean for the rows that are there.
+-- Columns that models of older builds lack, with what they mean for the rows that are there.
 
 CREATE OR REPLACE FUNCTION streetgen._lacks_column(model name, relation name, attribute name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -9,7 +9,7 @@ COMMENT ON FUNCTION streetgen._lacks_column(name, name, name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- What is filled in is not changed by hand.
+    -- Filling in a column is no edit by hand.
     SET streetgen.computes = 'on'
     AS $$
 DECLARE
@@ -18,7 +18,7 @@ BEGIN
     IF NOT streetgen._lacks_column(model, 'axis', 'lanes_both') THEN
         RETURN;
     END IF;
-    -- What was computed has lanes of one direction only.
+    -- Lanes computed before have one direction each.
     FOREACH statement IN ARRAY ARRAY[
         'ALTER TABLE %1$I.axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30)',
         'ALTER TABLE %1$I.turn_restriction ADD except_kinds text CHECK (except_kinds '
@@ -50,7 +50,7 @@ COMMENT ON FUNCTION streetgen._add_both_ways(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._add_sidewalks(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- What is filled in is not changed by hand.
+    -- Filling in a column is no edit by hand.
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
@@ -123,14 +123,14 @@ COMMENT ON FUNCTION streetgen._add_lane_changes(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._add_roundabout_faces(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- What is filled in is not changed by hand.
+    -- Filling in a column is no edit by hand.
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
     IF NOT streetgen._lacks_column(model, 'roundabout_edge', 'face') THEN
         RETURN;
     END IF;
-    -- What was computed has rings of one face only.
+    -- Rings computed before have one face each.
     EXECUTE format('ALTER TABLE %I.roundabout_edge ADD face integer NOT NULL DEFAULT 1', model);
     EXECUTE format('ALTER TABLE %I.roundabout_edge ALTER face DROP DEFAULT', model);
 END $$;
@@ -174,7 +174,7 @@ COMMENT ON FUNCTION streetgen._add_section_borders(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._add_ties(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- What is filled in is not changed by hand.
+    -- Filling in a column is no edit by hand.
     SET streetgen.computes = 'on'
     AS $$
 BEGIN

@@ -13,13 +13,13 @@ BEGIN
     IF (SELECT prosecdef FROM pg_proc WHERE oid = named) THEN
         -- Its first declaration, before anything there finds a function by search_path.
         text := pg_get_functiondef(named);
-        begins := least(nullif(strpos(text, E'\nDECLARE\n'), 0), nullif(strpos(text, E'\nBEGIN\n'), 0));
+        begins := nullif(regexp_instr(text, E'\n *(DECLARE|BEGIN)\n'), 0);
         IF begins IS NULL THEN
             RAISE EXCEPTION 'function % has no line at which to look for functions of others', named
                 USING ERRCODE = '22023', HINT = 'One that runs with the rights of the owner is written in PL/pgSQL.';
         END IF;
         EXECUTE left(text, begins) || format(E'DECLARE\n    only_own_functions constant boolean := '
-            'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(text, begins), '^\nDECLARE', '');
+            'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(text, begins), '^\n *DECLARE', '');
         EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
     END IF;
     EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
@@ -52,3 +52,18 @@ END $$;
 COMMENT ON FUNCTION streetgen._drop_own_functions(name) IS
     'Drops the functions of a model that go with the extension, and the triggers of its tables that call them: an '
     'earlier build may have made them with other names and arguments.';
+
+CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name, names name[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog SET client_min_messages = warning
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN SELECT format('DROP FUNCTION %s CASCADE', oid::regprocedure) FROM pg_proc
+        WHERE pronamespace = to_regnamespace(quote_ident(model)) AND proname = ANY (names)
+    LOOP
+        EXECUTE part;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._drop_own_functions(name, name[]) IS
+    'Drops those of these functions that stand in the schema of a model, with the triggers that call them.';

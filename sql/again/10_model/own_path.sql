@@ -1,49 +1,55 @@
--- A model finds functions of PostGIS by search_path, and so would find functions of others beside these whose arguments
--- fit better.
+-- A model finds its tables and functions, and those of PostGIS, by search_path. So it would find functions of others
+-- there whose arguments fit better.
 
-CREATE OR REPLACE FUNCTION streetgen._check_functions_beside(owner oid, caller oid) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._check_functions_beside(model name, owner oid, caller oid) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    beside record;
+    postgis record;
+    searched record;
     -- Roles that have the rights of the owner, of PostGIS or of its schema anyway.
     trusted oid[];
     creators text;
     planted text;
 BEGIN
-    SELECT n.oid, nspname, nspowner, coalesce(nspacl, acldefault('n', nspowner)) AS acl, extowner INTO beside
+    SELECT n.oid, nspowner, extowner INTO postgis
         FROM pg_extension JOIN pg_namespace n ON n.oid = extnamespace WHERE extname = 'postgis';
     trusted := ARRAY(SELECT r.oid FROM pg_roles r WHERE pg_has_role(r.oid, owner, 'MEMBER')
-        OR pg_has_role(r.oid, beside.nspowner, 'MEMBER') OR r.oid = beside.extowner);
-    SELECT string_agg(p.planted, ', ' ORDER BY p.planted) INTO planted FROM (
-        SELECT p.oid::regprocedure || ' of role ' || proowner::regrole AS planted FROM pg_proc p
-        WHERE pronamespace = beside.oid AND proowner <> ALL (trusted) AND EXISTS (SELECT FROM pg_proc o
-            WHERE o.proname = p.proname AND (o.pronamespace = 'pg_catalog'::regnamespace
-                OR o.pronamespace = beside.oid AND o.proowner = ANY (trusted)))
-        UNION ALL SELECT 'operator ' || p.oid::regoperator || ' of role ' || oprowner::regrole FROM pg_operator p
-        WHERE oprnamespace = beside.oid AND oprowner <> ALL (trusted)) p;
-    IF planted IS NOT NULL THEN
-        PERFORM streetgen._refuse('42501',
-            format('functions of others stand in for those of the system in schema "%s": %s', beside.nspname, planted),
-            detail => format('They could run with the rights of role %s.', owner::regrole),
-            hint => 'Drop them, or have their owners move them to another schema.');
-    ELSIF pg_has_role(caller, owner, 'MEMBER') THEN
-        RETURN;
-    END IF;
-    SELECT string_agg(DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END, ', ') INTO creators
-        FROM aclexplode(beside.acl) WHERE privilege_type = 'CREATE' AND grantee <> ALL (trusted);
-    IF creators IS NOT NULL THEN
-        PERFORM streetgen._refuse('42501', format('schema "%s" is open to functions of %s', beside.nspname, creators),
-            detail => format('PostGIS is there. What role %s edits runs with the rights of %s, the owner of the model, '
-                'and so could those functions.', caller::regrole, owner::regrole),
-            hint => format('REVOKE CREATE ON SCHEMA %I FROM %s, by an administrator; other schemas may stay open.',
-                beside.nspname, creators));
-    END IF;
+        OR pg_has_role(r.oid, postgis.nspowner, 'MEMBER') OR r.oid = postgis.extowner);
+    FOR searched IN SELECT oid, nspname, coalesce(nspacl, acldefault('n', nspowner)) AS acl,
+            CASE oid WHEN postgis.oid THEN 'PostGIS is there.' ELSE 'The tables of the model are there.' END AS holds
+        FROM pg_namespace WHERE oid = postgis.oid OR nspname = model ORDER BY oid = postgis.oid DESC
+    LOOP
+        SELECT string_agg(p.planted, ', ' ORDER BY p.planted) INTO planted FROM (
+            SELECT p.oid::regprocedure || ' of role ' || proowner::regrole AS planted FROM pg_proc p
+            WHERE pronamespace = searched.oid AND proowner <> ALL (trusted) AND EXISTS (SELECT FROM pg_proc o
+                WHERE o.proname = p.proname AND (o.pronamespace = 'pg_catalog'::regnamespace
+                    OR o.pronamespace = postgis.oid AND o.proowner = ANY (trusted)))
+            UNION ALL SELECT 'operator ' || p.oid::regoperator || ' of role ' || oprowner::regrole FROM pg_operator p
+            WHERE oprnamespace = searched.oid AND oprowner <> ALL (trusted)) p;
+        IF planted IS NOT NULL THEN
+            PERFORM streetgen._refuse('42501', format('functions of others stand in for those of the system in schema '
+                '"%s": %s', searched.nspname, planted),
+                detail => format('They could run with the rights of role %s.', owner::regrole),
+                hint => 'Drop them, or have their owners move them to another schema.');
+        END IF;
+        CONTINUE WHEN pg_has_role(caller, owner, 'MEMBER');
+        SELECT string_agg(DISTINCT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END, ', ')
+            INTO creators FROM aclexplode(searched.acl) WHERE privilege_type = 'CREATE' AND grantee <> ALL (trusted);
+        IF creators IS NOT NULL THEN
+            PERFORM streetgen._refuse('42501',
+                format('schema "%s" is open to functions of %s', searched.nspname, creators),
+                detail => format('%s What role %s edits runs with the rights of %s, the owner of the model, and so '
+                    'could those functions.', searched.holds, caller::regrole, owner::regrole),
+                hint => format('REVOKE CREATE ON SCHEMA %I FROM %s, by an administrator; other schemas may stay open.',
+                    searched.nspname, creators));
+        END IF;
+    END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._check_functions_beside(oid, oid) IS
-    'Raises 42501 where the schema of PostGIS holds functions or operators of others by names of the system, or where '
-    'somebody edits with the rights of the owner while others may make such. Others: roles that have neither the '
-    'rights of the owner nor own PostGIS or its schema.';
+COMMENT ON FUNCTION streetgen._check_functions_beside(name, oid, oid) IS
+    'Raises 42501 where the schema of PostGIS or of a model holds functions or operators of others by names of the '
+    'system or of PostGIS, or where somebody edits with the rights of the owner while others may make such. Others: '
+    'roles that have neither the rights of the owner nor own PostGIS or its schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._only_own_functions(model name) RETURNS boolean
     LANGUAGE c STABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_only_own_functions';

@@ -136,6 +136,8 @@ BEGIN
     FOR broken IN SELECT c.*, atttypid, attidentity, (SELECT k.attname FROM pg_attribute k WHERE k.attrelid = TG_RELID
         AND k.attnum = 1) AS key
         FROM streetgen._conditions(TG_RELID) c JOIN pg_attribute ON attrelid = TG_RELID AND attname = attribute
+        -- The place first: what is left out follows from it.
+        ORDER BY atttypid <> 'geometry'::regtype, attnum
     LOOP
         EXECUTE format('SELECT %s, %I::text, %s FROM (SELECT ($1).*) r', broken.condition, broken.key,
             format(CASE broken.atttypid WHEN 'geometry'::regtype THEN 'left(ST_AsText(%I), 80)' WHEN 'text'::regtype
@@ -165,26 +167,24 @@ CREATE OR REPLACE FUNCTION streetgen._make_refusals(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    broken record;
+    ruled record;
 BEGIN
-    FOR broken IN
-        SELECT c.oid::regclass AS input, attribute,
+    FOR ruled IN
+        SELECT c.oid::regclass AS input, string_agg(DISTINCT quote_ident(attribute), ', ') AS attributes,
             string_agg(regexp_replace(condition, format('\m%s\M', attribute), format('NEW.%I', attribute), 'g'),
-            ' AND ' ORDER BY condition) AS condition
+            ' AND ' ORDER BY attribute, condition) AS condition
         FROM pg_class c CROSS JOIN LATERAL streetgen._conditions(c.oid)
-        -- What others added keeps to its constraints: under a trigger it could be neither dropped nor altered.
+        -- Columns that others added keep to their constraints: a trigger would bar them from being dropped or altered.
         JOIN streetgen._model_column() USING (attribute)
         WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace
             AND relname = ANY (streetgen._street_input(model) || 'axis_class'::name)
-        GROUP BY c.oid, attribute
+        GROUP BY c.oid
     LOOP
-        -- A trigger a column, with a condition: a statement reads those of the columns that it writes, and calls the
-        -- function for a row that breaks one.
-        EXECUTE format('CREATE OR REPLACE TRIGGER %I BEFORE INSERT OR UPDATE OF %I ON %s FOR EACH ROW WHEN (NOT '
-            '(%s)) EXECUTE FUNCTION streetgen._refuse_row()',
-            'refuse_' || broken.attribute, broken.attribute, broken.input, broken.condition);
-        EXECUTE format('COMMENT ON TRIGGER %I ON %s IS %L', 'refuse_' || broken.attribute, broken.input,
-            'Says what the column may hold, before its constraint refuses the row');
+        -- The condition is read with the row; the function is called for a row that breaks it.
+        EXECUTE format('CREATE OR REPLACE TRIGGER refuse BEFORE INSERT OR UPDATE OF %s ON %s FOR EACH ROW WHEN ((%s) '
+            'IS FALSE) EXECUTE FUNCTION streetgen._refuse_row()', ruled.attributes, ruled.input, ruled.condition);
+        EXECUTE format('COMMENT ON TRIGGER refuse ON %s IS %L', ruled.input,
+            'Says what a column may hold, before its constraint refuses the row');
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_refusals(name) IS

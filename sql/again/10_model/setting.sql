@@ -200,11 +200,12 @@ COMMENT ON FUNCTION streetgen._default_setting() IS 'The settings of a new model
 
 CREATE OR REPLACE FUNCTION streetgen.setting(model name)
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model);
-    RETURN QUERY EXECUTE format('SELECT * FROM %I.setting ORDER BY name', model);
+    RETURN QUERY SELECT * FROM setting s ORDER BY s.name;
 END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
 
@@ -284,9 +285,10 @@ CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- A default is within its range.
-    EXECUTE format('SELECT streetgen._check_setting(%L, d.name, s.value) FROM streetgen._default_setting() d LEFT '
-        'JOIN %I.setting s USING (name) WHERE s.value IS DISTINCT FROM d.value', model, model);
+    PERFORM streetgen._check_setting(model, d.name, s.value) FROM streetgen._default_setting() d LEFT
+        JOIN setting s USING (name) WHERE s.value IS DISTINCT FROM d.value;
 END $$;
 COMMENT ON FUNCTION streetgen._check_settings(name) IS
     'Raises as _check_setting for what was written or deleted in the setting table of a model without streetgen.set.';
@@ -295,15 +297,18 @@ CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) R
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_given('setting', setting);
     value := streetgen._check_setting(model, setting, value);
     -- One at a time, since each goes on to hold out the other.
-    EXECUTE format('LOCK TABLE %I.setting IN SHARE ROW EXCLUSIVE MODE', model);
-    EXECUTE format('INSERT INTO %I.setting AS s SELECT d.name, $2, d.unit, d.description, d.minimum, d.maximum, '
-        'd.choice FROM streetgen._default_setting() d WHERE d.name = $1
-        ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value', model)
-            USING setting, value;
+    LOCK TABLE setting IN SHARE ROW EXCLUSIVE MODE;
+    INSERT INTO setting AS s SELECT d.name, set.value, d.unit, d.description, d.minimum, d.maximum, d.choice
+        FROM streetgen._default_setting() d WHERE d.name = setting
+        ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value;
+    IF setting = 'log' THEN
+        PERFORM streetgen._make_edit_log(model);
+    END IF;
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;

@@ -1,4 +1,4 @@
--- What a model computes: subjects are listed, and switched on and off.
+-- The subjects that a model computes are listed here, and switched on and off.
 
 CREATE OR REPLACE FUNCTION streetgen.subject(model name)
     RETURNS TABLE(subject text, wanted boolean, needs text[], needed_by text[], tables name[], cost text,
@@ -148,7 +148,7 @@ BEGIN
     PERFORM streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
-    -- Where traffic went round it goes as the axes say, and the kinds of junctions are told anew.
+    -- Traffic that went round goes as the axes say, and the kinds of junctions are told anew.
     IF subject = 'roundabout' AND ('junction' = ANY (computed) OR streetgen._stale_axes(model) > 0) THEN
         RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
     END IF;

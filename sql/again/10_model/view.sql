@@ -19,6 +19,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
 DECLARE
     with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
     -- settings.
     EXECUTE format($sql$
@@ -31,8 +32,7 @@ FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log', 'road_f
     AND name <> ALL (streetgen._design_settings())
 $sql$, model, CASE WHEN with_rings THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
     FROM %I.roundabout_pattern), '')$sql$, model) END);
-    EXECUTE format($sql$COMMENT ON VIEW %I.setting_used IS 'The settings that streets depend on, as one row'$sql$,
-        model);
+    COMMENT ON VIEW setting_used IS 'The settings that streets depend on, as one row';
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
 SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
@@ -196,7 +196,7 @@ LEFT JOIN LATERAL (
         AS sidewalk_usual,
         streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side)
             AS island_side HAVING true) f ON true
--- What these leave to the lanes of one direction.
+-- The rest is left to the lanes of one direction.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
         THEN 0
@@ -213,24 +213,21 @@ LEFT JOIN LATERAL (
                    WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
                    HAVING true) l ON true
 $sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END);
-    EXECUTE format($sql$COMMENT ON VIEW %I.axis_used
-        IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions'$sql$,
-        model);
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.intersection_group WITH (security_invoker = true) AS
-WITH RECURSIVE crossed AS (
-    SELECT from_node, to_node FROM %1$I.edge JOIN %1$I.section s USING (edge_id)
-    WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM %1$I.intersection)
-        AND to_node IN (SELECT node_id FROM %1$I.intersection)
-), touching AS (
-    SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
-), joined AS (
-    SELECT node_id, node_id AS other FROM %1$I.intersection
-    UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
-)
-SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN %1$I.intersection i USING (node_id)
-    GROUP BY node_id, i.level
-$sql$, model);
+    COMMENT ON VIEW axis_used
+        IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';
+    CREATE OR REPLACE VIEW intersection_group WITH (security_invoker = true) AS
+    WITH RECURSIVE crossed AS (
+        SELECT from_node, to_node FROM edge JOIN section s USING (edge_id)
+        WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM intersection)
+            AND to_node IN (SELECT node_id FROM intersection)
+    ), touching AS (
+        SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+    ), joined AS (
+        SELECT node_id, node_id AS other FROM intersection
+        UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+    )
+    SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN intersection i USING (node_id)
+        GROUP BY node_id, i.level;
     PERFORM streetgen._make_import_conflict_view(model);
     IF 'lane' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_lane_driving_view(model), streetgen._make_lane_group_view(model),
@@ -260,28 +257,27 @@ $sql$, model);
     IF with_rings AND 'block' = ANY (streetgen._subjects(model)) THEN
         PERFORM streetgen._make_roundabout_block_view(model);
     END IF;
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.roadway WITH (security_invoker = true) AS
-SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind, importance,
-    e.level, e.width, e.lane_count, surface
-FROM %1$I.section JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a
-    USING (axis_id) WHERE NOT ST_IsEmpty(surface)
-UNION ALL
-SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count,
-    surface
-FROM %1$I.intersection i LEFT JOIN LATERAL (
-    SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node
-        THEN width_end END) AS width, lane_count
-    FROM %1$I.edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id
-        LIMIT 1) first ON true
-LEFT JOIN (SELECT axis_id, name, kind FROM %1$I.axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface)
-$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.roadway
+    CREATE OR REPLACE VIEW roadway WITH (security_invoker = true) AS
+    SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind,
+        importance,
+        e.level, e.width, e.lane_count, surface
+    FROM section JOIN edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM axis) a
+        USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+    UNION ALL
+    SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count,
+        surface
+    FROM intersection i LEFT JOIN LATERAL (
+        SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node
+            THEN width_end END) AS width, lane_count
+        FROM edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id
+            LIMIT 1) first ON true
+    LEFT JOIN (SELECT axis_id, name, kind FROM axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface);
+    COMMENT ON VIEW roadway
         IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without '
         'overlap. An intersection is named after its first edge: the most important, then the widest, then that of '
-        'the smallest axis_id'$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.intersection_group
+        'the smallest axis_id';
+    COMMENT ON VIEW intersection_group
         IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the '
-        'smallest node of each names it'$sql$, model);
+        'smallest node of each names it';
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS 'Makes the views of a model, again and again.';

@@ -34,13 +34,13 @@ CREATE OR REPLACE FUNCTION streetgen._fill_axis() RETURNS trigger
 DECLARE
     line geometry;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' AND NEW.axis_id IS NULL
         OR TG_OP = 'UPDATE' AND NEW.axis_id IS NOT DISTINCT FROM OLD.axis_id
             AND NEW.geom::bytea IS DISTINCT FROM OLD.geom::bytea THEN
         NEW.axis_id := streetgen._axis_beside(TG_TABLE_SCHEMA, NEW.geom);
     END IF;
-    EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO line
-        USING NEW.axis_id;
+    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = NEW.axis_id INTO line;
     IF line IS NOT NULL THEN
         NEW.abscissa := ST_LineLocatePoint(line, NEW.geom) * ST_Length(line);
         NEW.axis_distance := ST_Distance(line, NEW.geom);
@@ -55,29 +55,28 @@ COMMENT ON FUNCTION streetgen._fill_axis() IS
     'its place along that axis; as they were where the axis is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_beside(model name, place geometry) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     found bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- The widest street is 200 m wide. What is no longer than the tolerance, an axis or the piece at an end of it, is a
     -- node and no edge.
-    EXECUTE format($sql$
-SELECT axis_id FROM (
-    SELECT axis_id, round(ST_Distance(a.geom, $1)::numeric, 6) AS distance, coalesce(a.width, c.width,
-        (SELECT value::float8 FROM %1$I.setting WHERE name = 'width_default')) / 2 AS half,
-        length <= tolerance AS collapses, place <= first AND first <= tolerance
-            OR place >= length - last AND last <= tolerance AS behind, tolerance
-    FROM (SELECT value::float8 AS tolerance FROM %1$I.setting WHERE name = 'tolerance') s, %1$I.axis a
-        LEFT JOIN %1$I.axis_class c ON c.class = a.kind CROSS JOIN LATERAL (
-        SELECT length, ST_LineLocatePoint(line, $1) * length AS place,
-            ST_Distance(ST_StartPoint(line), ST_PointN(line, 2)) AS first,
-            ST_Distance(ST_PointN(line, -2), ST_EndPoint(line)) AS last
-        FROM (SELECT ST_Force2D(a.geom) AS line, ST_Length(ST_Force2D(a.geom)) AS length OFFSET 0) l) p
-    WHERE ST_DWithin(a.geom, $1, 103)) near
-WHERE distance <= half + 3 * tolerance
-ORDER BY collapses, distance, behind, axis_id LIMIT 1
-$sql$, model) INTO found USING place;
+    SELECT axis_id FROM (
+        SELECT axis_id, round(ST_Distance(a.geom, _axis_beside.place)::numeric, 6) AS distance,
+            coalesce(a.width, c.width, (SELECT value::float8 FROM setting WHERE name = 'width_default')) / 2 AS half,
+            length <= tolerance AS collapses, p.place <= first AND first <= tolerance
+                OR p.place >= length - last AND last <= tolerance AS behind, tolerance
+        FROM (SELECT value::float8 AS tolerance FROM setting WHERE name = 'tolerance') s, axis a
+            LEFT JOIN axis_class c ON c.class = a.kind CROSS JOIN LATERAL (
+            SELECT length, ST_LineLocatePoint(line, _axis_beside.place) * length AS place,
+                ST_Distance(ST_StartPoint(line), ST_PointN(line, 2)) AS first,
+                ST_Distance(ST_PointN(line, -2), ST_EndPoint(line)) AS last
+            FROM (SELECT ST_Force2D(a.geom) AS line, ST_Length(ST_Force2D(a.geom)) AS length OFFSET 0) l) p
+        WHERE ST_DWithin(a.geom, _axis_beside.place, 103)) near
+    WHERE distance <= half + 3 * tolerance
+    ORDER BY collapses, distance, behind, axis_id LIMIT 1 INTO found;
     RETURN found;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_beside(name, geometry) IS

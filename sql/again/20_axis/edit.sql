@@ -1,12 +1,13 @@
 -- Edits of the axes themselves: axis_editing, node_editing, edge_editing.
 
 CREATE OR REPLACE FUNCTION streetgen._tolerance(model name) RETURNS float8
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     tolerance float8;
 BEGIN
-    EXECUTE format($sql$SELECT value::float8 FROM %I.setting WHERE name = 'tolerance'$sql$, model) INTO tolerance;
+    PERFORM streetgen._use_model(model);
+    SELECT value::float8 FROM setting WHERE name = 'tolerance' INTO tolerance;
     RETURN tolerance;
 END $$;
 COMMENT ON FUNCTION streetgen._tolerance(name) IS 'Setting tolerance of a model, metres.';
@@ -18,8 +19,9 @@ DECLARE
     written bigint := 0;
     way_out text;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('DELETE FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) USING OLD.axis_id;
+        DELETE FROM axis WHERE axis_id = OLD.axis_id;
         RETURN OLD;
     END IF;
     IF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
@@ -28,22 +30,19 @@ BEGIN
     NEW.direction := coalesce(NEW.direction, 'both');
     NEW.level := coalesce(NEW.level, 0);
     IF TG_OP = 'INSERT' AND NEW.axis_id IS NULL THEN
-        EXECUTE format('INSERT INTO %I.axis (geom, width, lane_count, direction, speed, importance, name, level) '
-            'VALUES ($1, $2, $3, $4, $5, $6, $7, $8) RETURNING axis_id', TG_TABLE_SCHEMA)
-            INTO NEW.axis_id USING NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
-                NEW.name, NEW.level;
+        INSERT INTO axis (geom, width, lane_count, direction, speed, importance, name, level)
+            VALUES (NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level)
+            RETURNING axis_id INTO NEW.axis_id;
     ELSIF TG_OP = 'INSERT' THEN
-        EXECUTE format('SELECT count(*) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO written
-            USING NEW.axis_id;
+        SELECT count(*) FROM axis WHERE axis_id = NEW.axis_id INTO written;
         IF written > 0 THEN
             PERFORM streetgen._refuse('23505', format('the new axis cannot be axis %s', NEW.axis_id),
                 detail => 'Another axis has this number.', hint => 'Leave axis_id empty: it is numbered by itself.',
                 schema => TG_TABLE_SCHEMA, relation => 'axis', attribute => 'axis_id');
         END IF;
-        EXECUTE format('INSERT INTO %I.axis (axis_id, geom, width, lane_count, direction, speed, importance, name, '
-            'level) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9)', TG_TABLE_SCHEMA)
-            USING NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name,
-                NEW.level;
+        INSERT INTO axis (axis_id, geom, width, lane_count, direction, speed, importance, name, level)
+            VALUES (NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
+            NEW.name, NEW.level);
     ELSE
         -- What this edit leaves alone another session may be changing. A loop: what is refused does not show the
         -- statement whole.
@@ -72,8 +71,9 @@ CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- A statement about no row: its trigger enters with the rights of the owner.
-    EXECUTE format('UPDATE %I.axis SET geom = geom WHERE false', model);
+    UPDATE axis SET geom = geom WHERE false;
     BEGIN
         EXECUTE format('SELECT FROM %I.axis WHERE axis_id IN (%s) ORDER BY axis_id FOR UPDATE', model, axes);
     EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
@@ -110,6 +110,7 @@ DECLARE
     lines geometry[];
     tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP <> 'UPDATE' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Nodes lie where axes meet or end: draw or delete axes in axis_editing.');
@@ -122,22 +123,20 @@ BEGIN
     PERFORM streetgen._check_edit_geometry('node ' || OLD.node_id, NEW.geom);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
         format('SELECT axis_id FROM %I.edge WHERE from_node = %s OR to_node = %2$s', TG_TABLE_SCHEMA, OLD.node_id));
-    EXECUTE format($sql$
-SELECT array_agg(axis_id ORDER BY axis_id), array_agg(streetgen._with_vertex(geom, abscissas, $2, $3) ORDER BY axis_id)
-FROM %1$I.axis JOIN (
-    SELECT axis_id, array_agg(DISTINCT abscissa) AS abscissas
-    FROM (SELECT axis_id, start_abscissa AS abscissa FROM %1$I.edge WHERE from_node = $1
-        UNION ALL SELECT axis_id, end_abscissa FROM %1$I.edge WHERE to_node = $1) e GROUP BY axis_id) a
-        USING (axis_id) $sql$,
-        TG_TABLE_SCHEMA) INTO axes, lines USING OLD.node_id, NEW.geom, tolerance;
+    SELECT array_agg(axis_id ORDER BY axis_id), array_agg(streetgen._with_vertex(geom, abscissas, NEW.geom, tolerance)
+        ORDER BY axis_id)
+    FROM axis JOIN (
+        SELECT axis_id, array_agg(DISTINCT abscissa) AS abscissas
+        FROM (SELECT axis_id, start_abscissa AS abscissa FROM edge WHERE from_node = OLD.node_id
+            UNION ALL SELECT axis_id, end_abscissa FROM edge WHERE to_node = OLD.node_id) e GROUP BY axis_id) a
+            USING (axis_id) INTO axes, lines;
     IF axes IS NULL THEN
         PERFORM streetgen._refuse('22023', format('node %s is gone', OLD.node_id),
             detail => 'No axis meets there any more.', hint => 'Refresh the layer.');
     END IF;
     PERFORM streetgen._check_edit_line(format('axis %s, with node %s moved there,', axis, OLD.node_id), line,
         tolerance) FROM unnest(axes, lines) a(axis, line);
-    EXECUTE format('UPDATE %I.axis SET geom = line FROM unnest($1, $2) a(axis, line) WHERE axis_id = axis',
-        TG_TABLE_SCHEMA) USING axes, lines;
+    UPDATE axis SET geom = line FROM unnest(axes, lines) a(axis, line) WHERE axis_id = axis;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_node() IS
@@ -169,6 +168,7 @@ DECLARE
     tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
     subject text;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP <> 'UPDATE' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Edges are pieces of axes: draw, split or delete axes in axis_editing.');
@@ -182,10 +182,9 @@ BEGIN
     PERFORM streetgen._check_edit_line(subject, NEW.geom, tolerance);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('VALUES (%s)', OLD.axis_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
-    EXECUTE format('SELECT streetgen._with_piece(geom, $2, $3, $4, $5) FROM %I.axis WHERE axis_id = $1',
-        TG_TABLE_SCHEMA) INTO line
-        USING edge.axis_id, edge.start_abscissa, edge.end_abscissa, NEW.geom, tolerance;
-    EXECUTE format('UPDATE %I.axis SET geom = $2 WHERE axis_id = $1', TG_TABLE_SCHEMA) USING edge.axis_id, line;
+    SELECT streetgen._with_piece(geom, edge.start_abscissa, edge.end_abscissa, NEW.geom, tolerance) FROM axis
+        WHERE axis_id = edge.axis_id INTO line;
+    UPDATE axis SET geom = line WHERE axis_id = edge.axis_id;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_edge() IS

@@ -1,4 +1,4 @@
--- What the source lacks, by named functions; their coefficients are settings of the model.
+-- Named functions estimate what the source lacks; their coefficients are settings of the model.
 
 CREATE OR REPLACE FUNCTION streetgen.believed_width(width float8, lane_count integer, max_width_per_lane float8)
     RETURNS float8

@@ -2,15 +2,17 @@
 -- refuses it; the nearest box bounds the distance, and the exact distance decides within it.
 
 CREATE OR REPLACE FUNCTION streetgen._nearest_axis(model name, place geometry) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     nearest bigint;
 BEGIN
-    EXECUTE format('SELECT axis_id FROM %1$I.axis
-        WHERE ST_DWithin(geom, $1, (SELECT ST_Distance(b.geom, $1) FROM (SELECT geom FROM %1$I.axis ORDER BY geom <#> $1
+    PERFORM streetgen._use_model(model);
+    SELECT axis_id FROM axis
+        WHERE ST_DWithin(geom, place, (SELECT ST_Distance(b.geom, place) FROM (SELECT geom FROM axis
+            ORDER BY geom <#> place
             LIMIT 1) b))
-        ORDER BY ST_Distance(geom, $1), axis_id LIMIT 1', model) INTO nearest USING place;
+        ORDER BY ST_Distance(geom, place), axis_id LIMIT 1 INTO nearest;
     RETURN nearest;
 END $$;
 COMMENT ON FUNCTION streetgen._nearest_axis(name, geometry) IS

@@ -1,4 +1,4 @@
--- Which widths are believed: one put by hand always, one of a source up to setting max_width_per_lane.
+-- A width put by hand is always believed, one of a source up to setting max_width_per_lane.
 
 CREATE OR REPLACE FUNCTION streetgen._add_width_by_hand(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -80,12 +80,13 @@ DECLARE
     bound text;
     first record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF axes IS NULL OR axes = '{}' THEN
         RETURN;
     END IF;
     SELECT *, count(*) OVER () - 1 AS others INTO first FROM streetgen._unbelieved(model, axes) LIMIT 1;
     IF FOUND THEN
-        EXECUTE format('SELECT value FROM %I.setting WHERE name = ''max_width_per_lane''', model) INTO bound;
+        SELECT value FROM setting WHERE name = 'max_width_per_lane' INTO bound;
         RAISE NOTICE '% % m of axis % is not believed, with lane_count %: setting max_width_per_lane is % m%',
             first.attribute, first.width, first.axis_id, first.lane_count, bound,
             CASE first.others WHEN 0 THEN '' ELSE format('; nor are %s others', first.others) END

@@ -11,6 +11,7 @@ DECLARE
     known bigint;
     written bigint;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Each edge has its two limits: move one of them.');
     ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
@@ -25,10 +26,9 @@ BEGIN
         TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
-        EXECUTE format('DELETE FROM %I.section_limit_override WHERE axis_id = $1 AND which = $2 AND CASE $2 '
-            'WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa <= $4 END',
-            TG_TABLE_SCHEMA)
-            USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
+        DELETE FROM section_limit_override WHERE axis_id = edge.axis_id AND which = OLD.which
+            AND CASE OLD.which WHEN 'start' THEN abscissa >= edge.start_abscissa
+            AND abscissa < edge.end_abscissa ELSE abscissa > edge.start_abscissa AND abscissa <= edge.end_abscissa END;
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
     END IF;
@@ -36,8 +36,7 @@ BEGIN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         NEW.abscissa := ST_LineLocatePoint(edge.geom, NEW.geom) * ST_Length2D(edge.geom);
     END IF;
-    EXECUTE format('SELECT abscissa FROM %I.section_limit WHERE edge_id = $1 AND which <> $2', TG_TABLE_SCHEMA)
-        INTO other USING OLD.edge_id, OLD.which;
+    SELECT abscissa FROM section_limit WHERE edge_id = OLD.edge_id AND which <> OLD.which INTO other;
     IF NEW.abscissa IS NULL OR NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom)
         OR (CASE OLD.which WHEN 'start' THEN NEW.abscissa >= other ELSE NEW.abscissa <= other END) THEN
         PERFORM streetgen._refuse('22023',
@@ -50,16 +49,15 @@ BEGIN
     -- The end of an edge belongs to the next one.
     NEW.abscissa := least(edge.start_abscissa + NEW.abscissa, edge.end_abscissa - 1e-6);
     place := ST_LineInterpolatePoint(edge.axis, least(NEW.abscissa / ST_Length2D(edge.axis), 1));
-    EXECUTE format('SELECT max(section_limit_override_id) FROM %I.section_limit_override WHERE axis_id = $1 AND '
-        'which = $2 AND CASE $2 WHEN ''start'' THEN abscissa >= $3 AND abscissa < $4 ELSE abscissa > $3 AND abscissa '
-        '<= $4 END', TG_TABLE_SCHEMA)
-        INTO known USING edge.axis_id, OLD.which, edge.start_abscissa, edge.end_abscissa;
+    SELECT max(section_limit_override_id) FROM section_limit_override WHERE axis_id = edge.axis_id
+        AND which = OLD.which AND CASE OLD.which WHEN 'start' THEN abscissa >= edge.start_abscissa
+        AND abscissa < edge.end_abscissa ELSE abscissa > edge.start_abscissa AND abscissa <= edge.end_abscissa END
+        INTO known;
     IF known IS NULL THEN
-        EXECUTE format('INSERT INTO %I.section_limit_override (axis_id, abscissa, which, geom) VALUES ($1, $2, $3, '
-            '$4)', TG_TABLE_SCHEMA) USING edge.axis_id, NEW.abscissa, OLD.which, place;
+        INSERT INTO section_limit_override (axis_id, abscissa, which, geom) VALUES (edge.axis_id, NEW.abscissa,
+            OLD.which, place);
     ELSE
-        EXECUTE format('UPDATE %I.section_limit_override SET abscissa = $2, geom = $3 WHERE '
-            'section_limit_override_id = $1', TG_TABLE_SCHEMA) USING known, NEW.abscissa, place;
+        UPDATE section_limit_override SET abscissa = NEW.abscissa, geom = place WHERE section_limit_override_id = known;
     END IF;
     NEW.abscissa := NEW.abscissa - edge.start_abscissa;
     NEW.by_hand := true;
@@ -79,6 +77,7 @@ DECLARE
     -- The youngest that speaks of this corner alone.
     own bigint;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Corners lie between the edges of a node: change the radius of one.');
@@ -92,32 +91,28 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
         format('SELECT axis_id FROM %1$I.corner JOIN %1$I.edge ON edge_id IN (edge_a, edge_b) WHERE corner_id = %2$s',
         TG_TABLE_SCHEMA, OLD.corner_id));
-    EXECUTE format($sql$
-SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_a, b.axis_id AS axis_b, a.geom AS line_a, b.geom AS line_b,
-    CASE c.end_a WHEN 'start' THEN a.width ELSE a.width_end END AS width_a, CASE c.end_b WHEN 'start' THEN b.width
-    ELSE b.width_end END AS width_b,
-       streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b,
-       EXISTS (SELECT FROM %1$I.corner t JOIN %1$I.edge u ON u.edge_id = t.edge_a
-           JOIN %1$I.edge v ON v.edge_id = t.edge_b WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id
-           AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)) AS twin
-FROM %1$I.corner c JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a
-    JOIN %1$I.edge b ON b.edge_id = c.edge_b
-WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axis_id)
-    AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA) INTO place
-    USING OLD.corner_id;
+    SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_a, b.axis_id AS axis_b, a.geom AS line_a, b.geom AS line_b,
+        CASE c.end_a WHEN 'start' THEN a.width ELSE a.width_end END AS width_a, CASE c.end_b WHEN 'start' THEN b.width
+        ELSE b.width_end END AS width_b,
+           streetgen._direction_from(a.geom, c.end_a) AS of_a, streetgen._direction_from(b.geom, c.end_b) AS of_b,
+           EXISTS (SELECT FROM corner t JOIN edge u ON u.edge_id = t.edge_a
+               JOIN edge v ON v.edge_id = t.edge_b WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id
+               AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)) AS twin
+    FROM corner c JOIN node n USING (node_id) JOIN edge a ON a.edge_id = c.edge_a
+        JOIN edge b ON b.edge_id = c.edge_b
+    WHERE corner_id = OLD.corner_id AND EXISTS (SELECT FROM axis x WHERE x.axis_id = a.axis_id)
+        AND EXISTS (SELECT FROM axis x WHERE x.axis_id = b.axis_id) INTO place;
     IF place.node IS NULL THEN
         PERFORM streetgen._refuse('22023', format('%s is gone', subject),
             detail => 'Its axes do not meet there any more.', hint => 'Refresh the layer.');
     END IF;
-    EXECUTE format('SELECT coalesce(array_agg(corner_override_id), ''{}''), max(corner_override_id) FILTER (WHERE '
-        'NOT $5 OR ST_Distance(geom, $3) > 0.001) FROM %I.corner_override
-        WHERE (axis_a, axis_b) = ($1, $2) AND ST_DWithin(geom, $3, $4)
-            AND (NOT $5 OR streetgen._on_side(geom, $3, $6, $7))', TG_TABLE_SCHEMA)
-        INTO known, own USING place.axis_a, place.axis_b, place.node, 3 * streetgen._tolerance(TG_TABLE_SCHEMA),
-            place.twin, place.of_a, place.of_b;
+    SELECT coalesce(array_agg(corner_override_id), '{}'), max(corner_override_id) FILTER (WHERE NOT place.twin
+        OR ST_Distance(geom, place.node) > 0.001) FROM corner_override
+        WHERE (axis_a, axis_b) = (place.axis_a, place.axis_b) AND ST_DWithin(geom, place.node, 3 *
+            streetgen._tolerance(TG_TABLE_SCHEMA))
+            AND (NOT place.twin OR streetgen._on_side(geom, place.node, place.of_a, place.of_b)) INTO known, own;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
-        EXECUTE format('DELETE FROM %I.corner_override WHERE corner_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-            USING known;
+        DELETE FROM corner_override WHERE corner_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
@@ -129,13 +124,13 @@ WHERE corner_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axi
     PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 200, 'm',
         '0 for no arc; delete the row to take back what was decided by hand.');
     IF own IS NULL THEN
-        EXECUTE format('INSERT INTO %I.corner_override (geom, axis_a, axis_b, radius) VALUES (CASE WHEN $5 THEN '
-            'ST_Translate($1, $6 * cos($7), $6 * sin($7)) ELSE $1 END, $2, $3, $4)', TG_TABLE_SCHEMA)
-            USING place.node, place.axis_a, place.axis_b, NEW.radius, place.twin, streetgen._tolerance(TG_TABLE_SCHEMA),
-                place.of_a + (place.of_b - place.of_a - 2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2;
+        INSERT INTO corner_override (geom, axis_a, axis_b, radius) VALUES (CASE WHEN place.twin THEN
+            ST_Translate(place.node, streetgen._tolerance(TG_TABLE_SCHEMA) * cos(place.of_a + (place.of_b - place.of_a -
+            2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2), streetgen._tolerance(TG_TABLE_SCHEMA) *
+            sin(place.of_a + (place.of_b - place.of_a - 2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2))
+            ELSE place.node END, place.axis_a, place.axis_b, NEW.radius);
     ELSE
-        EXECUTE format('UPDATE %I.corner_override SET radius = $2 WHERE corner_override_id = $1', TG_TABLE_SCHEMA)
-            USING own, NEW.radius;
+        UPDATE corner_override SET radius = NEW.radius WHERE corner_override_id = own;
     END IF;
     NEW.by_hand := true;
     RETURN NEW;
@@ -156,9 +151,9 @@ DECLARE
     -- The point as it is now: what this edit leaves alone another session may have changed.
     known record;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('DELETE FROM %I.kerb_point_override WHERE kerb_point_override_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.kerb_point_id;
+        DELETE FROM kerb_point_override WHERE kerb_point_override_id = OLD.kerb_point_id;
         RETURN OLD;
     ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
@@ -175,8 +170,8 @@ BEGIN
         format('SELECT axis_id FROM %I.kerb_point_override WHERE kerb_point_override_id = %s UNION ALL SELECT %s',
         TG_TABLE_SCHEMA, quote_nullable(OLD.kerb_point_id), quote_nullable(NEW.axis_id)));
     IF TG_OP = 'UPDATE' THEN
-        EXECUTE format('SELECT axis_id, geom FROM %I.kerb_point_override WHERE kerb_point_override_id = $1 FOR UPDATE',
-            TG_TABLE_SCHEMA) INTO known USING OLD.kerb_point_id;
+        SELECT axis_id, geom FROM kerb_point_override WHERE kerb_point_override_id = OLD.kerb_point_id FOR UPDATE
+            INTO known;
         IF known.geom IS NULL THEN
             PERFORM streetgen._refuse('22023', format('%s is gone', subject), detail => 'Another session deleted it.',
                 hint => 'Refresh the layer.');
@@ -184,8 +179,7 @@ BEGIN
         NEW.axis_id := CASE WHEN NEW.axis_id = OLD.axis_id THEN known.axis_id ELSE NEW.axis_id END;
         NEW.geom := CASE WHEN moved THEN NEW.geom ELSE known.geom END;
     END IF;
-    EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis
-        USING NEW.axis_id;
+    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = NEW.axis_id INTO axis;
     IF axis IS NULL THEN
         PERFORM streetgen._refuse('22023', format('the axis of %s is gone', subject),
             detail => format('There is no axis %s.', NEW.axis_id),
@@ -213,13 +207,11 @@ BEGIN
             hint => 'Drop it on the kerb, up to 100 m from an axis and not beyond its end.');
     END IF;
     IF TG_OP = 'INSERT' THEN
-        EXECUTE format('INSERT INTO %I.kerb_point_override (axis_id, geom, abscissa, width) VALUES ($1, $2, $3, $4) '
-            'RETURNING kerb_point_override_id', TG_TABLE_SCHEMA)
-            INTO NEW.kerb_point_id USING NEW.axis_id, NEW.geom, at * ST_Length2D(axis), NEW.width;
+        INSERT INTO kerb_point_override (axis_id, geom, abscissa, width) VALUES (NEW.axis_id, NEW.geom, at *
+            ST_Length2D(axis), NEW.width) RETURNING kerb_point_override_id INTO NEW.kerb_point_id;
     ELSE
-        EXECUTE format('UPDATE %I.kerb_point_override SET axis_id = $2, geom = $3, abscissa = $4, width = $5 WHERE '
-            'kerb_point_override_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.kerb_point_id, NEW.axis_id, NEW.geom, at * ST_Length2D(axis), NEW.width;
+        UPDATE kerb_point_override SET axis_id = NEW.axis_id, geom = NEW.geom, abscissa = (at * ST_Length2D(axis)),
+            width = NEW.width WHERE kerb_point_override_id = OLD.kerb_point_id;
     END IF;
     RETURN NEW;
 END $$;

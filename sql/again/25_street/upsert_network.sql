@@ -16,7 +16,7 @@ written_edge AS MATERIALIZED (
 written_node AS MATERIALIZED (
     SELECT * FROM streetgen._computed_node((SELECT streets FROM computed))
     WHERE number IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)),
--- Of the written axes, and of those that meet what is written: they know its nodes.
+-- Edges of the written axes, and of those that meet what is written: they know its nodes.
 old_edge AS MATERIALIZED (
     SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, {whole} OR axis_id IN (SELECT axis_id
         FROM written_axis) AS written

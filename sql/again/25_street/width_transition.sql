@@ -7,15 +7,15 @@ CREATE OR REPLACE FUNCTION streetgen.set_transition(model name, node bigint, kin
 DECLARE
     ends record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('node', node::text);
     PERFORM streetgen._lock_axes(model, format('SELECT axis_id FROM %I.edge WHERE from_node = %L OR to_node = %2$L',
         model, node));
     -- A node may get another id, an end of an axis stays: the override is kept there.
-    EXECUTE format($sql$
-SELECT array_agg(axis_id ORDER BY axis_id, which DESC) AS axis_id, array_agg(which ORDER BY axis_id, which DESC)
-    AS which
-FROM (SELECT axis_id, 'start' AS which FROM %1$I.edge WHERE from_node = $1
-    UNION ALL SELECT axis_id, 'end' FROM %1$I.edge WHERE to_node = $1) e $sql$, model) INTO ends USING node;
+    SELECT array_agg(axis_id ORDER BY axis_id, which DESC) AS axis_id, array_agg(which ORDER BY axis_id, which DESC)
+        AS which
+    FROM (SELECT axis_id, 'start' AS which FROM edge WHERE from_node = node
+        UNION ALL SELECT axis_id, 'end' FROM edge WHERE to_node = node) e INTO ends;
     IF ends.axis_id IS NULL THEN
         RAISE EXCEPTION 'model "%" has no node %', model, node USING ERRCODE = '22023',
             HINT = 'Nodes get another id where they come anew: look it up by its place.';
@@ -24,11 +24,11 @@ FROM (SELECT axis_id, 'start' AS which FROM %1$I.edge WHERE from_node = $1
             USING ERRCODE = '22023',
             HINT = 'A width changes where one axis goes on as another.';
     END IF;
-    EXECUTE format('DELETE FROM %I.transition_override o USING unnest($1, $2) e(axis_id, which) WHERE (o.axis_id, '
-        'o.which) = (e.axis_id, e.which)', model) USING ends.axis_id, ends.which;
+    DELETE FROM transition_override o USING unnest(ends.axis_id, ends.which) e(axis_id, which)
+        WHERE (o.axis_id, o.which) = (e.axis_id, e.which);
     IF kind IS NOT NULL OR length IS NOT NULL THEN
-        EXECUTE format('INSERT INTO %I.transition_override (axis_id, which, kind, length) VALUES ($1, $2, $3, $4)',
-            model) USING ends.axis_id[1], ends.which[1], kind, length;
+        INSERT INTO transition_override (axis_id, which, kind, length) VALUES (ends.axis_id[1], ends.which[1], kind,
+            length);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen.set_transition(name, bigint, text, float8) IS

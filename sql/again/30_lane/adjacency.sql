@@ -56,7 +56,7 @@ COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_beside_merging() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    -- Of two merging lanes on different parts of an edge the outer one lies beside the lanes that go all along.
+    -- The outer one of two merging lanes on different parts of an edge lies beside the lanes that go all along.
     AS $f$ SELECT $sql$JOIN %1$I.lane on_left ON (on_left.edge_id, on_left.lane_position) = (s.edge_id, s.lane_position)
     JOIN %1$I.lane on_right ON (on_right.edge_id, on_right.lane_position)
         = (s.edge_id, s.lane_position + 1)
@@ -120,7 +120,7 @@ COMMENT ON FUNCTION streetgen._measure_at(float8[], float8[], float8) IS
 
 CREATE OR REPLACE FUNCTION streetgen._lane_beside(model name, lane bigint, place_on_lane float8, side text)
     RETURNS TABLE(lane_id bigint, metres float8)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
@@ -128,28 +128,28 @@ DECLARE
     here record;
     there record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('lane', lane::text,
         'metres', place_on_lane::text, 'side', side);
     IF side NOT IN ('left', 'right') THEN
         RAISE EXCEPTION 'side is "%", expected left or right', side USING ERRCODE = '22023',
             HINT = 'Sides are seen along the axis.';
     END IF;
-    EXECUTE format($sql$
-SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line,
-    (SELECT max(abs(w.axis_offset)) + max(w.width) FROM %1$I.lane w WHERE w.edge_id = l.edge_id) AS widest,
-    x.start_abscissa - e.start_abscissa AS first, x.end_abscissa - e.start_abscissa AS last,
-    y.start_abscissa - e.start_abscissa AS other_first, y.end_abscissa - e.start_abscissa AS other_last
-FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id LEFT JOIN LATERAL (
-    -- The nearest one that is there: merging lanes lie on a part of the edge.
-    SELECT o.lane_id, o.geom FROM %1$I.lane o, (SELECT e.start_abscissa + ST_Length(e.geom) * ST_LineLocatePoint(
-        ST_Force2D(e.geom), ST_LineInterpolatePoint(l.geom, least(greatest($3 / ST_Length(l.geom), 0), 1))) AS at) p
-    WHERE o.edge_id = l.edge_id AND CASE $2 WHEN 'left' THEN l.lane_position - o.lane_position
-            ELSE o.lane_position - l.lane_position END > 0
-        AND coalesce(at >= o.start_abscissa, true) AND coalesce(at <= o.end_abscissa, true)
-    ORDER BY abs(o.lane_position - l.lane_position) LIMIT 1) o ON true
-    LEFT JOIN %1$I.lane_extent y ON y.lane_id = o.lane_id
-WHERE l.lane_id = $1
-$sql$, model) INTO place USING lane, side, place_on_lane;
+    SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line,
+        (SELECT max(abs(w.axis_offset)) + max(w.width) FROM lane w WHERE w.edge_id = l.edge_id) AS widest,
+        x.start_abscissa - e.start_abscissa AS first, x.end_abscissa - e.start_abscissa AS last,
+        y.start_abscissa - e.start_abscissa AS other_first, y.end_abscissa - e.start_abscissa AS other_last
+    FROM lane l JOIN edge e USING (edge_id) JOIN lane_extent x ON x.lane_id = l.lane_id LEFT JOIN LATERAL (
+        -- The nearest one that is there: merging lanes lie on a part of the edge.
+        SELECT o.lane_id, o.geom FROM lane o, (SELECT e.start_abscissa + ST_Length(e.geom) * ST_LineLocatePoint(
+            ST_Force2D(e.geom), ST_LineInterpolatePoint(l.geom, least(greatest(place_on_lane / ST_Length(l.geom), 0),
+                1))) AS at) p
+        WHERE o.edge_id = l.edge_id AND CASE _lane_beside.side WHEN 'left' THEN l.lane_position - o.lane_position
+                ELSE o.lane_position - l.lane_position END > 0
+            AND coalesce(at >= o.start_abscissa, true) AND coalesce(at <= o.end_abscissa, true)
+        ORDER BY abs(o.lane_position - l.lane_position) LIMIT 1) o ON true
+        LEFT JOIN lane_extent y ON y.lane_id = o.lane_id
+    WHERE l.lane_id = lane INTO place;
     IF place.line IS NULL THEN
         RAISE EXCEPTION 'there is no lane %', lane USING ERRCODE = '22023',
             HINT = format('SELECT lane_id FROM %I.lane lists them.', model);
@@ -172,7 +172,7 @@ COMMENT ON FUNCTION streetgen._lane_beside(name, bigint, float8, text) IS
 -- PL/pgSQL takes no name twice.
 CREATE OR REPLACE FUNCTION streetgen.lane_beside(model name, lane bigint, metres float8, side text)
     RETURNS TABLE(lane_id bigint, metres float8)
-    LANGUAGE sql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog
     AS $$ SELECT * FROM streetgen._lane_beside($1, $2, $3, $4) $$;
 COMMENT ON FUNCTION streetgen.lane_beside(name, bigint, float8, text) IS
     'The lane beside a lane, and the place there beside a place of it: metres along the line of each lane, side left '

@@ -7,13 +7,14 @@ DECLARE
     subject text;
     edge record;
     known bigint[];
-    abscissa float8;
+    middle float8;
     astray float8;
     merging boolean;
     turned boolean;
     widened boolean;
     redrawn boolean;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Lanes come from the lane_count of their axis: change it in axis_editing.');
@@ -24,8 +25,7 @@ BEGIN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality',
             'Only along_axis, both_ways, width, geom and by_hand can be changed.');
     END IF;
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.lane WHERE lane_id = $1 AND kind = ''merging'')', TG_TABLE_SCHEMA)
-        INTO merging USING OLD.lane_id;
+    SELECT EXISTS (SELECT FROM lane WHERE lane_id = OLD.lane_id AND kind = 'merging') INTO merging;
     IF merging THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP || ' of a merging lane',
             'It follows from its ramp: type its length in ramp_editing.');
@@ -34,11 +34,11 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
         TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
-    EXECUTE format('SELECT coalesce(array_agg(lane_override_id ORDER BY lane_override_id DESC), ''{}'') FROM '
-        '%I.lane_override WHERE axis_id = $1 AND ordinality = $2 AND abscissa >= $3 AND abscissa < $4', TG_TABLE_SCHEMA)
-        INTO known USING edge.axis_id, OLD.ordinality, edge.start_abscissa, edge.end_abscissa;
+    SELECT coalesce(array_agg(lane_override_id ORDER BY lane_override_id DESC), '{}') FROM lane_override
+        WHERE axis_id = edge.axis_id AND ordinality = OLD.ordinality AND abscissa >= edge.start_abscissa
+        AND abscissa < edge.end_abscissa INTO known;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
-        EXECUTE format('DELETE FROM %I.lane_override WHERE lane_override_id = ANY ($1)', TG_TABLE_SCHEMA) USING known;
+        DELETE FROM lane_override WHERE lane_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.1, 200, 'm',
@@ -54,7 +54,7 @@ BEGIN
             NEW.geom := ST_Reverse(NEW.geom);
         END IF;
     END IF;
-    -- What is not edited stays computed, or as it was decided before.
+    -- Values that are not edited stay computed, or as they were decided before.
     turned := (NEW.along_axis, NEW.both_ways) IS DISTINCT FROM (OLD.along_axis, OLD.both_ways);
     IF turned THEN
         -- A direction typed for a lane that both use is the only one from then on.
@@ -64,18 +64,17 @@ BEGIN
     widened := NEW.width IS DISTINCT FROM OLD.width;
     redrawn := NEW.geom IS DISTINCT FROM OLD.geom;
     IF known = '{}' THEN
-        abscissa := (edge.start_abscissa + edge.end_abscissa) / 2;
-        EXECUTE format('INSERT INTO %I.lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width, '
-            'line, geom) VALUES ($1, $2, $3, $4, $5, $6, $7, $8)', TG_TABLE_SCHEMA)
-            USING edge.axis_id, abscissa, OLD.ordinality, CASE WHEN turned THEN NEW.along_axis END, CASE WHEN turned
-                THEN NEW.both_ways END, CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END,
-                ST_LineInterpolatePoint(edge.axis, least(abscissa / ST_Length2D(edge.axis), 1));
+        middle := (edge.start_abscissa + edge.end_abscissa) / 2;
+        INSERT INTO lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width, line, geom)
+            VALUES (edge.axis_id, middle, OLD.ordinality, CASE WHEN turned THEN NEW.along_axis END, CASE WHEN turned
+            THEN NEW.both_ways END, CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END,
+            ST_LineInterpolatePoint(edge.axis, least(middle / ST_Length2D(edge.axis), 1)));
     ELSE
-        EXECUTE format('UPDATE %I.lane_override SET along_axis = CASE WHEN $2 THEN $3 ELSE along_axis END, both_ways '
-            '= CASE WHEN $2 THEN $8 ELSE both_ways END,
-            width = CASE WHEN $4 THEN $5 ELSE width END, line = CASE WHEN $6 THEN $7 ELSE line END
-            WHERE lane_override_id = $1', TG_TABLE_SCHEMA) USING known[1], turned, NEW.along_axis, widened, NEW.width,
-                redrawn, NEW.geom, NEW.both_ways;
+        UPDATE lane_override SET along_axis = CASE WHEN turned THEN NEW.along_axis ELSE along_axis END, both_ways = CASE
+            WHEN turned THEN NEW.both_ways ELSE both_ways END,
+            width = CASE WHEN widened THEN NEW.width ELSE width END, line = CASE WHEN redrawn THEN NEW.geom ELSE line
+                END
+            WHERE lane_override_id = known[1];
     END IF;
     NEW.by_hand := true;
     RETURN NEW;
@@ -92,6 +91,7 @@ DECLARE
     known bigint[];
     decided text;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'There is a row for every two lanes side by side: set its change.');
@@ -114,29 +114,26 @@ BEGIN
     END IF;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.lane JOIN %1$I.edge USING (edge_id) '
         'WHERE lane_id = %2$s', TG_TABLE_SCHEMA, OLD.lane_a));
-    EXECUTE format('SELECT e.axis_id, e.start_abscissa, e.end_abscissa, a.ordinality AS lane_from, '
-        'b.ordinality AS lane_to FROM %1$I.lane a JOIN %1$I.lane b USING (edge_id) JOIN %1$I.edge e USING (edge_id) '
-        'JOIN %1$I.axis x USING (axis_id) WHERE a.lane_id = $1 AND b.lane_id = $2', TG_TABLE_SCHEMA) INTO place
-        USING OLD.lane_a, OLD.lane_b;
+    SELECT e.axis_id, e.start_abscissa, e.end_abscissa, a.ordinality AS lane_from, b.ordinality AS lane_to
+        FROM lane a JOIN lane b USING (edge_id) JOIN edge e USING (edge_id) JOIN axis x USING (axis_id)
+        WHERE a.lane_id = OLD.lane_a AND b.lane_id = OLD.lane_b INTO place;
     IF place.axis_id IS NULL THEN
         PERFORM streetgen._refuse('22023',
             format('lanes %s and %s no longer lie beside each other', OLD.lane_a, OLD.lane_b),
             detail => 'Somebody else changed their axis.', hint => 'Refresh the layer.');
     END IF;
-    EXECUTE format($sql$SELECT coalesce(array_agg(lane_adjacency_override_id
-        ORDER BY lane_adjacency_override_id DESC), '{}') FROM %I.lane_adjacency_override
-        WHERE axis_id = $1 AND abscissa >= $2 AND abscissa < $3 AND (lane_from, lane_to) = ($4, $5)$sql$,
-        TG_TABLE_SCHEMA) INTO known
-        USING place.axis_id, place.start_abscissa, place.end_abscissa, place.lane_from, place.lane_to;
-    EXECUTE format('DELETE FROM %I.lane_adjacency_override WHERE lane_adjacency_override_id = ANY ($1)',
-        TG_TABLE_SCHEMA) USING CASE WHEN decided IS NULL THEN known ELSE known[2:] END;
+    SELECT coalesce(array_agg(lane_adjacency_override_id
+        ORDER BY lane_adjacency_override_id DESC), '{}') FROM lane_adjacency_override
+        WHERE axis_id = place.axis_id AND abscissa >= place.start_abscissa AND abscissa < place.end_abscissa
+            AND (lane_from, lane_to) = (place.lane_from, place.lane_to) INTO known;
+    DELETE FROM lane_adjacency_override WHERE lane_adjacency_override_id = ANY (CASE WHEN decided IS NULL THEN known
+        ELSE known[2:] END);
     IF decided IS NOT NULL AND known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.lane_adjacency_override (axis_id, abscissa, lane_from, lane_to, change) '
-            'VALUES ($1, $2, $3, $4, $5)', TG_TABLE_SCHEMA) USING place.axis_id,
-            (place.start_abscissa + place.end_abscissa) / 2, place.lane_from, place.lane_to, decided;
+        INSERT INTO lane_adjacency_override (axis_id, abscissa, lane_from, lane_to, change)
+            VALUES (place.axis_id, (place.start_abscissa + place.end_abscissa) / 2, place.lane_from, place.lane_to,
+            decided);
     ELSIF decided IS NOT NULL THEN
-        EXECUTE format('UPDATE %I.lane_adjacency_override SET change = $2 WHERE lane_adjacency_override_id = $1',
-            TG_TABLE_SCHEMA) USING known[1], decided;
+        UPDATE lane_adjacency_override SET change = decided WHERE lane_adjacency_override_id = known[1];
     END IF;
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
 END $$;
@@ -155,6 +152,7 @@ DECLARE
     decided boolean;
     dragged geometry;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'There is a row for every two lanes that meet: set its connecting.');
@@ -170,29 +168,26 @@ BEGIN
         format('SELECT axis_id FROM %1$I.interconnection JOIN %1$I.lane ON lane_id IN (lane_in, lane_out) JOIN '
         '%1$I.edge USING (edge_id) WHERE interconnection_id = %2$s',
         TG_TABLE_SCHEMA, OLD.interconnection_id));
-    EXECUTE format($sql$
-SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_in, i.ordinality AS lane_in, b.axis_id AS axis_out,
-    o.ordinality AS lane_out,
-    CASE WHEN i.both_ways THEN c.along_in END AS along_in, CASE WHEN o.both_ways THEN c.along_out END AS along_out
-FROM %1$I.interconnection c JOIN %1$I.node n USING (node_id) JOIN %1$I.lane i ON i.lane_id = c.lane_in
-    JOIN %1$I.edge a ON a.edge_id = i.edge_id JOIN %1$I.lane o ON o.lane_id = c.lane_out
-    JOIN %1$I.edge b ON b.edge_id = o.edge_id
-WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = a.axis_id)
-    AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_id = b.axis_id) $sql$, TG_TABLE_SCHEMA)
-        INTO place USING OLD.interconnection_id;
+    SELECT ST_Force2D(n.geom) AS node, a.axis_id AS axis_in, i.ordinality AS lane_in, b.axis_id AS axis_out,
+        o.ordinality AS lane_out,
+        CASE WHEN i.both_ways THEN c.along_in END AS along_in, CASE WHEN o.both_ways THEN c.along_out END AS along_out
+    FROM interconnection c JOIN node n USING (node_id) JOIN lane i ON i.lane_id = c.lane_in
+        JOIN edge a ON a.edge_id = i.edge_id JOIN lane o ON o.lane_id = c.lane_out
+        JOIN edge b ON b.edge_id = o.edge_id
+    WHERE interconnection_id = OLD.interconnection_id AND EXISTS (SELECT FROM axis x WHERE x.axis_id = a.axis_id)
+        AND EXISTS (SELECT FROM axis x WHERE x.axis_id = b.axis_id) INTO place;
     IF place.node IS NULL THEN
         PERFORM streetgen._refuse('22023', format('%s is gone', subject),
             detail => 'Its lanes do not meet there any more.', hint => 'Refresh the layer.');
     END IF;
-    EXECUTE format($sql$SELECT coalesce(array_agg(interconnection_override_id
-        ORDER BY interconnection_override_id DESC), '{}') FROM %I.interconnection_override
-        WHERE (axis_in, lane_in, axis_out, lane_out) = ($1, $2, $3, $4) AND (along_in = $7) IS NOT FALSE
-            AND (along_out = $8) IS NOT FALSE AND ST_DWithin(geom, $5, $6)$sql$, TG_TABLE_SCHEMA)
-        INTO known USING place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.node,
-            3 * streetgen._tolerance(TG_TABLE_SCHEMA), place.along_in, place.along_out;
+    SELECT coalesce(array_agg(interconnection_override_id
+        ORDER BY interconnection_override_id DESC), '{}') FROM interconnection_override
+        WHERE (axis_in, lane_in, axis_out, lane_out) = (place.axis_in, place.lane_in, place.axis_out, place.lane_out)
+            AND (along_in = place.along_in) IS NOT FALSE
+            AND (along_out = place.along_out) IS NOT FALSE AND ST_DWithin(geom, place.node, 3 *
+                streetgen._tolerance(TG_TABLE_SCHEMA)) INTO known;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
-        EXECUTE format('DELETE FROM %I.interconnection_override WHERE interconnection_override_id = ANY ($1)',
-            TG_TABLE_SCHEMA) USING known;
+        DELETE FROM interconnection_override WHERE interconnection_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
@@ -212,14 +207,12 @@ WHERE interconnection_id = $1 AND EXISTS (SELECT FROM %1$I.axis x WHERE x.axis_i
     decided := CASE WHEN NEW.connecting IS DISTINCT FROM OLD.connecting THEN NEW.connecting END;
     dragged := CASE WHEN NEW.geom IS DISTINCT FROM OLD.geom THEN ST_PointN(NEW.geom, 2) END;
     IF known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, '
-            'along_in, along_out, connecting, control) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9)', TG_TABLE_SCHEMA)
-            USING place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out, place.along_in,
-                place.along_out, decided, dragged;
+        INSERT INTO interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, along_in, along_out,
+            connecting, control) VALUES (place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out,
+            place.along_in, place.along_out, decided, dragged);
     ELSE
-        EXECUTE format('UPDATE %I.interconnection_override SET connecting = coalesce($2, connecting), control = '
-            'coalesce($3, control) WHERE interconnection_override_id = $1', TG_TABLE_SCHEMA) USING known[1], decided,
-            dragged;
+        UPDATE interconnection_override SET connecting = coalesce(decided, connecting), control = coalesce(dragged,
+            control) WHERE interconnection_override_id = known[1];
     END IF;
     NEW.by_hand := true;
     RETURN NEW;

@@ -16,14 +16,14 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_driving_view(model name) RETURNS
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.lane_driving WITH (security_invoker = true) AS
-SELECT 2 * lane_id + v.along::integer AS lane_driving_id, lane_id, edge_id, v.along AS along_axis, lane_position, kind,
-    width, CASE WHEN v.along THEN geom ELSE ST_Reverse(geom) END AS geom
-FROM %1$I.lane l JOIN (VALUES (true), (false)) v(along) ON both_ways OR along_axis = v.along
-$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.lane_driving
-        IS 'Lanes in the direction of their traffic; a lane for both directions has a row for each'$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW lane_driving WITH (security_invoker = true) AS
+    SELECT 2 * lane_id + v.along::integer AS lane_driving_id, lane_id, edge_id, v.along AS along_axis, lane_position,
+        kind,
+        width, CASE WHEN v.along THEN geom ELSE ST_Reverse(geom) END AS geom
+    FROM lane l JOIN (VALUES (true), (false)) v(along) ON both_ways OR along_axis = v.along;
+    COMMENT ON VIEW lane_driving
+        IS 'Lanes in the direction of their traffic; a lane for both directions has a row for each';
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_driving_view(name) IS
     'Makes the view lane_driving of a model, again and again.';
@@ -32,31 +32,29 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_group_view(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.lane_group WITH (security_invoker = true) AS
-WITH side AS (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM %1$I.setting WHERE name = 'driving_side'),
--- Positions without a gap between them count up as their numbers do.
-beside AS (
-    SELECT d.*, lane_position - row_number() OVER (PARTITION BY edge_id, along_axis ORDER BY lane_position) AS run,
-        CASE WHEN along_axis = right_hand THEN -lane_position ELSE lane_position END AS from_kerb
-    FROM %1$I.lane_driving d, side
-    -- A merging lane that does not go all along is in no group.
-    WHERE NOT EXISTS (SELECT FROM %1$I.lane m WHERE m.lane_id = d.lane_id
-        AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)))
-SELECT (array_agg(lane_driving_id ORDER BY from_kerb))[1] AS lane_group_id, edge_id, along_axis,
-    row_number() OVER (PARTITION BY edge_id, along_axis ORDER BY min(from_kerb))::integer AS number,
-    CASE WHEN along_axis THEN e.from_node ELSE e.to_node END AS from_node,
-    CASE WHEN along_axis THEN e.to_node ELSE e.from_node END AS to_node,
-    array_agg(lane_id ORDER BY from_kerb) AS lanes, count(*)::integer AS lane_count, sum(b.width) AS width,
-    CASE count(*) WHEN 1 THEN (array_agg(b.geom))[1]
-        ELSE streetgen._mean_line(array_agg(b.geom::bytea ORDER BY from_kerb))::geometry END AS geom
-FROM beside b JOIN %1$I.edge e USING (edge_id)
-GROUP BY edge_id, along_axis, run, e.from_node, e.to_node
-$sql$, model);
-    EXECUTE format($sql$COMMENT ON VIEW %I.lane_group
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW lane_group WITH (security_invoker = true) AS
+    WITH side AS (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
+    -- Positions without a gap between them count up as their numbers do.
+    beside AS (
+        SELECT d.*, lane_position - row_number() OVER (PARTITION BY edge_id, along_axis ORDER BY lane_position) AS run,
+            CASE WHEN along_axis = right_hand THEN -lane_position ELSE lane_position END AS from_kerb
+        FROM lane_driving d, side
+        -- A merging lane that does not go all along is in no group.
+        WHERE NOT EXISTS (SELECT FROM lane m WHERE m.lane_id = d.lane_id
+            AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)))
+    SELECT (array_agg(lane_driving_id ORDER BY from_kerb))[1] AS lane_group_id, edge_id, along_axis,
+        row_number() OVER (PARTITION BY edge_id, along_axis ORDER BY min(from_kerb))::integer AS number,
+        CASE WHEN along_axis THEN e.from_node ELSE e.to_node END AS from_node,
+        CASE WHEN along_axis THEN e.to_node ELSE e.from_node END AS to_node,
+        array_agg(lane_id ORDER BY from_kerb) AS lanes, count(*)::integer AS lane_count, sum(b.width) AS width,
+        CASE count(*) WHEN 1 THEN (array_agg(b.geom))[1]
+            ELSE streetgen._mean_line(array_agg(b.geom::bytea ORDER BY from_kerb))::geometry END AS geom
+    FROM beside b JOIN edge e USING (edge_id)
+    GROUP BY edge_id, along_axis, run, e.from_node, e.to_node;
+    COMMENT ON VIEW lane_group
         IS 'Lanes of one direction of an edge that lie side by side, numbered from the kerb on the side that one '
-        'drives on; a lane for both directions is in two groups. What simulators call an edge or a troncon'$sql$,
-        model);
+        'drives on; a lane for both directions is in two groups. What simulators call an edge or a troncon';
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_group_view(name) IS
     'Makes the view lane_group of a model, again and again.';

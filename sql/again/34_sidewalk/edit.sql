@@ -7,8 +7,9 @@ DECLARE
     subject text;
     edge record;
     known bigint[];
-    abscissa float8;
+    middle float8;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Sidewalks come from sidewalk_left and sidewalk_right of their axis.');
@@ -23,23 +24,21 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
         TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
-    EXECUTE format('SELECT coalesce(array_agg(sidewalk_override_id ORDER BY sidewalk_override_id DESC), ''{}'') FROM '
-        '%I.sidewalk_override WHERE axis_id = $1 AND side = $2 AND abscissa >= $3 AND abscissa < $4', TG_TABLE_SCHEMA)
-        INTO known USING edge.axis_id, OLD.side, edge.start_abscissa, edge.end_abscissa;
+    SELECT coalesce(array_agg(sidewalk_override_id ORDER BY sidewalk_override_id DESC), '{}')
+        FROM sidewalk_override WHERE axis_id = edge.axis_id AND side = OLD.side AND abscissa >= edge.start_abscissa
+        AND abscissa < edge.end_abscissa INTO known;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
-        EXECUTE format('DELETE FROM %I.sidewalk_override WHERE sidewalk_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-            USING known;
+        DELETE FROM sidewalk_override WHERE sidewalk_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0, 50, 'm', '0 takes it away.');
     IF known = '{}' THEN
-        abscissa := (edge.start_abscissa + edge.end_abscissa) / 2;
-        EXECUTE format('INSERT INTO %I.sidewalk_override (axis_id, abscissa, side, width, geom) '
-            'VALUES ($1, $2, $3, $4, $5)', TG_TABLE_SCHEMA) USING edge.axis_id, abscissa, OLD.side, NEW.width,
-                ST_LineInterpolatePoint(edge.axis, least(abscissa / ST_Length2D(edge.axis), 1));
+        middle := (edge.start_abscissa + edge.end_abscissa) / 2;
+        INSERT INTO sidewalk_override (axis_id, abscissa, side, width, geom)
+            VALUES (edge.axis_id, middle, OLD.side, NEW.width, ST_LineInterpolatePoint(edge.axis, least(middle /
+            ST_Length2D(edge.axis), 1)));
     ELSE
-        EXECUTE format('UPDATE %I.sidewalk_override SET width = $2 WHERE sidewalk_override_id = $1', TG_TABLE_SCHEMA)
-            USING known[1], NEW.width;
+        UPDATE sidewalk_override SET width = NEW.width WHERE sidewalk_override_id = known[1];
     END IF;
     NEW.by_hand := true;
     RETURN NEW;

@@ -82,7 +82,7 @@ former_kerb AS MATERIALIZED (
     SELECT k.*
     FROM (SELECT kerb_id FROM new_kerb WHERE changed AND NOT fresh UNION ALL SELECT kerb_id FROM gone_kerb) c,
         LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = c.kerb_id OFFSET 0) k
-    -- Of a node and of an edge that go. The kerb of another corner may take the row.
+    -- Kerbs of a node and of an edge that go. The kerb of another corner may take the row.
     UNION ALL SELECT k.* FROM left_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
     UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
     WHERE e.written AND e.edge_id NOT IN (SELECT edge_id FROM new_edge)),
@@ -91,7 +91,7 @@ sidewalk_reach AS MATERIALIZED (
     SELECT 0.01 + 2.5 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
             FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right), 0) AS metres
     FROM sidewalk_edge),
--- Where a kerb came, went or moved, or its width is another.
+-- A kerb that came, went or moved, or whose width is another.
 moved_kerb AS MATERIALIZED (
     SELECT geom FROM new_kerb WHERE changed OR edge_id IN (SELECT edge_id FROM new_edge
         WHERE axis_id IN (SELECT unnest($3)))

@@ -1,4 +1,4 @@
--- Which paths of a junction traffic cannot take at the same time.
+-- Paths of a junction that traffic cannot take at the same time.
 CREATE OR REPLACE FUNCTION streetgen._paths_meet(a text, b text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format($sql$(%1$s.lane_in, %1$s.along_in) <> (%2$s.lane_in, %2$s.along_in)
@@ -13,6 +13,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_conflict_view(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.conflict WITH (security_invoker = true) AS
 WITH path AS (%2$s)
@@ -39,9 +40,9 @@ $sql$, model, format(CASE WHEN 'junction' = ANY (streetgen._subjects(model)) THE
     SELECT node_id, NULL::bigint AS junction_id, interconnection_id, NULL::bigint AS junction_movement_id,
         interconnection_id AS number, node_id AS place, lane_in, lane_out, along_in, along_out, geom
     FROM %1$I.interconnection WHERE connecting$path$ END, model), streetgen._paths_meet('a', 'b'));
-    EXECUTE format($sql$COMMENT ON VIEW %I.conflict
+    COMMENT ON VIEW conflict
         IS 'Pairs of connecting paths from two lanes that cross, merge in one lane, or oppose each other in one that '
         'both directions use; geom is where. At a node: two interconnections; across a junction of several nodes, '
-        'where the model computes junctions: two rows of junction_movement'$sql$, model);
+        'where the model computes junctions: two rows of junction_movement';
 END $$;
 COMMENT ON FUNCTION streetgen._make_conflict_view(name) IS 'Makes the view conflict of a model, again and again.';

@@ -1,4 +1,4 @@
--- What check_model says of junctions.
+-- Rules of check_model for junctions.
 
 CREATE OR REPLACE FUNCTION streetgen._junction_check_part()
     RETURNS TABLE(place integer, subject text, kind text, query text)

@@ -1,4 +1,4 @@
--- What kind of junction a place is: by rules, as the paper has it, or by a function of the user.
+-- The kind of junction that a place is: by rules, as the paper has it, or by a function of the user.
 
 CREATE OR REPLACE FUNCTION streetgen._ramp_part(kind text, highway_role text, speed float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -30,17 +30,17 @@ COMMENT ON FUNCTION streetgen._lock_junctions(name, bigint[]) IS 'Locks the axes
 
 CREATE OR REPLACE FUNCTION streetgen._nodes_to_decide(model name, junction bigint, OUT axes bigint[],
     OUT places geometry[])
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-SELECT array_agg(axis_id ORDER BY node_id), array_agg(geom ORDER BY node_id)
-FROM (SELECT n.node_id, ST_Force2D(n.geom) AS geom, (array_agg(e.axis_id ORDER BY e.edge_id))[1] AS axis_id,
-        count(*) >= 3 AS meets, bool_or(count(*) >= 3) OVER () AS any_meets
-    FROM %1$I.junction_node m JOIN %1$I.node n USING (node_id)
-        JOIN %1$I.edge e CROSS JOIN LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) ON v.node_id = n.node_id
-    WHERE m.junction_id = $1 GROUP BY n.node_id, n.geom) n
-WHERE meets OR NOT any_meets $sql$, model) INTO axes, places USING junction;
+    PERFORM streetgen._use_model(model);
+    SELECT array_agg(axis_id ORDER BY node_id), array_agg(geom ORDER BY node_id)
+    FROM (SELECT n.node_id, ST_Force2D(n.geom) AS geom, (array_agg(e.axis_id ORDER BY e.edge_id))[1] AS axis_id,
+            count(*) >= 3 AS meets, bool_or(count(*) >= 3) OVER () AS any_meets
+        FROM junction_node m JOIN node n USING (node_id)
+            JOIN edge e CROSS JOIN LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) ON v.node_id = n.node_id
+        WHERE m.junction_id = junction GROUP BY n.node_id, n.geom) n
+    WHERE meets OR NOT any_meets INTO axes, places;
 END $$;
 COMMENT ON FUNCTION streetgen._nodes_to_decide(name, bigint) IS
     'The nodes of a junction where its kind by hand is written: all of three and more edges, where it has any; of each '
@@ -54,22 +54,21 @@ DECLARE
     kept bigint[];
     missing integer[];
 BEGIN
-    -- Of each place the first of the rows that stand there stays.
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(o.id) FILTER (WHERE o.id IS NOT NULL), '{}'),
-    coalesce(array_agg(p.i) FILTER (WHERE o.id IS NULL), '{}')
-FROM unnest($2) WITH ORDINALITY p(geom, i) LEFT JOIN LATERAL (
-    SELECT junction_override_id AS id FROM %I.junction_override v JOIN unnest($1) WITH ORDINALITY k(id, turn)
-        ON v.junction_override_id = k.id
-    WHERE cardinality($2) = 1 OR ST_DWithin(v.geom, p.geom, 3 * $3) ORDER BY turn LIMIT 1) o ON true
-WHERE num_nonnulls($4, $5) = 1 $sql$, model) INTO kept, missing
-        USING known, places, streetgen._tolerance(model), inside, kind;
-    EXECUTE format('DELETE FROM %I.junction_override WHERE junction_override_id = ANY ($1) '
-        'AND junction_override_id <> ALL ($2)', model) USING known, kept;
-    EXECUTE format('UPDATE %I.junction_override SET inside = $2, kind = $3 WHERE junction_override_id = ANY ($1)',
-        model) USING kept, inside, kind;
-    EXECUTE format('INSERT INTO %I.junction_override (axis_id, geom, inside, kind) '
-        'SELECT ($1)[i], ($2)[i], $3, $4 FROM unnest($5) i', model) USING axes, places, inside, kind, missing;
+    PERFORM streetgen._use_model(model);
+    -- The first of the rows that stand at a place stays.
+    SELECT coalesce(array_agg(o.id) FILTER (WHERE o.id IS NOT NULL), '{}'),
+        coalesce(array_agg(p.i) FILTER (WHERE o.id IS NULL), '{}')
+    FROM unnest(places) WITH ORDINALITY p(geom, i) LEFT JOIN LATERAL (
+        SELECT junction_override_id AS id FROM junction_override v JOIN unnest(known) WITH ORDINALITY k(id, turn)
+            ON v.junction_override_id = k.id
+        WHERE cardinality(places) = 1 OR ST_DWithin(v.geom, p.geom, 3 * streetgen._tolerance(model))
+            ORDER BY turn LIMIT 1) o ON true
+    WHERE num_nonnulls(inside, kind) = 1 INTO kept, missing;
+    DELETE FROM junction_override WHERE junction_override_id = ANY (known) AND junction_override_id <> ALL (kept);
+    UPDATE junction_override SET inside = _decide_junction.inside, kind = _decide_junction.kind
+        WHERE junction_override_id = ANY (kept);
+    INSERT INTO junction_override (axis_id, geom, inside, kind) SELECT (axes)[i], (places)[i], inside, kind
+        FROM unnest(missing) i;
 END $$;
 COMMENT ON FUNCTION streetgen._decide_junction(name, bigint[], bigint[], geometry[], boolean, text) IS
     'Writes a decision on a junction, a row at each place on its axis: known are the rows that decided before, of '
@@ -110,6 +109,7 @@ CREATE OR REPLACE FUNCTION streetgen._refuse_unfit_kind() RETURNS trigger
 DECLARE
     at record;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF to_regclass(format('%I.junction', TG_TABLE_SCHEMA)) IS NULL OR NOT streetgen._live(TG_TABLE_SCHEMA)
         -- A decision goes with its axis.
         OR TG_OP = 'UPDATE' AND NEW.kind IS NOT DISTINCT FROM OLD.kind AND (pg_trigger_depth() > 1
@@ -117,15 +117,13 @@ BEGIN
         RETURN NEW;
     END IF;
     -- A node that joins two edges alone is no junction yet.
-    EXECUTE format($sql$
-SELECT j.kind, coalesce('junction ' || j.junction_id, 'node ' || p.node_id) AS subject,
-    coalesce((SELECT array_agg(o.node_id) FROM %1$I.junction_node o WHERE o.junction_id = j.junction_id),
-        ARRAY[p.node_id]) AS nodes
-FROM (SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-        JOIN %1$I.node n USING (node_id)
-    WHERE e.axis_id = $1 ORDER BY ST_Distance(n.geom, $2), v.node_id LIMIT 1) p
-    LEFT JOIN %1$I.junction_node m USING (node_id) LEFT JOIN %1$I.junction j USING (junction_id)
-$sql$, TG_TABLE_SCHEMA) INTO at USING NEW.axis_id, NEW.geom;
+    SELECT j.kind, coalesce('junction ' || j.junction_id, 'node ' || p.node_id) AS subject,
+        coalesce((SELECT array_agg(o.node_id) FROM junction_node o WHERE o.junction_id = j.junction_id),
+            ARRAY[p.node_id]) AS nodes
+    FROM (SELECT v.node_id FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+            JOIN node n USING (node_id)
+        WHERE e.axis_id = NEW.axis_id ORDER BY ST_Distance(n.geom, NEW.geom), v.node_id LIMIT 1) p
+        LEFT JOIN junction_node m USING (node_id) LEFT JOIN junction j USING (junction_id) INTO at;
     IF at.kind IS DISTINCT FROM NEW.kind AND at.nodes IS NOT NULL THEN
         PERFORM streetgen._check_junction_kind(TG_TABLE_SCHEMA, at.subject, at.nodes, NEW.kind);
     END IF;
@@ -144,6 +142,7 @@ DECLARE
     nodes record;
     decided text;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'A junction is where axes meet: draw these, or say in junction_edge_editing which edges lie inside.');
@@ -159,9 +158,9 @@ BEGIN
         NEW.by_hand := decided IS NOT NULL;
     END IF;
     PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.junction_id]);
-    EXECUTE format('SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), ''{}'') '
-        'FROM %I.junction_override o WHERE o.kind IS NOT NULL AND o.junction_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-        INTO known USING streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id);
+    SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), '{}')
+        FROM junction_override o WHERE o.kind IS NOT NULL AND o.junction_override_id = ANY
+        (streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id)) INTO known;
     nodes := streetgen._nodes_to_decide(TG_TABLE_SCHEMA, OLD.junction_id);
     IF nodes.axes IS NULL THEN
         PERFORM streetgen._refuse('22023', format('junction %s is gone', OLD.junction_id),

@@ -1,4 +1,4 @@
--- Which nodes are one junction: the rules of the core over the edges near a change.
+-- Nodes that are one junction: the rules of the core over the edges near a change.
 
 CREATE OR REPLACE FUNCTION streetgen._group_junctions(edges streetgen.junction_edge_input[],
     controls streetgen.street_control[], gap float8, extent float8, control_distance float8)

@@ -5,38 +5,39 @@ CREATE OR REPLACE FUNCTION streetgen._make_put_junctions(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._put_junctions(region bigint[], members streetgen.junction_member[],
-    made streetgen.junction_made[], largest_hole float8, OUT inserted bigint[], OUT updated bigint[], OUT kept bigint[])
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    WITH united AS MATERIALIZED (
-        SELECT junction_id, array_agg(surface) AS parts FROM (
-            SELECT n.junction_id, i.surface FROM unnest(members) n JOIN %1$I.intersection i USING (node_id)
-            UNION ALL SELECT n.junction_id, s.surface FROM unnest(members) n JOIN %1$I.section s USING (edge_id)) p
-        WHERE junction_id IN (SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1) GROUP BY junction_id),
-    new AS MATERIALIZED (
-        SELECT m.junction_id, m.kind, m.method, m.geom, CASE WHEN m.nodes > 1
-            THEN streetgen._united_ground(u.parts, largest_hole, ST_SRID(m.geom))
-            ELSE coalesce(i.surface, ST_GeomFromText('MULTIPOLYGON EMPTY', ST_SRID(m.geom))) END AS surface
-        FROM unnest(made) m LEFT JOIN united u USING (junction_id)
-            LEFT JOIN %1$I.intersection i ON m.nodes = 1 AND i.node_id = m.junction_id),
-    compared AS MATERIALIZED (
-        SELECT n.*, o.junction_id IS NULL AS fresh,
-            (o.kind, o.method, o.geom::bytea, o.surface::bytea) IS DISTINCT FROM
-                (n.kind, n.method, n.geom::bytea, n.surface::bytea) AS changed
-        FROM new n LEFT JOIN %1$I.junction o USING (junction_id)),
-    put AS (
-        INSERT INTO %1$I.junction (junction_id, kind, method, geom, surface)
-        SELECT junction_id, kind, method, geom, surface FROM compared WHERE changed ORDER BY junction_id
-        ON CONFLICT (junction_id) DO UPDATE SET (kind, method, geom, surface)
-            = ROW (excluded.kind, excluded.method, excluded.geom, excluded.surface))
-    SELECT ARRAY(SELECT junction_id FROM compared WHERE fresh),
-        ARRAY(SELECT junction_id FROM compared WHERE changed AND NOT fresh),
-        ARRAY(SELECT junction_id FROM compared WHERE NOT changed) INTO inserted, updated, kept;
-END $body$ $sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _put_junctions(region bigint[], members streetgen.junction_member[],
+        made streetgen.junction_made[], largest_hole float8, OUT inserted bigint[], OUT updated bigint[], OUT kept
+            bigint[])
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        WITH united AS MATERIALIZED (
+            SELECT junction_id, array_agg(surface) AS parts FROM (
+                SELECT n.junction_id, i.surface FROM unnest(members) n JOIN intersection i USING (node_id)
+                UNION ALL SELECT n.junction_id, s.surface FROM unnest(members) n JOIN section s USING (edge_id)) p
+            WHERE junction_id IN (SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1) GROUP BY junction_id),
+        new AS MATERIALIZED (
+            SELECT m.junction_id, m.kind, m.method, m.geom, CASE WHEN m.nodes > 1
+                THEN streetgen._united_ground(u.parts, largest_hole, ST_SRID(m.geom))
+                ELSE coalesce(i.surface, ST_GeomFromText('MULTIPOLYGON EMPTY', ST_SRID(m.geom))) END AS surface
+            FROM unnest(made) m LEFT JOIN united u USING (junction_id)
+                LEFT JOIN intersection i ON m.nodes = 1 AND i.node_id = m.junction_id),
+        compared AS MATERIALIZED (
+            SELECT n.*, o.junction_id IS NULL AS fresh,
+                (o.kind, o.method, o.geom::bytea, o.surface::bytea) IS DISTINCT FROM
+                    (n.kind, n.method, n.geom::bytea, n.surface::bytea) AS changed
+            FROM new n LEFT JOIN junction o USING (junction_id)),
+        put AS (
+            INSERT INTO junction (junction_id, kind, method, geom, surface)
+            SELECT junction_id, kind, method, geom, surface FROM compared WHERE changed ORDER BY junction_id
+            ON CONFLICT (junction_id) DO UPDATE SET (kind, method, geom, surface)
+                = ROW (excluded.kind, excluded.method, excluded.geom, excluded.surface))
+        SELECT ARRAY(SELECT junction_id FROM compared WHERE fresh),
+            ARRAY(SELECT junction_id FROM compared WHERE changed AND NOT fresh),
+            ARRAY(SELECT junction_id FROM compared WHERE NOT changed) INTO inserted, updated, kept;
+    END $body$;
     PERFORM streetgen._own_function(model,
         '_put_junctions(bigint[], streetgen.junction_member[], streetgen.junction_made[], double precision)',
         'Writes the rows of junctions that are new or differ, and tells which');
@@ -61,47 +62,49 @@ CREATE OR REPLACE FUNCTION streetgen._make_put_movements(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._put_movements(junctions bigint[], former bigint[], OUT inserted bigint,
-    OUT updated bigint, OUT deleted bigint, OUT unchanged bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    WITH found AS MATERIALIZED (SELECT * FROM %1$I._found_movements(junctions)),
-    new AS MATERIALIZED (
-        SELECT f.junction_id, f.lane_in, f.lane_out, f.along_in, f.along_out, f.turn, f.angle, f.plausible, f.reason,
-            -- Where somebody decided of a path on the way, all of them must connect.
-            CASE WHEN d.by_hand THEN d.connecting ELSE f.plausible END AS connecting, f.interconnections,
-            f.geom::geometry AS geom
-        FROM found f LEFT JOIN LATERAL (
-            SELECT bool_or(i.method = 'by_hand') AS by_hand, bool_and(i.connecting) AS connecting
-            FROM %1$I.interconnection i WHERE i.interconnection_id = ANY (f.interconnections)) d ON true),
-    compared AS MATERIALIZED (
-        SELECT n.*, o.junction_movement_id,
-            (o.junction_id, o.turn, o.angle, o.plausible, o.reason, o.connecting, o.interconnections, o.geom::bytea)
-                IS DISTINCT FROM (n.junction_id, n.turn, n.angle, n.plausible, n.reason, n.connecting,
-                n.interconnections, n.geom::bytea) AS changed
-        -- OFFSET 0: each is looked up by its key, and not joined.
-        FROM new n LEFT JOIN LATERAL (SELECT * FROM %1$I.junction_movement o
-            WHERE (o.lane_in, o.lane_out, o.along_in, o.along_out) = (n.lane_in, n.lane_out, n.along_in, n.along_out)
-            OFFSET 0) o ON true),
-    gone AS (
-        DELETE FROM %1$I.junction_movement m WHERE m.junction_id = ANY (former || junctions)
-            AND m.junction_movement_id <> ALL (ARRAY(SELECT c.junction_movement_id FROM compared c
-                WHERE c.junction_movement_id IS NOT NULL)) RETURNING 1),
-    put AS (
-        INSERT INTO %1$I.junction_movement (junction_id, lane_in, lane_out, along_in, along_out, turn, angle,
-            plausible, reason, connecting, interconnections, geom)
-        SELECT junction_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, connecting,
-            interconnections, geom FROM compared WHERE changed ORDER BY junction_id, lane_in, lane_out
-        ON CONFLICT (lane_in, lane_out, along_in, along_out) DO UPDATE SET (junction_id, turn, angle, plausible,
-            reason, connecting, interconnections, geom) = ROW (excluded.junction_id, excluded.turn, excluded.angle,
-            excluded.plausible, excluded.reason, excluded.connecting, excluded.interconnections, excluded.geom))
-    SELECT count(*) FILTER (WHERE junction_movement_id IS NULL),
-        count(*) FILTER (WHERE changed AND junction_movement_id IS NOT NULL), (SELECT count(*) FROM gone),
-        count(*) FILTER (WHERE NOT changed) INTO inserted, updated, deleted, unchanged FROM compared;
-END $body$ $sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _put_movements(junctions bigint[], former bigint[], OUT inserted bigint,
+        OUT updated bigint, OUT deleted bigint, OUT unchanged bigint)
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        WITH found AS MATERIALIZED (SELECT * FROM _found_movements(junctions)),
+        new AS MATERIALIZED (
+            SELECT f.junction_id, f.lane_in, f.lane_out, f.along_in, f.along_out, f.turn, f.angle, f.plausible,
+                f.reason,
+                -- All paths on the way must connect where somebody decided of one.
+                CASE WHEN d.by_hand THEN d.connecting ELSE f.plausible END AS connecting, f.interconnections,
+                f.geom::geometry AS geom
+            FROM found f LEFT JOIN LATERAL (
+                SELECT bool_or(i.method = 'by_hand') AS by_hand, bool_and(i.connecting) AS connecting
+                FROM interconnection i WHERE i.interconnection_id = ANY (f.interconnections)) d ON true),
+        compared AS MATERIALIZED (
+            SELECT n.*, o.junction_movement_id,
+                (o.junction_id, o.turn, o.angle, o.plausible, o.reason, o.connecting, o.interconnections, o.geom::bytea)
+                    IS DISTINCT FROM (n.junction_id, n.turn, n.angle, n.plausible, n.reason, n.connecting,
+                    n.interconnections, n.geom::bytea) AS changed
+            -- OFFSET 0: each is looked up by its key, and not joined.
+            FROM new n LEFT JOIN LATERAL (SELECT * FROM junction_movement o
+                WHERE (o.lane_in, o.lane_out, o.along_in, o.along_out) = (n.lane_in, n.lane_out, n.along_in,
+                    n.along_out)
+                OFFSET 0) o ON true),
+        gone AS (
+            DELETE FROM junction_movement m WHERE m.junction_id = ANY (former || junctions)
+                AND m.junction_movement_id <> ALL (ARRAY(SELECT c.junction_movement_id FROM compared c
+                    WHERE c.junction_movement_id IS NOT NULL)) RETURNING 1),
+        put AS (
+            INSERT INTO junction_movement (junction_id, lane_in, lane_out, along_in, along_out, turn, angle,
+                plausible, reason, connecting, interconnections, geom)
+            SELECT junction_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, connecting,
+                interconnections, geom FROM compared WHERE changed ORDER BY junction_id, lane_in, lane_out
+            ON CONFLICT (lane_in, lane_out, along_in, along_out) DO UPDATE SET (junction_id, turn, angle, plausible,
+                reason, connecting, interconnections, geom) = ROW (excluded.junction_id, excluded.turn, excluded.angle,
+                excluded.plausible, excluded.reason, excluded.connecting, excluded.interconnections, excluded.geom))
+        SELECT count(*) FILTER (WHERE junction_movement_id IS NULL),
+            count(*) FILTER (WHERE changed AND junction_movement_id IS NOT NULL), (SELECT count(*) FROM gone),
+            count(*) FILTER (WHERE NOT changed) INTO inserted, updated, deleted, unchanged FROM compared;
+    END $body$;
     PERFORM streetgen._own_function(model, '_put_movements(bigint[], bigint[])',
         'Writes the paths across junctions that are new or differ, and takes away those that are gone');
 END $$;
@@ -113,11 +116,10 @@ CREATE OR REPLACE FUNCTION streetgen._make_update_junctions(model name) RETURNS 
         SET client_min_messages = warning
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'junction' <> ALL (streetgen._subjects(model)) THEN
-        EXECUTE format('DROP FUNCTION IF EXISTS %1$I._update_junctions(bigint[]), %1$I._put_movements(bigint[], '
-            'bigint[]), %1$I._found_movements(bigint[]), %1$I._junction_members(bigint[]), '
-            '%1$I._made_junctions(bigint[], streetgen.junction_member[]), %1$I._put_junctions(bigint[], '
-            'streetgen.junction_member[], streetgen.junction_made[], float8)', model);
+        PERFORM streetgen._drop_own_functions(model, '{_update_junctions,_put_movements,_found_movements,'
+            '_junction_members,_made_junctions,_put_junctions}');
         RETURN;
     END IF;
     PERFORM streetgen._make_junction_members(model), streetgen._make_made_junctions(model),

@@ -1,66 +1,65 @@
--- What is seen of junctions: the collapsed graph, every movement, and who waits for whom.
+-- Views of junctions: the collapsed graph, every movement, and who waits for whom.
 
 CREATE OR REPLACE FUNCTION streetgen._make_junction_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.junction_link WITH (security_invoker = true) AS
-SELECT e.edge_id, e.axis_id, coalesce(f.junction_id, e.from_node) AS from_junction,
-    coalesce(t.junction_id, e.to_node) AS to_junction, e.lanes_forward + e.lanes_both AS lanes_along,
-    e.lanes_backward + e.lanes_both AS lanes_against, e.geom
-FROM %1$I.edge e LEFT JOIN %1$I.junction_node f ON f.node_id = e.from_node
-    LEFT JOIN %1$I.junction_node t ON t.node_id = e.to_node
-WHERE NOT EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id);
-COMMENT ON VIEW %1$I.junction_link IS
-    'The network with each junction as one point: the edges that lie in none, each from junction to junction. Where '
-    'an edge ends at a node that is no junction, that node stands in its place';
-CREATE OR REPLACE VIEW %1$I.rim_marking WITH (security_invoker = true) AS
-SELECT m.* FROM %1$I.marking m WHERE NOT EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = m.edge_id);
-COMMENT ON VIEW %1$I.rim_marking IS
-    'What is painted on lanes, without the lanes inside junctions: traffic waits at the rim';
-CREATE OR REPLACE VIEW %1$I.movement WITH (security_invoker = true) AS
-SELECT m.junction_id, NULL::bigint AS node_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.angle,
-    m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom
-FROM %1$I.junction_movement m
-UNION ALL SELECT n.junction_id, i.node_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn, i.angle,
-    i.plausible, i.reason, i.connecting, ARRAY[i.interconnection_id], NULL::bigint, i.geom
-FROM %1$I.interconnection i LEFT JOIN %1$I.junction_node n USING (node_id)
-WHERE NOT EXISTS (SELECT FROM %1$I.junction_node o WHERE o.junction_id = n.junction_id AND o.node_id <> n.node_id);
-COMMENT ON VIEW %1$I.movement IS
-    'Every way from lane to lane: across junctions of several nodes, and at single nodes. Its two lanes, with the '
-    'directions in which they are driven, name a movement';
-CREATE OR REPLACE VIEW %1$I.junction_crossing WITH (security_invoker = true) AS
-SELECT junction_id, control_point_id, node_id, edge_id, inside, width, 4 + width / 1.2 AS seconds, geom
-FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,
-        EXISTS (SELECT FROM %1$I.junction_edge i WHERE i.edge_id = e.edge_id) AS inside,
-        CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END AS width, p.geom,
-        rank() OVER (PARTITION BY j.junction_id, p.control_point_id
-            ORDER BY round(ST_Distance(e.geom, p.geom)::numeric, 2), ST_Distance(n.geom, p.geom)) AS turn
-    FROM %1$I.junction_node j JOIN %1$I.edge e ON j.node_id IN (e.from_node, e.to_node)
-        JOIN %1$I.node n ON n.node_id = j.node_id
-        JOIN %1$I.control_point p ON p.axis_id = e.axis_id AND p.kind = 'pedestrian_crossing'
-            AND ST_DWithin(p.geom, n.geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'control_distance'))) c
-WHERE turn = 1;
-COMMENT ON VIEW %1$I.junction_crossing IS
-    'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing within '
-    'setting control_distance of a node';
-CREATE OR REPLACE VIEW %1$I.right_of_way WITH (security_invoker = true) AS
-SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,
-    CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'
-        WHEN j.kind IN ('signals', 'right_before_left') THEN j.kind
-        WHEN p.kind IS NOT NULL THEN p.kind
-        WHEN j.kind = 'ramp' AND a.highway_role IN ('highway_link', 'link') THEN 'yield'
-        ELSE 'priority' END AS rule
-FROM %1$I.movement m LEFT JOIN %1$I.junction j USING (junction_id) JOIN %1$I.lane l ON l.lane_id = m.lane_in
-    JOIN %1$I.edge e USING (edge_id) LEFT JOIN (SELECT axis_id, highway_role FROM %1$I.axis
-        JOIN %1$I.axis_class ON class = kind) a USING (axis_id)
-    LEFT JOIN %1$I.rim_marking p ON (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position,
-        m.along_in) AND p.kind IN ('stop', 'yield');
-COMMENT ON VIEW %1$I.right_of_way IS
-    'What each movement obeys: signals, stop, yield, right_before_left, priority (others wait for it) or free (nothing '
-    'to wait for)'
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW junction_link WITH (security_invoker = true) AS
+    SELECT e.edge_id, e.axis_id, coalesce(f.junction_id, e.from_node) AS from_junction,
+        coalesce(t.junction_id, e.to_node) AS to_junction, e.lanes_forward + e.lanes_both AS lanes_along,
+        e.lanes_backward + e.lanes_both AS lanes_against, e.geom
+    FROM edge e LEFT JOIN junction_node f ON f.node_id = e.from_node
+        LEFT JOIN junction_node t ON t.node_id = e.to_node
+    WHERE NOT EXISTS (SELECT FROM junction_edge j WHERE j.edge_id = e.edge_id);
+    COMMENT ON VIEW junction_link IS
+        'The network with each junction as one point: the edges that lie in none, each from junction to junction. '
+        'Where an edge ends at a node that is no junction, that node stands in its place';
+    CREATE OR REPLACE VIEW rim_marking WITH (security_invoker = true) AS
+    SELECT m.* FROM marking m WHERE NOT EXISTS (SELECT FROM junction_edge j WHERE j.edge_id = m.edge_id);
+    COMMENT ON VIEW rim_marking IS
+        'What is painted on lanes, without the lanes inside junctions: traffic waits at the rim';
+    CREATE OR REPLACE VIEW movement WITH (security_invoker = true) AS
+    SELECT m.junction_id, NULL::bigint AS node_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.angle,
+        m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom
+    FROM junction_movement m
+    UNION ALL SELECT n.junction_id, i.node_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn, i.angle,
+        i.plausible, i.reason, i.connecting, ARRAY[i.interconnection_id], NULL::bigint, i.geom
+    FROM interconnection i LEFT JOIN junction_node n USING (node_id)
+    WHERE NOT EXISTS (SELECT FROM junction_node o WHERE o.junction_id = n.junction_id AND o.node_id <> n.node_id);
+    COMMENT ON VIEW movement IS
+        'Every way from lane to lane: across junctions of several nodes, and at single nodes. Its two lanes, with the '
+        'directions in which they are driven, name a movement';
+    CREATE OR REPLACE VIEW junction_crossing WITH (security_invoker = true) AS
+    SELECT junction_id, control_point_id, node_id, edge_id, inside, width, 4 + width / 1.2 AS seconds, geom
+    FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,
+            EXISTS (SELECT FROM junction_edge i WHERE i.edge_id = e.edge_id) AS inside,
+            CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END AS width, p.geom,
+            rank() OVER (PARTITION BY j.junction_id, p.control_point_id
+                ORDER BY round(ST_Distance(e.geom, p.geom)::numeric, 2), ST_Distance(n.geom, p.geom)) AS turn
+        FROM junction_node j JOIN edge e ON j.node_id IN (e.from_node, e.to_node)
+            JOIN node n ON n.node_id = j.node_id
+            JOIN control_point p ON p.axis_id = e.axis_id AND p.kind = 'pedestrian_crossing'
+                AND ST_DWithin(p.geom, n.geom, (SELECT value::float8 FROM setting WHERE name = 'control_distance'))) c
+    WHERE turn = 1;
+    COMMENT ON VIEW junction_crossing IS
+        'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing within '
+        'setting control_distance of a node';
+    CREATE OR REPLACE VIEW right_of_way WITH (security_invoker = true) AS
+    SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,
+        CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'
+            WHEN j.kind IN ('signals', 'right_before_left') THEN j.kind
+            WHEN p.kind IS NOT NULL THEN p.kind
+            WHEN j.kind = 'ramp' AND a.highway_role IN ('highway_link', 'link') THEN 'yield'
+            ELSE 'priority' END AS rule
+    FROM movement m LEFT JOIN junction j USING (junction_id) JOIN lane l ON l.lane_id = m.lane_in
+        JOIN edge e USING (edge_id) LEFT JOIN (SELECT axis_id, highway_role FROM axis
+            JOIN axis_class ON class = kind) a USING (axis_id)
+        LEFT JOIN rim_marking p ON (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position,
+            m.along_in) AND p.kind IN ('stop', 'yield');
+    COMMENT ON VIEW right_of_way IS
+        'What each movement obeys: signals, stop, yield, right_before_left, priority (others wait for it) or free '
+        '(nothing to wait for)';
 END $$;
 COMMENT ON FUNCTION streetgen._make_junction_views(name) IS
     'Makes the views of a model that computes junctions, again and again.';

@@ -1,4 +1,4 @@
--- What check_model says of ramps.
+-- Rules of check_model for ramps.
 
 CREATE OR REPLACE FUNCTION streetgen._ramp_check_part()
     RETURNS TABLE(place integer, subject text, kind text, query text)

@@ -9,6 +9,7 @@ DECLARE
     -- Those of the two axes that lie nearer to this crossing than to another one of theirs.
     known bigint[];
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'an overpass cannot be drawn',
             hint => 'It stands where two axes cross without a node: draw these.');
@@ -16,18 +17,17 @@ BEGIN
     subject := 'overpass ' || OLD.overpass_id;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
         format('SELECT unnest(ARRAY[%s, %s])', OLD.axis_above, OLD.axis_below));
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(overpass_override_id ORDER BY overpass_override_id), '{}') FROM %1$I.overpass_override o
-WHERE (axis_above, axis_below) IN (($1, $2), ($2, $1)) AND ST_DWithin(o.geom, $3, 20)
-    AND NOT EXISTS (SELECT FROM %1$I.overpass_editing e WHERE (e.axis_above, e.axis_below) IN (($1, $2), ($2, $1))
-        AND ST_Distance(e.geom, o.geom) < ST_Distance($3, o.geom)) $sql$, TG_TABLE_SCHEMA)
-        INTO known USING OLD.axis_above, OLD.axis_below, OLD.geom;
+    SELECT coalesce(array_agg(overpass_override_id ORDER BY overpass_override_id), '{}') FROM overpass_override o
+    WHERE (axis_above, axis_below) IN ((OLD.axis_above, OLD.axis_below), (OLD.axis_below, OLD.axis_above))
+        AND ST_DWithin(o.geom, OLD.geom, 20)
+        AND NOT EXISTS (SELECT FROM overpass_editing e WHERE (e.axis_above, e.axis_below) IN ((OLD.axis_above,
+            OLD.axis_below), (OLD.axis_below, OLD.axis_above))
+            AND ST_Distance(e.geom, o.geom) < ST_Distance(OLD.geom, o.geom)) INTO known;
     IF NOT taken_back THEN
         taken_back := OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.clearance IS NULL);
     END IF;
     IF taken_back THEN
-        EXECUTE format('DELETE FROM %I.overpass_override WHERE overpass_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-            USING known;
+        DELETE FROM overpass_override WHERE overpass_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     IF NEW.axis_above IS NULL OR NEW.axis_above NOT IN (OLD.axis_above, OLD.axis_below) THEN
@@ -38,16 +38,13 @@ WHERE (axis_above, axis_below) IN (($1, $2), ($2, $1)) AND ST_DWithin(o.geom, $3
     PERFORM streetgen._check_edit_number('the clearance of ' || subject, NEW.clearance, 0, 100, 'm',
         'Delete the row to take back what was decided by hand.');
     NEW.axis_below := OLD.axis_above + OLD.axis_below - NEW.axis_above;
-    EXECUTE format('DELETE FROM %I.overpass_override WHERE overpass_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-        USING known[2:];
+    DELETE FROM overpass_override WHERE overpass_override_id = ANY (known[2:]);
     IF known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.overpass_override (geom, axis_above, axis_below, clearance) '
-            'VALUES ($1, $2, $3, $4)', TG_TABLE_SCHEMA)
-            USING OLD.geom, NEW.axis_above, NEW.axis_below, NEW.clearance;
+        INSERT INTO overpass_override (geom, axis_above, axis_below, clearance)
+            VALUES (OLD.geom, NEW.axis_above, NEW.axis_below, NEW.clearance);
     ELSE
-        EXECUTE format('UPDATE %I.overpass_override SET axis_above = $2, axis_below = $3, clearance = $4 '
-            'WHERE overpass_override_id = $1', TG_TABLE_SCHEMA)
-            USING known[1], NEW.axis_above, NEW.axis_below, NEW.clearance;
+        UPDATE overpass_override SET axis_above = NEW.axis_above, axis_below = NEW.axis_below, clearance = NEW.clearance
+            WHERE overpass_override_id = known[1];
     END IF;
     NEW.by_hand := true;
     NEW.geom := OLD.geom;

@@ -1,4 +1,4 @@
--- What check_model says of overpasses, heights and bridges.
+-- Rules of check_model for overpasses, heights and bridges.
 
 CREATE OR REPLACE FUNCTION streetgen._height_check_part()
     RETURNS TABLE(place integer, subject text, kind text, query text)

@@ -9,9 +9,9 @@ DECLARE
     at float8;
     known bigint;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('DELETE FROM %I.height_override WHERE height_override_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.height_id;
+        DELETE FROM height_override WHERE height_override_id = OLD.height_id;
         RETURN OLD;
     ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
@@ -27,8 +27,7 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
         format('SELECT axis_id FROM %I.height_override WHERE height_override_id = %s UNION ALL SELECT %s',
         TG_TABLE_SCHEMA, quote_nullable(OLD.height_id), quote_nullable(NEW.axis_id)));
-    EXECUTE format('SELECT ST_Force2D(geom) FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis
-        USING NEW.axis_id;
+    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = NEW.axis_id INTO axis;
     IF axis IS NULL THEN
         PERFORM streetgen._refuse('22023', format('the axis of %s is gone', subject),
             detail => format('There is no axis %s.', coalesce(NEW.axis_id::text, 'in the model')),
@@ -44,14 +43,12 @@ BEGIN
     at := ST_LineLocatePoint(axis, NEW.geom) * ST_Length2D(axis);
     NEW.geom := ST_LineInterpolatePoint(axis, ST_LineLocatePoint(axis, NEW.geom));
     IF TG_OP = 'INSERT' THEN
-        EXECUTE format('INSERT INTO %I.height_override (axis_id, abscissa, height, geom) VALUES ($1, $2, $3, $4) '
-            'RETURNING height_override_id', TG_TABLE_SCHEMA)
-            INTO NEW.height_id USING NEW.axis_id, at, NEW.height, NEW.geom;
+        INSERT INTO height_override (axis_id, abscissa, height, geom) VALUES (NEW.axis_id, at, NEW.height, NEW.geom)
+            RETURNING height_override_id INTO NEW.height_id;
         RETURN NEW;
     END IF;
-    EXECUTE format('UPDATE %I.height_override SET axis_id = $2, abscissa = $3, height = $4, geom = $5 '
-        'WHERE height_override_id = $1 RETURNING height_override_id', TG_TABLE_SCHEMA)
-        INTO known USING OLD.height_id, NEW.axis_id, at, NEW.height, NEW.geom;
+    UPDATE height_override SET axis_id = NEW.axis_id, abscissa = at, height = NEW.height, geom = NEW.geom
+        WHERE height_override_id = OLD.height_id RETURNING height_override_id INTO known;
     IF known IS NULL THEN
         PERFORM streetgen._refuse('22023', format('%s is gone', subject), detail => 'Another session deleted it.',
             hint => 'Refresh the layer.');

@@ -1,4 +1,4 @@
--- What heights start from: the ground along edges, and heights by hand.
+-- Heights start from the ground along edges, and from heights by hand.
 
 CREATE OR REPLACE FUNCTION streetgen._ground_line(line geometry, from_place geometry, to_place geometry)
     RETURNS geometry
@@ -30,20 +30,20 @@ COMMENT ON FUNCTION streetgen._terrain_heights(name, geometry, geometry[]) IS
     'The heights (m) of places in an area by the tiles of a model; NaN where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._nearest_height(model name, place geometry, OUT z float8, OUT distance float8)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format('SELECT ST_Z(d.geom), ST_Distance(d.geom, $1) FROM (SELECT geom FROM %I.axis
-            WHERE ST_DWithin(geom, $1, 500) ORDER BY geom <-> $1, axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
-        WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY 2, 1 LIMIT 1', model)
-        INTO z, distance USING place;
+    PERFORM streetgen._use_model(model);
+    SELECT ST_Z(d.geom), ST_Distance(d.geom, place) FROM (SELECT geom FROM axis
+            WHERE ST_DWithin(geom, place, 500) ORDER BY geom <-> place, axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
+        WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY 2, 1 LIMIT 1 INTO z, distance;
 END $$;
 COMMENT ON FUNCTION streetgen._nearest_height(name, geometry) IS
     'The height (m) of the nearest vertex of an axis that has one, and how far it is (m); NULL where none is within '
     '500 m.';
 
 CREATE OR REPLACE FUNCTION streetgen._node_ground(model name, place geometry) RETURNS float8
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     z float8 := streetgen._known_height(ST_Z(place));
@@ -60,7 +60,7 @@ COMMENT ON FUNCTION streetgen._node_ground(name, geometry) IS
 
 CREATE OR REPLACE FUNCTION streetgen._filled_ground(model name, line geometry, from_place geometry,
     to_place geometry, bare boolean) RETURNS geometry
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
     WITH point AS MATERIALIZED (SELECT path[1] AS n, geom, count(*) OVER () AS points,
             CASE WHEN NOT bare THEN streetgen._known_height(ST_Z(geom)) END AS own
@@ -86,7 +86,7 @@ COMMENT ON FUNCTION streetgen._filled_ground(name, geometry, geometry, geometry,
 
 CREATE OR REPLACE FUNCTION streetgen._ground_of(model name, line geometry, from_place geometry, to_place geometry)
     RETURNS geometry
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     bare boolean;
@@ -109,11 +109,12 @@ COMMENT ON FUNCTION streetgen._ground_of(name, geometry, geometry, geometry) IS
 
 CREATE OR REPLACE FUNCTION streetgen._heights_by_hand(model name, edge bigint, axis bigint, low float8, high float8,
     length float8) RETURNS SETOF streetgen.profile_height
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 1 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE format('SELECT $1, (abscissa - $3) / ($4 - $3) * $5, height FROM %I.height_override
-        WHERE axis_id = $2 AND abscissa BETWEEN $3 AND $4', model) USING edge, axis, low, high, length;
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT edge, (abscissa - low) / (high - low) * length, height FROM height_override
+        WHERE axis_id = axis AND abscissa BETWEEN low AND high;
 END $$;
 COMMENT ON FUNCTION streetgen._heights_by_hand(name, bigint, bigint, float8, float8, float8) IS
     'The heights by hand of an edge: of its axis, between two abscissas; length is that of the edge, m.';

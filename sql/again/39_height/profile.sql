@@ -74,56 +74,58 @@ DECLARE
     tied bigint[] := '{}';
     more bigint[] := '{}';
 BEGIN
+    PERFORM streetgen._use_model(model);
     SELECT m.srid, m.dimension INTO place FROM streetgen.model m WHERE m.name = model;
     -- A node without a height has the nearest one, before and after: no axis that lies farther off changes it. An edge
     -- lies no farther from its axis than the reach.
     IF place.dimension = 3 THEN
-        EXECUTE format($sql$
-WITH line AS MATERIALIZED (SELECT geom FROM (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
-        UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)) l
-    WHERE streetgen._known_height(ST_ZMin(geom)) IS NOT NULL OR streetgen._known_height(ST_ZMax(geom)) IS NOT NULL),
-hole AS MATERIALIZED (SELECT n.node_id, n.geom, r.reach, min(ST_Distance(n.geom, l.geom)) AS apart
-    FROM (SELECT value::float8 AS reach FROM %1$I.setting WHERE name = 'reach') r CROSS JOIN line l
-        JOIN %1$I.node n ON ST_DWithin(n.geom, l.geom, 500 + reach)
-    WHERE ST_Z(n.geom) NOT BETWEEN -500 AND 10000 GROUP BY n.node_id, r.reach)
-SELECT ARRAY(SELECT e.edge_id FROM hole h, streetgen._nearest_height(%2$L, h.geom) v, %1$I.edge e
-    WHERE apart <= coalesce(v.distance, 500) + reach AND (e.from_node = h.node_id OR e.to_node = h.node_id)
-    EXCEPT SELECT unnest($2)) $sql$, model, model) INTO more USING axes, known;
+        WITH line AS MATERIALIZED (SELECT geom FROM (SELECT geom FROM axis WHERE axis_id = ANY (axes)
+                UNION ALL SELECT geom FROM edge WHERE axis_id = ANY (axes)) l
+            WHERE streetgen._known_height(ST_ZMin(geom)) IS NOT NULL OR streetgen._known_height(ST_ZMax(geom)) IS NOT
+                NULL),
+        hole AS MATERIALIZED (SELECT n.node_id, n.geom, r.reach, min(ST_Distance(n.geom, l.geom)) AS apart
+            FROM (SELECT value::float8 AS reach FROM setting WHERE name = 'reach') r CROSS JOIN line l
+                JOIN node n ON ST_DWithin(n.geom, l.geom, 500 + reach)
+            WHERE ST_Z(n.geom) NOT BETWEEN -500 AND 10000 GROUP BY n.node_id, r.reach)
+        SELECT ARRAY(SELECT e.edge_id FROM hole h, streetgen._nearest_height(model, h.geom) v, edge e
+            WHERE apart <= coalesce(v.distance, 500) + reach AND (e.from_node = h.node_id OR e.to_node = h.node_id)
+            EXCEPT SELECT unnest(known)) INTO more;
     END IF;
     -- The region is closed: no crossing and no tied node, before or after, leads from it to others. Then its edges
     -- have the heights that they have among all, and the others keep theirs (include/streetgen/profile.hpp).
     LOOP
         IF more <> '{}' THEN
-            EXECUTE format($sql$
-SELECT $1 || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
-        streetgen._ground_of(%2$L, e.geom, f.geom, t.geom)::bytea, streetgen._by_speed(s.grades, e.speed) / 100,
-        e.speed)::streetgen.profile_edge
-    FROM %1$I.edge e JOIN %1$I.node f ON f.node_id = e.from_node JOIN %1$I.node t ON t.node_id = e.to_node,
-        (SELECT value::jsonb AS grades FROM %1$I.setting WHERE name = 'grade_maximal') s
-    WHERE e.edge_id = ANY ($3)),
-    $2 || ARRAY(SELECT ROW (o.edge_above, o.abscissa_above, o.edge_below, o.abscissa_below, o.clearance,
-        b.level < 0)::streetgen.profile_lift
-    FROM %1$I.overpass o JOIN %1$I.edge b ON b.edge_id = o.edge_below
-    WHERE (o.edge_above = ANY ($3) OR o.edge_below = ANY ($3)) AND NOT ARRAY[o.edge_above, o.edge_below] && $4),
-    $5 || ARRAY(SELECT h FROM %1$I.edge e, LATERAL streetgen._heights_by_hand(%2$L, e.edge_id, e.axis_id,
-        e.start_abscissa, e.end_abscissa, ST_Length2D(e.geom)) h WHERE e.edge_id = ANY ($3))
-$sql$, model, model) INTO region, crossings, by_hand USING region, crossings, more, known, by_hand;
+            SELECT region || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
+                    streetgen._ground_of(model, e.geom, f.geom, t.geom)::bytea, streetgen._by_speed(s.grades, e.speed) /
+                        100,
+                    e.speed)::streetgen.profile_edge
+                FROM edge e JOIN node f ON f.node_id = e.from_node JOIN node t ON t.node_id = e.to_node,
+                    (SELECT value::jsonb AS grades FROM setting WHERE name = 'grade_maximal') s
+                WHERE e.edge_id = ANY (more)),
+                crossings || ARRAY(SELECT ROW (o.edge_above, o.abscissa_above, o.edge_below, o.abscissa_below,
+                    o.clearance,
+                    b.level < 0)::streetgen.profile_lift
+                FROM overpass o JOIN edge b ON b.edge_id = o.edge_below
+                WHERE (o.edge_above = ANY (more) OR o.edge_below = ANY (more))
+                    AND NOT ARRAY[o.edge_above, o.edge_below] && known),
+                by_hand || ARRAY(SELECT h FROM edge e, LATERAL streetgen._heights_by_hand(model, e.edge_id, e.axis_id,
+                    e.start_abscissa, e.end_abscissa, ST_Length2D(e.geom)) h WHERE e.edge_id = ANY (more))
+                        INTO region, crossings, by_hand;
             known := known || more;
             solved := NULL;
         END IF;
-        EXECUTE format($sql$
-WITH near AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS nodes FROM (
-    SELECT from_node, to_node FROM unnest($1)
-    UNION ALL SELECT from_node, to_node FROM %1$I.edge WHERE edge_id = ANY ($3)) e)
-SELECT ARRAY(
-    SELECT unnest(ARRAY[edge_above, edge_below]) FROM unnest($2)
-    UNION SELECT edge_above FROM %1$I.overpass WHERE edge_below = ANY ($3)
-    UNION SELECT edge_below FROM %1$I.overpass WHERE edge_above = ANY ($3)
-    UNION SELECT edge_id FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id)
-        WHERE from_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_from OR from_node = ANY ($4))
-    UNION SELECT edge_id FROM %1$I.edge e JOIN %1$I.profile p USING (edge_id)
-        WHERE to_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_to OR to_node = ANY ($4))
-    EXCEPT SELECT unnest($3)) $sql$, model) INTO more USING region, crossings, known, tied;
+        WITH near AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS nodes FROM (
+            SELECT from_node, to_node FROM unnest(region)
+            UNION ALL SELECT from_node, to_node FROM edge WHERE edge_id = ANY (known)) e)
+        SELECT ARRAY(
+            SELECT unnest(ARRAY[edge_above, edge_below]) FROM unnest(crossings)
+            UNION SELECT edge_above FROM overpass WHERE edge_below = ANY (known)
+            UNION SELECT edge_below FROM overpass WHERE edge_above = ANY (known)
+            UNION SELECT edge_id FROM edge e JOIN profile p USING (edge_id)
+                WHERE from_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_from OR from_node = ANY (tied))
+            UNION SELECT edge_id FROM edge e JOIN profile p USING (edge_id)
+                WHERE to_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_to OR to_node = ANY (tied))
+            EXCEPT SELECT unnest(known)) INTO more;
         IF more = '{}' THEN
             EXIT WHEN solved IS NOT NULL;
             solved := ARRAY(SELECT s FROM streetgen._solved_profile(region, crossings, by_hand, place.srid) s);

@@ -54,7 +54,7 @@ beside AS MATERIALIZED (
     SELECT k.edge_id, k.side, k.method, k.geom
     FROM ground, street s, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = s.edge_id {by_key}) k
     WHERE k.level = ground.level AND NOT $3
-    -- Where another level begins, its edge may have the corner.
+    -- The edge of another level may have the corner where that level begins.
     UNION ALL SELECT k.edge_id, k.side, k.method, k.geom
     FROM ground, (SELECT from_node AS node_id FROM street UNION SELECT to_node FROM street) n,
         LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id {by_key}) k,
@@ -188,7 +188,7 @@ street AS MATERIALIZED (
         ORDER BY ST_Distance(e.geom, a.geom), e.edge_id LIMIT 1) o ON true
     WHERE a.axis_id = ANY (axes) AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id <> a.axis_id
         AND e.geom && ST_Expand(a.geom, reach) AND ST_DWithin(e.geom, a.geom, reach))
-        -- Where it lies as it did, its own edges tell.
+        -- Its own edges tell where it lies as it did.
         AND NOT coalesce((SELECT ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
                 AND bool_and(streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
             FROM %1$I.edge e WHERE e.axis_id = a.axis_id), false))

@@ -6,17 +6,17 @@ CREATE OR REPLACE FUNCTION streetgen._edit_block() RETURNS trigger
 DECLARE
     known bigint[];
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Blocks come from the streets about them: draw an axis.');
     ELSIF TG_OP = 'UPDATE' AND (NEW.block_id, NEW.geom) IS DISTINCT FROM (OLD.block_id, OLD.geom) THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key or geom',
             'Only kind and by_hand can be changed; the ground follows the streets about it.');
     END IF;
-    EXECUTE format('SELECT ARRAY(SELECT block_override_id FROM %I.block_override WHERE geom && $1
-        AND ST_Intersects(geom, $1) ORDER BY block_override_id DESC)', TG_TABLE_SCHEMA) INTO known USING OLD.geom;
+    SELECT ARRAY(SELECT block_override_id FROM block_override WHERE geom && OLD.geom
+        AND ST_Intersects(geom, OLD.geom) ORDER BY block_override_id DESC) INTO known;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
-        EXECUTE format('DELETE FROM %I.block_override WHERE block_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-            USING known;
+        DELETE FROM block_override WHERE block_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     ELSIF NEW.kind IS NOT DISTINCT FROM OLD.kind AND OLD.by_hand THEN
         RETURN NEW;
@@ -29,11 +29,9 @@ BEGIN
             hint => 'It is block, island or strip; by_hand false has it computed.');
     END IF;
     IF known = '{}' THEN
-        EXECUTE format('INSERT INTO %I.block_override (geom, kind) VALUES (ST_PointOnSurface($1), $2)',
-            TG_TABLE_SCHEMA) USING OLD.geom, NEW.kind;
+        INSERT INTO block_override (geom, kind) VALUES (ST_PointOnSurface(OLD.geom), NEW.kind);
     ELSE
-        EXECUTE format('UPDATE %I.block_override SET kind = $2 WHERE block_override_id = $1', TG_TABLE_SCHEMA)
-            USING known[1], NEW.kind;
+        UPDATE block_override SET kind = NEW.kind WHERE block_override_id = known[1];
     END IF;
     NEW.by_hand := true;
     RETURN NEW;
@@ -48,13 +46,13 @@ CREATE OR REPLACE FUNCTION streetgen._axes_at_blocks(model name, overrides jsonb
 DECLARE
     axes bigint[] := '{}';
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'block' = ANY (streetgen._subjects(model)) THEN
-        EXECUTE format($sql$
-SELECT ARRAY(SELECT DISTINCT e.axis_id FROM unnest($1) o, LATERAL (
-        SELECT ST_SetSRID(ST_GeomFromGeoJSON(o ->> 'geom'), m.srid) AS geom FROM streetgen.model m WHERE m.name = $2) p
-    JOIN %1$I.block b ON b.surface && p.geom AND ST_Intersects(b.surface, p.geom)
-    JOIN %1$I.block_edge s ON s.block_id = b.block_id AND s.ordinality = 1 JOIN %1$I.edge e USING (edge_id))
-$sql$, model) INTO axes USING overrides, model;
+        SELECT ARRAY(SELECT DISTINCT e.axis_id FROM unnest(overrides) o, LATERAL (
+                SELECT ST_SetSRID(ST_GeomFromGeoJSON(o ->> 'geom'), m.srid) AS geom FROM streetgen.model m
+                    WHERE m.name = model) p
+            JOIN block b ON b.surface && p.geom AND ST_Intersects(b.surface, p.geom)
+            JOIN block_edge s ON s.block_id = b.block_id AND s.ordinality = 1 JOIN edge e USING (edge_id)) INTO axes;
     END IF;
     RETURN axes;
 END $$;

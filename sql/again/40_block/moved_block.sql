@@ -35,7 +35,7 @@ moved_border AS MATERIALIZED (
         FROM (SELECT kerb_id FROM new_kerb WHERE changed AND NOT fresh UNION ALL SELECT kerb_id FROM gone_kerb) c,
             LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = c.kerb_id OFFSET 0) k) k
     WHERE k.level = g.level),
--- What others contest may lie in a face that its edge is not about.
+-- A kerb that others contest may lie in a face that its edge is not about.
 near_place AS MATERIALIZED (
     SELECT geom, true AS moved, ARRAY(SELECT edge_id FROM moved_edge WHERE edge_id IS NOT NULL) AS beside
     FROM loose_edge

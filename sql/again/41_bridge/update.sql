@@ -37,8 +37,9 @@ CREATE OR REPLACE FUNCTION streetgen._make_renew_bridges(model name) RETURNS voi
         SET client_min_messages = warning
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'bridge' <> ALL (streetgen._subjects(model)) THEN
-        EXECUTE format('DROP FUNCTION IF EXISTS %1$I._renew_bridges(bigint[]), %1$I._crossing_edges(bigint[])', model);
+        PERFORM streetgen._drop_own_functions(model, '{_renew_bridges,_crossing_edges}');
         RETURN;
     END IF;
     EXECUTE format($sql$
@@ -117,8 +118,9 @@ CREATE OR REPLACE FUNCTION streetgen._edges_at_bridges(model name, axes bigint[]
 DECLARE
     edges bigint[] := '{}';
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF axes IS NOT NULL AND 'bridge' = ANY (streetgen._subjects(model)) THEN
-        EXECUTE format('SELECT %I._crossing_edges($1)', model) INTO edges USING axes;
+        SELECT _crossing_edges(axes) INTO edges;
     END IF;
     RETURN edges;
 END $$;
@@ -130,9 +132,10 @@ CREATE OR REPLACE FUNCTION streetgen._update_bridges(model name, axes bigint[], 
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'bridge' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY EXECUTE format('SELECT * FROM %I._renew_bridges($1)', model)
-            USING CASE WHEN axes IS NOT NULL THEN edges || streetgen._edges_at_bridges(model, axes) END;
+        RETURN QUERY SELECT * FROM _renew_bridges(CASE WHEN axes IS NOT NULL THEN edges ||
+            streetgen._edges_at_bridges(model, axes) END);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._update_bridges(name, bigint[], bigint[]) IS

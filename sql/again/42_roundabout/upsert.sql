@@ -51,7 +51,7 @@ ring_line AS MATERIALIZED (
     SELECT geom, {beside_rings} + 5 AS reach FROM (
         SELECT geom FROM used WHERE NOT {whole} AND axis_id IN (SELECT unnest($3))
         UNION ALL SELECT geom FROM {model}.edge WHERE NOT {whole} AND axis_id = ANY ($3)) l, setting),
--- Of an arm that is cut anew, however far away, the ring has another edge.
+-- A ring gets another edge of an arm that is cut anew, however far away.
 ring_axis AS MATERIALIZED (
     SELECT array_agg(axis_id) AS ids FROM used u, setting WHERE EXISTS (SELECT FROM ring_line l
         WHERE ST_DWithin(u.geom, l.geom, 3 * (v ->> 'tolerance')::float8))),
@@ -120,7 +120,7 @@ ring_edge_id AS MATERIALIZED (
     WHERE NOT {whole} AND axis_id NOT IN (SELECT axis_id FROM written_edge)),
 named_ring_edge AS MATERIALIZED (SELECT r.*, i.edge_id, i.width FROM new_ring_edge r
     JOIN ring_edge_id i USING (axis_id, start_abscissa, end_abscissa)),
--- Of each face by itself: the ground between two of them is roadway.
+-- Each face has an island of its own: the ground between two of them is roadway.
 ring_island AS MATERIALIZED (
     SELECT ring, coalesce(ST_Multi(ST_CollectionExtract(ST_Union(ST_Buffer(
             ST_MakeValid(ST_MakePolygon(f.line::geometry)), -(SELECT max(width) / 2 FROM named_ring_edge e
@@ -165,7 +165,7 @@ CREATE OR REPLACE FUNCTION streetgen._ring_places(places jsonb) RETURNS jsonb
     ELSE jsonb_build_object('rings', streetgen._upsert_ring(places) || ',',
         'or_turned', 'OR axis_id IN (SELECT axis_id FROM ring_turned)',
         'yields', $part$
-                -- Who is on a roundabout goes first.
+                -- Traffic on a roundabout goes first.
                 UNION ALL SELECT 0, axis_id, CASE WHEN along_axis THEN end_abscissa ELSE start_abscissa END, 'yield',
                     CASE WHEN along_axis THEN 'direct' ELSE 'reverse' END
                 FROM yielding$part$,
@@ -193,15 +193,14 @@ CREATE OR REPLACE FUNCTION streetgen._axes_of_rings(model name, changed jsonb[])
 DECLARE
     found bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'roundabout' <> ALL (streetgen._subjects(model)) THEN
         RETURN '{}';
     END IF;
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(DISTINCT e.axis_id), '{}') FROM unnest($1) c,
-    LATERAL (SELECT ST_GeomFromGeoJSON(c ->> 'geom') AS geom) p
-    JOIN %1$I.roundabout r ON r.geom && p.geom AND ST_Covers(ST_ConvexHull(r.geom), p.geom)
-    JOIN %1$I.roundabout_edge USING (roundabout_id) JOIN %1$I.edge e ON e.edge_id = roundabout_edge.edge_id
-$sql$, model) INTO found USING changed;
+    SELECT coalesce(array_agg(DISTINCT e.axis_id), '{}') FROM unnest(changed) c,
+        LATERAL (SELECT ST_GeomFromGeoJSON(c ->> 'geom') AS geom) p
+        JOIN roundabout r ON r.geom && p.geom AND ST_Covers(ST_ConvexHull(r.geom), p.geom)
+        JOIN roundabout_edge USING (roundabout_id) JOIN edge e ON e.edge_id = roundabout_edge.edge_id INTO found;
     RETURN found;
 END $$;
 COMMENT ON FUNCTION streetgen._axes_of_rings(name, jsonb[]) IS
@@ -213,9 +212,10 @@ CREATE OR REPLACE FUNCTION streetgen._has_ring(model name, place geometry) RETUR
 DECLARE
     found boolean := true;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'roundabout' = ANY (streetgen._subjects(model)) THEN
-        EXECUTE format('SELECT EXISTS (SELECT FROM %I.roundabout r WHERE r.geom && $1 '
-            'AND ST_Covers(ST_ConvexHull(r.geom), $1))', model) INTO found USING place;
+        SELECT EXISTS (SELECT FROM roundabout r WHERE r.geom && place AND ST_Covers(ST_ConvexHull(r.geom), place))
+            INTO found;
     END IF;
     RETURN found;
 END $$;

@@ -43,6 +43,7 @@ DECLARE
     known bigint;
     written bigint;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Bends lie where axes bend: change the radius of one.');
     ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
@@ -54,10 +55,9 @@ BEGIN
     END IF;
     subject := format('the bend at %s m of axis %s', round(OLD.abscissa::numeric, 2), OLD.axis_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
-    EXECUTE format('SELECT geom FROM %I.axis WHERE axis_id = $1', TG_TABLE_SCHEMA) INTO axis USING OLD.axis_id;
+    SELECT geom FROM axis WHERE axis_id = OLD.axis_id INTO axis;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
-        EXECUTE format('DELETE FROM %I.road_override WHERE axis_id = $1 AND abs(abscissa - $2) <= 1', TG_TABLE_SCHEMA)
-            USING OLD.axis_id, OLD.abscissa;
+        DELETE FROM road_override WHERE axis_id = OLD.axis_id AND abs(abscissa - OLD.abscissa) <= 1;
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
     END IF;
@@ -74,14 +74,13 @@ BEGIN
     END IF;
     PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 4000, 'm',
         '0 for a sharp bend; delete the row to take back what was decided by hand.');
-    EXECUTE format('SELECT max(road_override_id) FROM %I.road_override WHERE axis_id = $1 AND abs(abscissa - $2) <= 1',
-        TG_TABLE_SCHEMA) INTO known USING OLD.axis_id, bend.abscissa;
+    SELECT max(road_override_id) FROM road_override WHERE axis_id = OLD.axis_id
+        AND abs(abscissa - bend.abscissa) <= 1 INTO known;
     IF known IS NULL THEN
-        EXECUTE format('INSERT INTO %I.road_override (axis_id, abscissa, radius, geom) VALUES ($1, $2, $3, $4)',
-            TG_TABLE_SCHEMA) USING OLD.axis_id, bend.abscissa, NEW.radius, bend.vertex;
+        INSERT INTO road_override (axis_id, abscissa, radius, geom) VALUES (OLD.axis_id, bend.abscissa, NEW.radius,
+            bend.vertex);
     ELSE
-        EXECUTE format('UPDATE %I.road_override SET radius = $2 WHERE road_override_id = $1', TG_TABLE_SCHEMA)
-            USING known, NEW.radius;
+        UPDATE road_override SET radius = NEW.radius WHERE road_override_id = known;
     END IF;
     NEW.by_hand := true;
     RETURN NEW;

@@ -41,7 +41,7 @@ touched_road AS MATERIALIZED (
     SELECT DISTINCT r.road_id
     FROM (SELECT edge_id FROM old_edge WHERE written UNION SELECT edge_id FROM meeting_edge) e,
         LATERAL (SELECT road_id FROM {model}.road_edge o WHERE o.edge_id = e.edge_id OFFSET 0) r WHERE NOT {whole}),
--- Where roads end away from what is written, other edges meet that are not looked at.
+-- Other edges, which are not looked at, may meet where roads end away from what is written.
 far_end AS MATERIALIZED (
     SELECT unnest(ARRAY[r.from_node, r.to_node]) AS node_id FROM touched_road t,
         LATERAL (SELECT * FROM {model}.road o WHERE o.road_id = t.road_id OFFSET 0) r WHERE NOT r.closed
@@ -99,12 +99,12 @@ CREATE OR REPLACE FUNCTION streetgen._drop_roads(model name, gone bigint[]) RETU
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- A run finds by their edges what is left of other roads.
-    EXECUTE format($sql$
-WITH member AS (SELECT m.road_id FROM %1$I.edge e JOIN %1$I.road_edge m USING (edge_id) WHERE e.axis_id = ANY ($1))
-DELETE FROM %1$I.road r WHERE r.road_id IN (SELECT road_id FROM member) AND NOT EXISTS (
-    SELECT FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id) WHERE m.road_id = r.road_id
-        AND e.axis_id <> ALL ($1)) $sql$, model) USING gone;
+    WITH member AS (SELECT m.road_id FROM edge e JOIN road_edge m USING (edge_id) WHERE e.axis_id = ANY (gone))
+    DELETE FROM road r WHERE r.road_id IN (SELECT road_id FROM member) AND NOT EXISTS (
+        SELECT FROM road_edge m JOIN edge e USING (edge_id) WHERE m.road_id = r.road_id
+            AND e.axis_id <> ALL (gone));
 END $$;
 COMMENT ON FUNCTION streetgen._drop_roads(name, bigint[]) IS
     'Removes the roads of a model that consist of edges of axes that are gone.';

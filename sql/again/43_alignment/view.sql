@@ -20,6 +20,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_road_arc_view(model name) RETURNS voi
 DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- No road has a million arcs.
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.road_arc WITH (security_invoker = true) AS
@@ -30,36 +31,35 @@ SELECT r.road_id * 1000000 + b.ordinality AS road_arc_id, r.road_id, b.start_abs
     b.arc::geometry(CircularString, %2$s) AS arc
 FROM %1$I.road r, LATERAL streetgen._arc_road_bends(r.geom) WITH ORDINALITY b
 $sql$, model, srid);
-    EXECUTE format($sql$
-COMMENT ON VIEW %1$I.road_arc IS 'The bends of roads that are arcs';
-COMMENT ON COLUMN %1$I.road_arc.road_arc_id IS 'key, of the road and the number of the bend';
-COMMENT ON COLUMN %1$I.road_arc.road_id IS 'the road';
-COMMENT ON COLUMN %1$I.road_arc.start_abscissa IS 'where the arc starts, metres along geom of the road';
-COMMENT ON COLUMN %1$I.road_arc.end_abscissa IS 'where the arc ends, metres along geom of the road';
-COMMENT ON COLUMN %1$I.road_arc.radius IS 'metres';
-COMMENT ON COLUMN %1$I.road_arc.speed_limit IS
-    'km/h up to which a car does not slip, by setting road_friction, without superelevation';
-COMMENT ON COLUMN %1$I.road_arc.centre IS 'centre of the arc';
-COMMENT ON COLUMN %1$I.road_arc.corner IS 'where the straight lines before and after would meet';
-COMMENT ON COLUMN %1$I.road_arc.arc IS 'the arc, in the direction of the road'
-$sql$, model);
+    COMMENT ON VIEW road_arc IS 'The bends of roads that are arcs';
+    COMMENT ON COLUMN road_arc.road_arc_id IS 'key, of the road and the number of the bend';
+    COMMENT ON COLUMN road_arc.road_id IS 'the road';
+    COMMENT ON COLUMN road_arc.start_abscissa IS 'where the arc starts, metres along geom of the road';
+    COMMENT ON COLUMN road_arc.end_abscissa IS 'where the arc ends, metres along geom of the road';
+    COMMENT ON COLUMN road_arc.radius IS 'metres';
+    COMMENT ON COLUMN road_arc.speed_limit IS
+        'km/h up to which a car does not slip, by setting road_friction, without superelevation';
+    COMMENT ON COLUMN road_arc.centre IS 'centre of the arc';
+    COMMENT ON COLUMN road_arc.corner IS 'where the straight lines before and after would meet';
+    COMMENT ON COLUMN road_arc.arc IS 'the arc, in the direction of the road';
 END $$;
 COMMENT ON FUNCTION streetgen._make_road_arc_view(name) IS 'Makes the view road_arc of a model, again and again.';
 
 CREATE OR REPLACE FUNCTION streetgen.road_at(model name, road_id bigint, metres float8,
     OUT geom geometry, OUT edge_id bigint, OUT heading float8, OUT curvature float8)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
     line geometry;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model);
     IF 'alignment' <> ALL (streetgen._subjects(model)) THEN
         RAISE EXCEPTION 'model "%" computes no roads', model USING ERRCODE = '0A000',
             HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''alignment'', true) makes them.', model);
     END IF;
-    EXECUTE format('SELECT geom FROM %I.road WHERE road_id = $1', model) INTO line USING road_at.road_id;
+    SELECT geom FROM road WHERE road_id = road_at.road_id INTO line;
     IF line IS NULL THEN
         RAISE EXCEPTION 'there is no road % in model "%"', road_at.road_id, model USING ERRCODE = '22023',
             HINT = format('SELECT road_id FROM %I.road lists those that are there.', model);
@@ -67,9 +67,9 @@ BEGIN
     SELECT p.geom, p.heading, p.curvature INTO geom, heading, curvature
         FROM streetgen.arc_road_point(line, metres) p;
     -- Along the axes a road is a little longer than along its arcs.
-    EXECUTE format('SELECT m.edge_id FROM %1$I.road_edge m JOIN %1$I.road r USING (road_id) WHERE road_id = $1
-        AND m.start_abscissa <= $2 * r.length / $3 ORDER BY position DESC LIMIT 1', model) INTO edge_id
-        USING road_at.road_id, greatest(metres, 0), streetgen.arc_road_length(line);
+    SELECT m.edge_id FROM road_edge m JOIN road r USING (road_id) WHERE road_id = road_at.road_id
+        AND m.start_abscissa <= greatest(metres, 0) * r.length / streetgen.arc_road_length(line)
+            ORDER BY position DESC LIMIT 1 INTO edge_id;
 END $$;
 COMMENT ON FUNCTION streetgen.road_at(name, bigint, float8) IS
     'The place (POINT) at a number of metres along a road of a model, clamped to it: the edge there, heading in '

@@ -1,4 +1,4 @@
--- What check_model says of signals.
+-- Rules of check_model for signals.
 
 CREATE OR REPLACE FUNCTION streetgen._signal_check_part()
     RETURNS TABLE(place integer, subject text, kind text, query text)

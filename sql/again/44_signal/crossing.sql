@@ -4,23 +4,22 @@ CREATE OR REPLACE FUNCTION streetgen._make_signal_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.signal_crossing WITH (security_invoker = true) AS
-SELECT s.controller_id, s.ordinality, c.control_point_id, c.edge_id,
-    CASE WHEN p.crossed THEN 'permitted' ELSE 'protected' END AS right_of_way, c.geom
-FROM %1$I.junction_crossing c JOIN %1$I.signal_state s ON s.controller_id = c.junction_id
-    CROSS JOIN LATERAL (
-        SELECT coalesce(bool_or(o.edge_id = c.edge_id), false) AS crossed,
-            coalesce(bool_or(i.edge_id = c.edge_id OR o.edge_id = c.edge_id AND w.turn = 'through'
-                OR c.inside AND ST_DWithin(w.geom, c.geom, c.width / 2)), false) AS taken
-        FROM %1$I.signal_movement m JOIN %1$I.movement w USING (lane_in, lane_out, along_in, along_out)
-            JOIN %1$I.lane i ON i.lane_id = m.lane_in JOIN %1$I.lane o ON o.lane_id = m.lane_out
-        WHERE (m.controller_id, m.ordinality) = (s.controller_id, s.ordinality)) p
-WHERE CASE s.kind WHEN 'green' THEN NOT p.taken WHEN 'all_red' THEN s.duration >= c.seconds ELSE false END;
-COMMENT ON VIEW %1$I.signal_crossing IS
-    'The states of a controller in which people on foot may cross a street of its junction: nobody has green there to '
-    'drive in, or straight out; who turns into the street gives way to them (permitted)'
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW signal_crossing WITH (security_invoker = true) AS
+    SELECT s.controller_id, s.ordinality, c.control_point_id, c.edge_id,
+        CASE WHEN p.crossed THEN 'permitted' ELSE 'protected' END AS right_of_way, c.geom
+    FROM junction_crossing c JOIN signal_state s ON s.controller_id = c.junction_id
+        CROSS JOIN LATERAL (
+            SELECT coalesce(bool_or(o.edge_id = c.edge_id), false) AS crossed,
+                coalesce(bool_or(i.edge_id = c.edge_id OR o.edge_id = c.edge_id AND w.turn = 'through'
+                    OR c.inside AND ST_DWithin(w.geom, c.geom, c.width / 2)), false) AS taken
+            FROM signal_movement m JOIN movement w USING (lane_in, lane_out, along_in, along_out)
+                JOIN lane i ON i.lane_id = m.lane_in JOIN lane o ON o.lane_id = m.lane_out
+            WHERE (m.controller_id, m.ordinality) = (s.controller_id, s.ordinality)) p
+    WHERE CASE s.kind WHEN 'green' THEN NOT p.taken WHEN 'all_red' THEN s.duration >= c.seconds ELSE false END;
+    COMMENT ON VIEW signal_crossing IS
+        'The states of a controller in which people on foot may cross a street of its junction: nobody has green '
+        'there to drive in, or straight out; who turns into the street gives way to them (permitted)';
 END $$;
 COMMENT ON FUNCTION streetgen._make_signal_views(name) IS
     'Makes the views of a model that computes signals, again and again.';

@@ -6,21 +6,19 @@ CREATE OR REPLACE FUNCTION streetgen._decide_controller(model name, controller b
 DECLARE
     known constant bigint[] := streetgen._overrides_at_junction(model, 'controller_override', controller);
 BEGIN
-    EXECUTE format('DELETE FROM %I.controller_override WHERE controller_override_id = ANY ($1)', model)
-        USING known[2:];
+    PERFORM streetgen._use_model(model);
+    DELETE FROM controller_override WHERE controller_override_id = ANY (known[2:]);
     IF known = '{}' THEN
-        EXECUTE format($sql$
-INSERT INTO %1$I.controller_override (axis_id, geom, program, cycle, start_offset, durations)
-SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations
-FROM %1$I.junction_node m JOIN %1$I.node n USING (node_id) JOIN %1$I.edge e ON n.node_id IN (e.from_node, e.to_node),
-    jsonb_populate_record(NULL::%1$I.controller_override, $2) d
-WHERE m.junction_id = $1 ORDER BY e.edge_id LIMIT 1 $sql$, model) USING controller, decided;
+        INSERT INTO controller_override (axis_id, geom, program, cycle, start_offset, durations)
+        SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations
+        FROM junction_node m JOIN node n USING (node_id) JOIN edge e ON n.node_id IN (e.from_node, e.to_node),
+            jsonb_populate_record(NULL::controller_override, decided) d
+        WHERE m.junction_id = controller ORDER BY e.edge_id LIMIT 1;
     ELSE
-        EXECUTE format($sql$
-UPDATE %1$I.controller_override o SET (program, cycle, start_offset, durations)
-    = ROW (d.program, d.cycle, d.start_offset, d.durations)
-FROM %1$I.controller_override k, jsonb_populate_record(k, $2) d
-WHERE o.controller_override_id = $1 AND k.controller_override_id = $1 $sql$, model) USING known[1], decided;
+        UPDATE controller_override o SET (program, cycle, start_offset, durations)
+            = ROW (d.program, d.cycle, d.start_offset, d.durations)
+        FROM controller_override k, jsonb_populate_record(k, decided) d
+        WHERE o.controller_override_id = known[1] AND k.controller_override_id = known[1];
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._decide_controller(name, bigint, jsonb) IS
@@ -35,6 +33,7 @@ DECLARE
     decided jsonb := '{}';
     known bigint[];
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'a controller cannot be drawn',
             hint => 'Put a row of kind signals into control_point, or give the junction that kind.');
@@ -46,8 +45,7 @@ BEGIN
     END IF;
     IF taken_back THEN
         known := streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'controller_override', OLD.controller_id);
-        EXECUTE format('DELETE FROM %I.controller_override WHERE controller_override_id = ANY ($1)', TG_TABLE_SCHEMA)
-            USING known;
+        DELETE FROM controller_override WHERE controller_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     IF NEW.program IS DISTINCT FROM OLD.program THEN
@@ -92,33 +90,35 @@ COMMENT ON FUNCTION streetgen._edit_controller() IS
 
 CREATE OR REPLACE FUNCTION streetgen._route_controllers(model name, axes bigint[])
     RETURNS TABLE(controller_id bigint, metres float8, start float8, lane_in bigint)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 20 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH street AS (SELECT a.axis_id, k, ST_Force2D(a.geom) AS geom FROM unnest($1) WITH ORDINALITY u(axis_id, k)
-    JOIN %1$I.axis a USING (axis_id)),
-driven AS (SELECT s.*, CASE WHEN p.geom IS NOT NULL THEN ST_Distance(ST_StartPoint(s.geom), p.geom)
-        <= ST_Distance(ST_EndPoint(s.geom), p.geom) WHEN n.geom IS NOT NULL THEN ST_Distance(ST_EndPoint(s.geom),
-        n.geom) <= ST_Distance(ST_StartPoint(s.geom), n.geom) ELSE true END AS along
-    FROM street s LEFT JOIN street p ON p.k = s.k - 1 LEFT JOIN street n ON n.k = s.k + 1),
-part AS (SELECT e.edge_id, d.along, CASE WHEN d.along THEN e.to_node ELSE e.from_node END AS node_id, e.geom,
-        j.edge_id IS NOT NULL AS inside,
-        row_number() OVER (ORDER BY d.k, CASE WHEN d.along THEN e.start_abscissa ELSE -e.start_abscissa END) AS nth,
-        sum(ST_Length(e.geom)) OVER (ORDER BY d.k, CASE WHEN d.along THEN e.start_abscissa ELSE -e.start_abscissa END)
-            - ST_Length(e.geom) AS before
-    FROM driven d JOIN %1$I.edge e USING (axis_id) LEFT JOIN %1$I.junction_edge j USING (edge_id)),
-step AS (SELECT p.*, n.edge_id AS next_edge FROM part p CROSS JOIN LATERAL (SELECT q.edge_id FROM part q
-    WHERE q.nth > p.nth AND NOT q.inside ORDER BY q.nth LIMIT 1) n WHERE NOT p.inside),
-green AS (SELECT DISTINCT ON (s.nth) s.nth, m.controller_id, m.ordinality, m.lane_in, s.before + ST_Length(s.geom)
-        * abs(CASE WHEN s.along THEN 0 ELSE 1 END - ST_LineLocatePoint(s.geom, h.geom)) AS metres
-    FROM step s JOIN %1$I.lane i ON i.edge_id = s.edge_id JOIN %1$I.signal_movement m ON m.lane_in = i.lane_id
-        AND m.along_in = s.along JOIN %1$I.lane o ON o.lane_id = m.lane_out AND o.edge_id = s.next_edge
-        JOIN %1$I.signal_head h ON (h.lane_id, h.along_axis) = (m.lane_in, m.along_in)
-    ORDER BY s.nth, m.right_of_way = 'permitted', m.ordinality, m.lane_in)
-SELECT g.controller_id, g.metres, coalesce((SELECT sum(t.duration) FROM %1$I.signal_state t
-    WHERE t.controller_id = g.controller_id AND t.ordinality < g.ordinality), 0), g.lane_in
-FROM green g ORDER BY g.nth $sql$, model) USING axes;
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    WITH street AS (SELECT a.axis_id, k, ST_Force2D(a.geom) AS geom FROM unnest(axes) WITH ORDINALITY u(axis_id, k)
+        JOIN axis a USING (axis_id)),
+    driven AS (SELECT s.*, CASE WHEN p.geom IS NOT NULL THEN ST_Distance(ST_StartPoint(s.geom), p.geom)
+            <= ST_Distance(ST_EndPoint(s.geom), p.geom) WHEN n.geom IS NOT NULL THEN ST_Distance(ST_EndPoint(s.geom),
+            n.geom) <= ST_Distance(ST_StartPoint(s.geom), n.geom) ELSE true END AS along
+        FROM street s LEFT JOIN street p ON p.k = s.k - 1 LEFT JOIN street n ON n.k = s.k + 1),
+    part AS (SELECT e.edge_id, d.along, CASE WHEN d.along THEN e.to_node ELSE e.from_node END AS node_id, e.geom,
+            j.edge_id IS NOT NULL AS inside,
+            row_number() OVER (ORDER BY d.k, CASE WHEN d.along THEN e.start_abscissa ELSE -e.start_abscissa END) AS nth,
+            sum(ST_Length(e.geom)) OVER (ORDER BY d.k, CASE WHEN d.along THEN e.start_abscissa ELSE -e.start_abscissa
+                END)
+                - ST_Length(e.geom) AS before
+        FROM driven d JOIN edge e USING (axis_id) LEFT JOIN junction_edge j USING (edge_id)),
+    step AS (SELECT p.*, n.edge_id AS next_edge FROM part p CROSS JOIN LATERAL (SELECT q.edge_id FROM part q
+        WHERE q.nth > p.nth AND NOT q.inside ORDER BY q.nth LIMIT 1) n WHERE NOT p.inside),
+    green AS (SELECT DISTINCT ON (s.nth) s.nth, m.controller_id, m.ordinality, m.lane_in, s.before + ST_Length(s.geom)
+            * abs(CASE WHEN s.along THEN 0 ELSE 1 END - ST_LineLocatePoint(s.geom, h.geom)) AS metres
+        FROM step s JOIN lane i ON i.edge_id = s.edge_id JOIN signal_movement m ON m.lane_in = i.lane_id
+            AND m.along_in = s.along JOIN lane o ON o.lane_id = m.lane_out AND o.edge_id = s.next_edge
+            JOIN signal_head h ON (h.lane_id, h.along_axis) = (m.lane_in, m.along_in)
+        ORDER BY s.nth, m.right_of_way = 'permitted', m.ordinality, m.lane_in)
+    SELECT g.controller_id, g.metres, coalesce((SELECT sum(t.duration) FROM signal_state t
+        WHERE t.controller_id = g.controller_id AND t.ordinality < g.ordinality), 0), g.lane_in
+    FROM green g ORDER BY g.nth;
 END $$;
 COMMENT ON FUNCTION streetgen._route_controllers(name, bigint[]) IS
     'The controllers that one passes along axes, in order: metres from the start to where one waits, seconds from the '
@@ -134,6 +134,7 @@ DECLARE
     common float8;
     missing bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_model(model), streetgen._check_given('axes', axes::text, 'speed', speed::text);
     IF 'signal' <> ALL (streetgen._subjects(model)) THEN
         RAISE EXCEPTION 'model "%" computes no signals', model USING ERRCODE = '55000',
@@ -141,27 +142,25 @@ BEGIN
     ELSIF NOT speed BETWEEN 5 AND 200 THEN
         RAISE EXCEPTION 'speed is % km/h', speed USING ERRCODE = '22023', HINT = 'Expected 5 to 200 km/h.';
     END IF;
-    EXECUTE format('SELECT min(u.axis_id) FROM unnest($1) u(axis_id) WHERE NOT EXISTS (SELECT FROM %I.axis a '
-        'WHERE a.axis_id = u.axis_id)', model) INTO missing USING axes;
+    SELECT min(u.axis_id) FROM unnest(axes) u(axis_id) WHERE NOT EXISTS (SELECT FROM axis a
+        WHERE a.axis_id = u.axis_id) INTO missing;
     IF missing IS NOT NULL THEN
         RAISE EXCEPTION 'there is no axis %', missing USING ERRCODE = '22023', HINT = 'Name axes in driving order.';
     END IF;
     passed := ARRAY(SELECT DISTINCT r.controller_id FROM streetgen._route_controllers(model, axes) r ORDER BY 1);
     PERFORM streetgen._lock_junctions(model, passed);
-    EXECUTE format('SELECT max(c.cycle) FROM %I.controller c WHERE c.controller_id = ANY ($1)', model)
-        INTO common USING passed;
+    SELECT max(c.cycle) FROM controller c WHERE c.controller_id = ANY (passed) INTO common;
     -- One cycle for all; then the starts of green are known.
     PERFORM streetgen._decide_controller(model, c, jsonb_build_object('cycle', common)) FROM unnest(passed) c;
-    -- Who drives at the speed comes two seconds after the start of each green.
+    -- A car at that speed comes two seconds after the start of each green.
     PERFORM streetgen._decide_controller(model, r.controller_id, jsonb_build_object('start_offset',
             mod((r.metres / (speed / 3.6) - r.start - 2)::numeric, common::numeric)
             + CASE WHEN mod((r.metres / (speed / 3.6) - r.start - 2)::numeric, common::numeric) < 0
                 THEN common::numeric ELSE 0 END))
         FROM (SELECT DISTINCT ON (p.controller_id) p.* FROM streetgen._route_controllers(model, axes) p
             ORDER BY p.controller_id, p.metres) r;
-    RETURN QUERY EXECUTE format('SELECT c.controller_id, r.metres, c.cycle, c.start_offset FROM %I.controller c '
-        'JOIN streetgen._route_controllers($1, $2) r USING (controller_id) ORDER BY r.metres', model)
-        USING model, axes;
+    RETURN QUERY SELECT c.controller_id, r.metres, c.cycle, c.start_offset FROM controller c
+        JOIN streetgen._route_controllers(model, axes) r USING (controller_id) ORDER BY r.metres;
 END $$;
 COMMENT ON FUNCTION streetgen.coordinate(name, bigint[], float8) IS
     'A green wave along axes in driving order, for who drives at a speed (km/h, 5 to 200): all controllers on the way '

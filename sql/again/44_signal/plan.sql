@@ -1,4 +1,4 @@
--- What signals show: at a time, as a plan, and drawn.
+-- The aspects of signals: at a time, as a plan, and drawn.
 
 CREATE OR REPLACE FUNCTION streetgen._require_signals(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -15,32 +15,34 @@ COMMENT ON FUNCTION streetgen._require_signals(name) IS
 CREATE OR REPLACE FUNCTION streetgen.signals(model name, at float8)
     RETURNS TABLE(controller_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
         aspect text, right_of_way text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('at', at::text),
         streetgen._require_signals(model);
     IF NOT at BETWEEN -1e9 AND 1e9 THEN
         RAISE EXCEPTION 'at is % s', at USING ERRCODE = '22023', HINT = 'Expected -1e9 to 1e9 s.';
     END IF;
-    RETURN QUERY EXECUTE format($sql$
-WITH clock AS (SELECT controller_id, mod((($1 - start_offset)::numeric), cycle::numeric) AS into_cycle, cycle
-    FROM %1$I.controller WHERE cycle > 0),
-state AS (SELECT s.*, sum(s.duration) OVER (PARTITION BY s.controller_id ORDER BY s.ordinality) AS ends,
-    -- The green that an amber ends.
-    max(s.ordinality) FILTER (WHERE s.kind = 'green') OVER (PARTITION BY s.controller_id ORDER BY s.ordinality)
-        AS green FROM %1$I.signal_state s),
-now AS (SELECT DISTINCT ON (c.controller_id) s.* FROM clock c JOIN state s USING (controller_id)
-    WHERE s.ends > CASE WHEN into_cycle < 0 THEN into_cycle + cycle::numeric ELSE into_cycle END
-    ORDER BY c.controller_id, s.ordinality),
-movement AS (SELECT DISTINCT controller_id, lane_in, lane_out, along_in, along_out FROM %1$I.signal_movement)
-SELECT m.controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out,
-    CASE WHEN o.lane_in IS NULL OR n.kind = 'all_red' THEN 'red' ELSE n.kind END,
-    CASE WHEN n.kind <> 'all_red' THEN o.right_of_way END
-FROM movement m JOIN now n USING (controller_id) LEFT JOIN %1$I.signal_movement o
-    ON (o.controller_id, o.ordinality, o.lane_in, o.lane_out, o.along_in, o.along_out)
-        = (m.controller_id, n.green, m.lane_in, m.lane_out, m.along_in, m.along_out)
-ORDER BY 1, 2, 3, 4, 5 $sql$, model) USING at;
+    RETURN QUERY
+    WITH clock AS (SELECT controller_id, mod(((at - start_offset)::numeric), cycle::numeric) AS into_cycle, cycle
+        FROM controller WHERE cycle > 0),
+    state AS (SELECT s.*, sum(s.duration) OVER (PARTITION BY s.controller_id ORDER BY s.ordinality) AS ends,
+        -- The green that an amber ends.
+        max(s.ordinality) FILTER (WHERE s.kind = 'green') OVER (PARTITION BY s.controller_id ORDER BY s.ordinality)
+            AS green FROM signal_state s),
+    now AS (SELECT DISTINCT ON (c.controller_id) s.* FROM clock c JOIN state s USING (controller_id)
+        WHERE s.ends > CASE WHEN into_cycle < 0 THEN into_cycle + cycle::numeric ELSE into_cycle END
+        ORDER BY c.controller_id, s.ordinality),
+    movement AS (SELECT DISTINCT controller_id, lane_in, lane_out, along_in, along_out FROM signal_movement)
+    SELECT m.controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out,
+        CASE WHEN o.lane_in IS NULL OR n.kind = 'all_red' THEN 'red' ELSE n.kind END,
+        CASE WHEN n.kind <> 'all_red' THEN o.right_of_way END
+    FROM movement m JOIN now n USING (controller_id) LEFT JOIN signal_movement o
+        ON (o.controller_id, o.ordinality, o.lane_in, o.lane_out, o.along_in, o.along_out)
+            = (m.controller_id, n.green, m.lane_in, m.lane_out, m.along_in, m.along_out)
+    ORDER BY 1, 2, 3, 4, 5;
 END $$;
 COMMENT ON FUNCTION streetgen.signals(name, float8) IS
     'What each movement sees at a time (seconds since any moment, -1e9 to 1e9): aspect green, amber or red, and while '
@@ -50,26 +52,28 @@ COMMENT ON FUNCTION streetgen.signals(name, float8) IS
 CREATE OR REPLACE FUNCTION streetgen.signal_plan(model name, controller bigint)
     RETURNS TABLE(ordinality integer, kind text, starts float8, ends float8, lane_in bigint, lane_out bigint,
         turn text, right_of_way text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 50 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 50 SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
     there boolean;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('controller', controller::text),
         streetgen._require_signals(model);
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.controller WHERE controller_id = $1)', model) INTO there
-        USING controller;
+    SELECT EXISTS (SELECT FROM controller WHERE controller_id = signal_plan.controller) INTO there;
     IF NOT there THEN
         RAISE EXCEPTION 'model "%" has no controller %', model, controller USING ERRCODE = '22023',
             HINT = format('SELECT controller_id FROM %I.controller lists them.', model);
     END IF;
-    RETURN QUERY EXECUTE format($sql$
-SELECT s.ordinality, s.kind, s.ends - s.duration, s.ends, m.lane_in, m.lane_out, t.turn, m.right_of_way
-FROM (SELECT *, sum(duration) OVER (ORDER BY ordinality) AS ends FROM %1$I.signal_state WHERE controller_id = $1) s
-    LEFT JOIN %1$I.signal_movement m USING (controller_id, ordinality)
-    LEFT JOIN %1$I.movement t ON (t.lane_in, t.lane_out, t.along_in, t.along_out)
-        = (m.lane_in, m.lane_out, m.along_in, m.along_out)
-ORDER BY s.ordinality, m.lane_in, m.lane_out, m.along_in, m.along_out $sql$, model) USING controller;
+    RETURN QUERY
+    SELECT s.ordinality, s.kind, s.ends - s.duration, s.ends, m.lane_in, m.lane_out, t.turn, m.right_of_way
+    FROM (SELECT *, sum(duration) OVER (ORDER BY ordinality) AS ends FROM signal_state
+        WHERE controller_id = signal_plan.controller) s
+        LEFT JOIN signal_movement m USING (controller_id, ordinality)
+        LEFT JOIN movement t ON (t.lane_in, t.lane_out, t.along_in, t.along_out)
+            = (m.lane_in, m.lane_out, m.along_in, m.along_out)
+    ORDER BY s.ordinality, m.lane_in, m.lane_out, m.along_in, m.along_out;
 END $$;
 COMMENT ON FUNCTION streetgen.signal_plan(name, bigint) IS
     'The cycle of a controller: a row for each movement that has green in a state, and one for each state without. '
@@ -77,49 +81,50 @@ COMMENT ON FUNCTION streetgen.signal_plan(name, bigint) IS
     'signals: 55000.';
 
 CREATE OR REPLACE FUNCTION streetgen.signal_svg(model name, controller bigint) RETURNS text
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     svg text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('controller', controller::text),
         streetgen._require_signals(model);
-    EXECUTE format($sql$
-WITH plan AS MATERIALIZED (SELECT * FROM streetgen.signal_plan($1, $2)),
-whole AS (SELECT greatest(max(ends), 1) AS cycle FROM plan),
-state AS (SELECT DISTINCT ordinality, kind, starts, ends, max(ordinality) FILTER (WHERE kind = 'green')
-    OVER (ORDER BY ordinality RANGE BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW) AS green FROM plan),
-movement AS (SELECT p.lane_in, p.lane_out, p.turn, row_number() OVER (ORDER BY min(p.ordinality), e.name NULLS LAST,
-        p.lane_in, p.turn, p.lane_out) AS line, e.name
-    FROM plan p JOIN %1$I.lane l ON l.lane_id = p.lane_in JOIN %1$I.edge USING (edge_id)
-        LEFT JOIN (SELECT axis_id, name FROM %1$I.axis) e USING (axis_id)
-    GROUP BY p.lane_in, p.lane_out, p.turn, e.name),
-crossing AS (SELECT c.control_point_id, c.edge_id, (SELECT count(*) FROM movement) + row_number() OVER (ORDER BY
-        a.name NULLS LAST, c.control_point_id, c.edge_id) AS line, a.name
-    FROM %1$I.junction_crossing c JOIN %1$I.edge USING (edge_id) LEFT JOIN %1$I.axis a USING (axis_id)
-    WHERE c.junction_id = $2),
-bar AS (SELECT m.line, s.starts, s.ends, CASE WHEN s.kind = 'amber' THEN '#f59e0b'
-        WHEN p.right_of_way = 'permitted' THEN '#86d19a' ELSE '#2f9e44' END AS colour
-    FROM movement m JOIN plan p USING (lane_in, lane_out) JOIN state s ON s.green = p.ordinality
-        AND s.kind <> 'all_red'
-    UNION ALL SELECT c.line, s.starts, s.ends, CASE p.right_of_way WHEN 'permitted' THEN '#86d19a' ELSE '#2f9e44' END
-    FROM crossing c JOIN %1$I.signal_crossing p USING (control_point_id, edge_id) JOIN state s USING (ordinality)
-    WHERE p.controller_id = $2),
-label AS (SELECT line, concat_ws(', ', name, replace(turn, '_', ' '), 'lane ' || lane_in) AS says FROM movement
-    UNION ALL SELECT line, concat_ws(', ', name, 'on foot') FROM crossing)
-SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="%%s" font-family="sans-serif" '
-        'font-size="12"><rect width="100%%%%" height="100%%%%" fill="#fff"/>',
-        34 + 18 * (SELECT count(*) FROM label))
-    || (SELECT string_agg(format('<rect x="210" y="%%s" width="540" height="13" fill="#b42318"/>'
-            '<text x="6" y="%%s">%%s</text>', 18 * line, 18 * line + 11, replace(replace(streetgen._xml_text(left(
-            says, 34)), '&', '&amp;'), '<', '&lt;')), '' ORDER BY line) FROM label)
-    || (SELECT string_agg(format('<rect x="%%s" y="%%s" width="%%s" height="13" fill="%%s"/>',
-            round((210 + 540 * starts / cycle)::numeric, 1), 18 * line, round((540 * (ends - starts) / cycle)
-            ::numeric, 1), colour), '' ORDER BY line, starts) FROM bar, whole)
-    || (SELECT string_agg(format('<text x="%%s" y="12" text-anchor="middle">%%s</text>',
-            round((210 + 540 * t / cycle)::numeric, 1), t), '' ORDER BY t) FROM whole,
-            generate_series(0, floor(cycle)::integer, 10) t)
-    || '</svg>' $sql$, model) INTO svg USING model, controller;
+    WITH plan AS MATERIALIZED (SELECT * FROM streetgen.signal_plan(model, controller)),
+    whole AS (SELECT greatest(max(ends), 1) AS cycle FROM plan),
+    state AS (SELECT DISTINCT ordinality, kind, starts, ends, max(ordinality) FILTER (WHERE kind = 'green')
+        OVER (ORDER BY ordinality RANGE BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW) AS green FROM plan),
+    movement AS (SELECT p.lane_in, p.lane_out, p.turn, row_number() OVER (ORDER BY min(p.ordinality), e.name NULLS LAST,
+            p.lane_in, p.turn, p.lane_out) AS line, e.name
+        FROM plan p JOIN lane l ON l.lane_id = p.lane_in JOIN edge USING (edge_id)
+            LEFT JOIN (SELECT axis_id, name FROM axis) e USING (axis_id)
+        GROUP BY p.lane_in, p.lane_out, p.turn, e.name),
+    crossing AS (SELECT c.control_point_id, c.edge_id, (SELECT count(*) FROM movement) + row_number() OVER (ORDER BY
+            a.name NULLS LAST, c.control_point_id, c.edge_id) AS line, a.name
+        FROM junction_crossing c JOIN edge USING (edge_id) LEFT JOIN axis a USING (axis_id)
+        WHERE c.junction_id = controller),
+    bar AS (SELECT m.line, s.starts, s.ends, CASE WHEN s.kind = 'amber' THEN '#f59e0b'
+            WHEN p.right_of_way = 'permitted' THEN '#86d19a' ELSE '#2f9e44' END AS colour
+        FROM movement m JOIN plan p USING (lane_in, lane_out) JOIN state s ON s.green = p.ordinality
+            AND s.kind <> 'all_red'
+        UNION ALL SELECT c.line, s.starts, s.ends, CASE p.right_of_way WHEN 'permitted' THEN '#86d19a' ELSE '#2f9e44'
+            END
+        FROM crossing c JOIN signal_crossing p USING (control_point_id, edge_id) JOIN state s USING (ordinality)
+        WHERE p.controller_id = controller),
+    label AS (SELECT line, concat_ws(', ', name, replace(turn, '_', ' '), 'lane ' || lane_in) AS says FROM movement
+        UNION ALL SELECT line, concat_ws(', ', name, 'on foot') FROM crossing)
+    SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="%s" font-family="sans-serif" '
+            'font-size="12"><rect width="100%%" height="100%%" fill="#fff"/>',
+            34 + 18 * (SELECT count(*) FROM label))
+        || (SELECT string_agg(format('<rect x="210" y="%s" width="540" height="13" fill="#b42318"/>'
+                '<text x="6" y="%s">%s</text>', 18 * line, 18 * line + 11, replace(replace(streetgen._xml_text(left(
+                says, 34)), '&', '&amp;'), '<', '&lt;')), '' ORDER BY line) FROM label)
+        || (SELECT string_agg(format('<rect x="%s" y="%s" width="%s" height="13" fill="%s"/>',
+                round((210 + 540 * starts / cycle)::numeric, 1), 18 * line, round((540 * (ends - starts) / cycle)
+                ::numeric, 1), colour), '' ORDER BY line, starts) FROM bar, whole)
+        || (SELECT string_agg(format('<text x="%s" y="12" text-anchor="middle">%s</text>',
+                round((210 + 540 * t / cycle)::numeric, 1), t), '' ORDER BY t) FROM whole,
+                generate_series(0, floor(cycle)::integer, 10) t)
+        || '</svg>' INTO svg;
     RETURN coalesce(svg, '<svg xmlns="http://www.w3.org/2000/svg" width="760" height="34"></svg>');
 END $$;
 COMMENT ON FUNCTION streetgen.signal_svg(name, bigint) IS

@@ -55,40 +55,40 @@ CREATE OR REPLACE FUNCTION streetgen._make_found_signals(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._found_signals(junctions bigint[])
-    RETURNS SETOF streetgen.signal_found
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    RETURN QUERY
-    WITH place AS MATERIALIZED (SELECT j.junction_id, j.method = 'by_hand' AS by_hand FROM %1$I.junction j
-        WHERE j.kind = 'signals' AND j.junction_id = ANY (junctions)),
-    decided AS MATERIALIZED (
-        SELECT DISTINCT ON (m.junction_id) m.junction_id, o.program, o.cycle, o.start_offset, o.durations
-        FROM %1$I.controller_override o CROSS JOIN LATERAL (
-            SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-                JOIN %1$I.node n USING (node_id) WHERE e.axis_id = o.axis_id
-            ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN %1$I.junction_node m USING (node_id)
-        ORDER BY m.junction_id, o.controller_override_id DESC),
-    -- Signals that nobody mapped and nobody decided: the classifier alone says that they stand there.
-    mapped AS MATERIALIZED (
-        SELECT DISTINCT m.junction_id FROM %1$I.junction_node m
-            JOIN %1$I.edge e ON m.node_id IN (e.from_node, e.to_node)
-            JOIN %1$I.control_point p ON p.axis_id = e.axis_id AND p.kind = 'signals'
-        WHERE m.junction_id = ANY (junctions))
-    SELECT p.junction_id, coalesce(d.program, s.value), coalesce(d.start_offset, 0),
-        CASE WHEN d.junction_id IS NOT NULL THEN 'by_hand' WHEN p.by_hand OR p.junction_id IN (TABLE mapped)
-            THEN 'hypothesis' ELSE 'classified' END, t.ordinality, t.duration, t.kind, t.lane_in, t.lane_out,
-        t.along_in, t.along_out, t.right_of_way
-    FROM place p LEFT JOIN decided d USING (junction_id) LEFT JOIN %1$I._signal_requests(ARRAY(SELECT junction_id
-            FROM place)) r USING (junction_id) CROSS JOIN %1$I.setting s
-        LEFT JOIN LATERAL streetgen._timed(ARRAY(SELECT a FROM streetgen._signal_answers(%2$L,
-            coalesce(d.program, s.value), p.junction_id, r.movements) a), d.cycle, d.durations) t
-        ON r.movements IS NOT NULL
-    WHERE s.name = 'signal_program';
-END $body$ $sql$, model, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _found_signals(junctions bigint[])
+        RETURNS SETOF streetgen.signal_found
+        LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        RETURN QUERY
+        WITH place AS MATERIALIZED (SELECT j.junction_id, j.method = 'by_hand' AS by_hand FROM junction j
+            WHERE j.kind = 'signals' AND j.junction_id = ANY (junctions)),
+        decided AS MATERIALIZED (
+            SELECT DISTINCT ON (m.junction_id) m.junction_id, o.program, o.cycle, o.start_offset, o.durations
+            FROM controller_override o CROSS JOIN LATERAL (
+                SELECT v.node_id FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+                    JOIN node n USING (node_id) WHERE e.axis_id = o.axis_id
+                ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN junction_node m USING (node_id)
+            ORDER BY m.junction_id, o.controller_override_id DESC),
+        -- Signals that nobody mapped and nobody decided: the classifier alone says that they stand there.
+        mapped AS MATERIALIZED (
+            SELECT DISTINCT m.junction_id FROM junction_node m
+                JOIN edge e ON m.node_id IN (e.from_node, e.to_node)
+                JOIN control_point p ON p.axis_id = e.axis_id AND p.kind = 'signals'
+            WHERE m.junction_id = ANY (junctions))
+        SELECT p.junction_id, coalesce(d.program, s.value), coalesce(d.start_offset, 0),
+            CASE WHEN d.junction_id IS NOT NULL THEN 'by_hand' WHEN p.by_hand OR p.junction_id IN (TABLE mapped)
+                THEN 'hypothesis' ELSE 'classified' END, t.ordinality, t.duration, t.kind, t.lane_in, t.lane_out,
+            t.along_in, t.along_out, t.right_of_way
+        FROM place p LEFT JOIN decided d USING (junction_id) LEFT JOIN _signal_requests(ARRAY(SELECT junction_id
+                FROM place)) r USING (junction_id) CROSS JOIN setting s
+            LEFT JOIN LATERAL streetgen._timed(ARRAY(SELECT a FROM streetgen._signal_answers(current_schema(),
+                coalesce(d.program, s.value), p.junction_id, r.movements) a), d.cycle, d.durations) t
+            ON r.movements IS NOT NULL
+        WHERE s.name = 'signal_program';
+    END $body$;
     PERFORM streetgen._own_function(model, '_found_signals(bigint[])',
         'The signals of junctions: a row for each movement in each state, and for each state without one');
 END $$;
@@ -100,96 +100,100 @@ CREATE OR REPLACE FUNCTION streetgen._make_update_signals(model name) RETURNS vo
         SET client_min_messages = warning
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'signal' <> ALL (streetgen._subjects(model)) THEN
-        EXECUTE format('DROP FUNCTION IF EXISTS %1$I._update_signals(bigint[], bigint[]), %1$I._found_signals('
-            'bigint[]), %1$I._signal_requests(bigint[])', model);
+        PERFORM streetgen._drop_own_functions(model, '{_update_signals,_found_signals,_signal_requests}');
         RETURN;
     END IF;
     PERFORM streetgen._make_signal_requests(model), streetgen._make_found_signals(model);
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._update_signals(junctions bigint[], former bigint[])
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    known constant bigint[] := junctions || former;
-    found streetgen.signal_found[];
-BEGIN
-    found := ARRAY(SELECT f FROM %1$I._found_signals(junctions) f);
-    RETURN QUERY WITH new AS MATERIALIZED (
-        SELECT s.controller_id, s.program, coalesce(sum(s.duration) FILTER (WHERE s.first), 0) AS cycle,
-            s.start_offset, s.method, j.geom
-        FROM (SELECT *, row_number() OVER (PARTITION BY controller_id, ordinality) = 1 AS first FROM unnest(found)) s
-            JOIN %1$I.junction j ON j.junction_id = s.controller_id
-        GROUP BY s.controller_id, s.program, s.start_offset, s.method, j.geom),
-    there AS (SELECT * FROM %1$I.controller WHERE controller_id = ANY (known)),
-    gone AS (DELETE FROM %1$I.controller c USING there t WHERE c.controller_id = t.controller_id
-        AND t.controller_id NOT IN (SELECT controller_id FROM new) RETURNING 1),
-    compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, (t.program, t.cycle, t.start_offset, t.method,
-            t.geom::bytea) IS DISTINCT FROM (n.program, n.cycle, n.start_offset, n.method, n.geom::bytea) AS changed
-        FROM new n LEFT JOIN there t USING (controller_id)),
-    put AS (INSERT INTO %1$I.controller (controller_id, program, cycle, start_offset, method, geom)
-        SELECT controller_id, program, cycle, start_offset, method, geom FROM compared WHERE changed
-        ORDER BY controller_id
-        ON CONFLICT (controller_id) DO UPDATE SET (program, cycle, start_offset, method, geom)
-            = ROW (excluded.program, excluded.cycle, excluded.start_offset, excluded.method, excluded.geom))
-    SELECT 'controller', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
-        (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), count(*) FILTER (WHERE method = 'classified')
-    FROM compared;
-    RETURN QUERY WITH new AS (SELECT DISTINCT controller_id, ordinality, duration, kind FROM unnest(found)
-        WHERE ordinality IS NOT NULL),
-    there AS (SELECT * FROM %1$I.signal_state WHERE controller_id = ANY (known)),
-    gone AS (DELETE FROM %1$I.signal_state o USING there t WHERE (o.controller_id, o.ordinality) = (t.controller_id,
-        t.ordinality) AND NOT EXISTS (SELECT FROM new n WHERE (n.controller_id, n.ordinality) = (t.controller_id,
-        t.ordinality)) RETURNING 1),
-    compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, (t.duration, t.kind) IS DISTINCT FROM (n.duration,
-        n.kind) AS changed FROM new n LEFT JOIN there t USING (controller_id, ordinality)),
-    put AS (INSERT INTO %1$I.signal_state (controller_id, ordinality, duration, kind)
-        SELECT controller_id, ordinality, duration, kind FROM compared WHERE changed ORDER BY 1, 2
-        ON CONFLICT (controller_id, ordinality) DO UPDATE SET (duration, kind) = ROW (excluded.duration,
-            excluded.kind))
-    SELECT 'signal_state', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
-        (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
-    RETURN QUERY WITH new AS (SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out, right_of_way
-        FROM unnest(found) WHERE lane_in IS NOT NULL),
-    there AS (SELECT * FROM %1$I.signal_movement WHERE controller_id = ANY (known)),
-    gone AS (DELETE FROM %1$I.signal_movement o USING there t WHERE (o.controller_id, o.ordinality, o.lane_in,
-            o.lane_out, o.along_in, o.along_out) = (t.controller_id, t.ordinality, t.lane_in, t.lane_out, t.along_in,
-            t.along_out)
-        AND NOT EXISTS (SELECT FROM new n WHERE (n.controller_id, n.ordinality, n.lane_in, n.lane_out, n.along_in,
-            n.along_out) = (t.controller_id, t.ordinality, t.lane_in, t.lane_out, t.along_in, t.along_out))
-        RETURNING 1),
-    compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, t.right_of_way IS DISTINCT FROM n.right_of_way AS changed
-        FROM new n LEFT JOIN there t USING (controller_id, ordinality, lane_in, lane_out, along_in, along_out)),
-    put AS (INSERT INTO %1$I.signal_movement (controller_id, ordinality, lane_in, lane_out, along_in, along_out,
-            right_of_way)
-        SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out, right_of_way FROM compared
-        WHERE changed ORDER BY 1, 2, 3, 4, 5, 6
-        ON CONFLICT (controller_id, ordinality, lane_in, lane_out, along_in, along_out)
-            DO UPDATE SET right_of_way = excluded.right_of_way)
-    SELECT 'signal_movement', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
-        (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
-    RETURN QUERY WITH new AS MATERIALIZED (
-        SELECT l.lane_id, m.along_in AS along_axis, m.controller_id, e.geom,
-            degrees(ST_Azimuth(e.before, e.geom)) AS angle
-        FROM (SELECT DISTINCT controller_id, lane_in, along_in FROM unnest(found) WHERE lane_in IS NOT NULL) m
-            JOIN %1$I.lane l ON l.lane_id = m.lane_in
-            CROSS JOIN LATERAL (SELECT CASE WHEN along_in THEN ST_EndPoint(l.geom) ELSE ST_StartPoint(l.geom) END
-                AS geom, CASE WHEN along_in THEN ST_PointN(l.geom, -2) ELSE ST_PointN(l.geom, 2) END AS before) e),
-    there AS (SELECT * FROM %1$I.signal_head WHERE controller_id = ANY (known)),
-    gone AS (DELETE FROM %1$I.signal_head o USING there t WHERE (o.lane_id, o.along_axis) = (t.lane_id, t.along_axis)
-        AND NOT EXISTS (SELECT FROM new n WHERE (n.lane_id, n.along_axis) = (t.lane_id, t.along_axis)) RETURNING 1),
-    compared AS (SELECT n.*, t.lane_id IS NULL AS fresh, (t.controller_id, t.geom::bytea, t.angle)
-            IS DISTINCT FROM (n.controller_id, n.geom::bytea, n.angle) AS changed
-        FROM new n LEFT JOIN there t USING (lane_id, along_axis)),
-    put AS (INSERT INTO %1$I.signal_head (lane_id, along_axis, controller_id, geom, angle)
-        SELECT lane_id, along_axis, controller_id, geom, angle FROM compared WHERE changed ORDER BY 1, 2
-        ON CONFLICT (lane_id, along_axis) DO UPDATE SET (controller_id, geom, angle) = ROW (excluded.controller_id,
-            excluded.geom, excluded.angle))
-    SELECT 'signal_head', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
-        (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
-END $body$ $sql$, model);
+    CREATE OR REPLACE FUNCTION _update_signals(junctions bigint[], former bigint[])
+        RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
+            bigint)
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        known constant bigint[] := junctions || former;
+        found streetgen.signal_found[];
+    BEGIN
+        found := ARRAY(SELECT f FROM _found_signals(junctions) f);
+        RETURN QUERY WITH new AS MATERIALIZED (
+            SELECT s.controller_id, s.program, coalesce(sum(s.duration) FILTER (WHERE s.first), 0) AS cycle,
+                s.start_offset, s.method, j.geom
+            FROM (SELECT *, row_number() OVER (PARTITION BY controller_id, ordinality) = 1 AS first
+                FROM unnest(found)) s
+                JOIN junction j ON j.junction_id = s.controller_id
+            GROUP BY s.controller_id, s.program, s.start_offset, s.method, j.geom),
+        there AS (SELECT * FROM controller WHERE controller_id = ANY (known)),
+        gone AS (DELETE FROM controller c USING there t WHERE c.controller_id = t.controller_id
+            AND t.controller_id NOT IN (SELECT controller_id FROM new) RETURNING 1),
+        compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, (t.program, t.cycle, t.start_offset, t.method,
+                t.geom::bytea) IS DISTINCT FROM (n.program, n.cycle, n.start_offset, n.method, n.geom::bytea) AS changed
+            FROM new n LEFT JOIN there t USING (controller_id)),
+        put AS (INSERT INTO controller (controller_id, program, cycle, start_offset, method, geom)
+            SELECT controller_id, program, cycle, start_offset, method, geom FROM compared WHERE changed
+            ORDER BY controller_id
+            ON CONFLICT (controller_id) DO UPDATE SET (program, cycle, start_offset, method, geom)
+                = ROW (excluded.program, excluded.cycle, excluded.start_offset, excluded.method, excluded.geom))
+        SELECT 'controller', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
+            (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), count(*) FILTER (WHERE method =
+                'classified')
+        FROM compared;
+        RETURN QUERY WITH new AS (SELECT DISTINCT controller_id, ordinality, duration, kind FROM unnest(found)
+            WHERE ordinality IS NOT NULL),
+        there AS (SELECT * FROM signal_state WHERE controller_id = ANY (known)),
+        gone AS (DELETE FROM signal_state o USING there t WHERE (o.controller_id, o.ordinality) = (t.controller_id,
+            t.ordinality) AND NOT EXISTS (SELECT FROM new n WHERE (n.controller_id, n.ordinality) = (t.controller_id,
+            t.ordinality)) RETURNING 1),
+        compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, (t.duration, t.kind) IS DISTINCT FROM (n.duration,
+            n.kind) AS changed FROM new n LEFT JOIN there t USING (controller_id, ordinality)),
+        put AS (INSERT INTO signal_state (controller_id, ordinality, duration, kind)
+            SELECT controller_id, ordinality, duration, kind FROM compared WHERE changed ORDER BY 1, 2
+            ON CONFLICT (controller_id, ordinality) DO UPDATE SET (duration, kind) = ROW (excluded.duration,
+                excluded.kind))
+        SELECT 'signal_state', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
+            (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
+        RETURN QUERY WITH new AS (SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out, right_of_way
+            FROM unnest(found) WHERE lane_in IS NOT NULL),
+        there AS (SELECT * FROM signal_movement WHERE controller_id = ANY (known)),
+        gone AS (DELETE FROM signal_movement o USING there t WHERE (o.controller_id, o.ordinality, o.lane_in,
+                o.lane_out, o.along_in, o.along_out) = (t.controller_id, t.ordinality, t.lane_in, t.lane_out,
+                    t.along_in,
+                t.along_out)
+            AND NOT EXISTS (SELECT FROM new n WHERE (n.controller_id, n.ordinality, n.lane_in, n.lane_out, n.along_in,
+                n.along_out) = (t.controller_id, t.ordinality, t.lane_in, t.lane_out, t.along_in, t.along_out))
+            RETURNING 1),
+        compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, t.right_of_way IS DISTINCT
+            FROM n.right_of_way AS changed
+            FROM new n LEFT JOIN there t USING (controller_id, ordinality, lane_in, lane_out, along_in, along_out)),
+        put AS (INSERT INTO signal_movement (controller_id, ordinality, lane_in, lane_out, along_in, along_out,
+                right_of_way)
+            SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out, right_of_way FROM compared
+            WHERE changed ORDER BY 1, 2, 3, 4, 5, 6
+            ON CONFLICT (controller_id, ordinality, lane_in, lane_out, along_in, along_out)
+                DO UPDATE SET right_of_way = excluded.right_of_way)
+        SELECT 'signal_movement', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
+            (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
+        RETURN QUERY WITH new AS MATERIALIZED (
+            SELECT l.lane_id, m.along_in AS along_axis, m.controller_id, e.geom,
+                degrees(ST_Azimuth(e.before, e.geom)) AS angle
+            FROM (SELECT DISTINCT controller_id, lane_in, along_in FROM unnest(found) WHERE lane_in IS NOT NULL) m
+                JOIN lane l ON l.lane_id = m.lane_in
+                CROSS JOIN LATERAL (SELECT CASE WHEN along_in THEN ST_EndPoint(l.geom) ELSE ST_StartPoint(l.geom) END
+                    AS geom, CASE WHEN along_in THEN ST_PointN(l.geom, -2) ELSE ST_PointN(l.geom, 2) END AS before) e),
+        there AS (SELECT * FROM signal_head WHERE controller_id = ANY (known)),
+        gone AS (DELETE FROM signal_head o USING there t WHERE (o.lane_id, o.along_axis) = (t.lane_id, t.along_axis)
+            AND NOT EXISTS (SELECT FROM new n WHERE (n.lane_id, n.along_axis) = (t.lane_id, t.along_axis)) RETURNING 1),
+        compared AS (SELECT n.*, t.lane_id IS NULL AS fresh, (t.controller_id, t.geom::bytea, t.angle)
+                IS DISTINCT FROM (n.controller_id, n.geom::bytea, n.angle) AS changed
+            FROM new n LEFT JOIN there t USING (lane_id, along_axis)),
+        put AS (INSERT INTO signal_head (lane_id, along_axis, controller_id, geom, angle)
+            SELECT lane_id, along_axis, controller_id, geom, angle FROM compared WHERE changed ORDER BY 1, 2
+            ON CONFLICT (lane_id, along_axis) DO UPDATE SET (controller_id, geom, angle) = ROW (excluded.controller_id,
+                excluded.geom, excluded.angle))
+        SELECT 'signal_head', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
+            (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
+    END $body$;
     PERFORM streetgen._own_function(model, '_update_signals(bigint[], bigint[])',
         'Brings the signals of junctions, as they are and were, up to date; a row per table');
 END $$;

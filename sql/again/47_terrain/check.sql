@@ -1,4 +1,4 @@
--- What check_model and summary say of a design.
+-- Rules of check_model and lines of summary for a design.
 
 CREATE OR REPLACE FUNCTION streetgen._design_check() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -1,4 +1,4 @@
--- What a line would cost as a road.
+-- The cost of a line as a road.
 
 CREATE OR REPLACE FUNCTION streetgen.path_cost(model name, line geometry, network text)
     RETURNS TABLE(term text, cost float8)

@@ -26,7 +26,7 @@ CREATE OR REPLACE FUNCTION streetgen._design_stage()
         UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s))
         UNION ALL SELECT ROW(abscissa, height, radius, rejected) FROM %1$I.grade_point WHERE design_link_id = %3$s
             AND (by_hand OR rejected)
-        -- Where a crossing lies follows of both alignments.
+        -- The place of a crossing follows from both alignments.
         UNION ALL SELECT ROW(design_crossing_id, other_link_id, kind, rejected) FROM %1$I.design_crossing
             WHERE design_link_id = %3$s AND (by_hand OR rejected)
         UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
@@ -54,7 +54,7 @@ COMMENT ON FUNCTION streetgen._design_stage() IS
     '(%2$L) and link %3$s; stages without it are input alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._design_hash(model name, stage text, link bigint) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     hash bigint;
@@ -68,14 +68,15 @@ COMMENT ON FUNCTION streetgen._design_hash(name, text, bigint) IS
     'Hash of what a stage is computed from; link 0: of a stage that is not link by link.';
 
 CREATE OR REPLACE FUNCTION streetgen._stale_input(model name, stage text, link bigint) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     hash constant bigint := streetgen._design_hash(model, stage, link);
     known boolean;
 BEGIN
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_input WHERE stage = $1 AND design_link_id = $2
-        AND input_hash = $3)', model) INTO known USING stage, link, hash;
+    PERFORM streetgen._use_model(model);
+    SELECT EXISTS (SELECT FROM design_input i WHERE i.stage = _stale_input.stage AND design_link_id = link
+        AND input_hash = hash) INTO known;
     RETURN CASE WHEN NOT known THEN hash END;
 END $$;
 COMMENT ON FUNCTION streetgen._stale_input(name, text, bigint) IS
@@ -86,8 +87,9 @@ CREATE OR REPLACE FUNCTION streetgen._note_input(model name, stage text, link bi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    EXECUTE format('INSERT INTO %I.design_input VALUES ($1, $2, $3) ON CONFLICT (stage, design_link_id) DO UPDATE SET
-        input_hash = excluded.input_hash', model) USING stage, link, hash;
+    PERFORM streetgen._use_model(model);
+    INSERT INTO design_input VALUES (stage, link, hash) ON CONFLICT ON CONSTRAINT design_input_pkey DO UPDATE SET
+        input_hash = excluded.input_hash;
 END $$;
 COMMENT ON FUNCTION streetgen._note_input(name, text, bigint, bigint) IS
     'Notes what a stage of a link was computed from.';
@@ -106,7 +108,8 @@ DECLARE
     rows bigint;
     barred boolean;
 BEGIN
-    EXECUTE format('LOCK TABLE %I.design_link IN SHARE ROW EXCLUSIVE MODE', model);
+    PERFORM streetgen._use_model(model);
+    LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
     FOR each IN SELECT * FROM streetgen._design_stage() s WHERE s.input IS NOT NULL
         AND (stages IS NULL OR s.stage = ANY (stages)) ORDER BY s.place
     LOOP
@@ -124,10 +127,10 @@ BEGIN
             RETURN NEXT;
             CONTINUE;
         END IF;
-        EXECUTE format($sql$SELECT coalesce(array_agg(design_link_id ORDER BY streetgen._network_rank(network),
-            design_link_id), '{}') FROM %I.design_link WHERE NOT rejected AND ($1 IS NULL OR design_link_id = ANY ($1))
-            AND ($2 = 'paths' OR coalesce(method, '') NOT LIKE 'no_path%%') $sql$, model)
-            INTO wanted USING links, stage;
+        SELECT coalesce(array_agg(design_link_id ORDER BY streetgen._network_rank(network),
+            design_link_id), '{}') FROM design_link WHERE NOT rejected AND (links IS NULL
+                OR design_link_id = ANY (links))
+            AND (stage = 'paths' OR coalesce(method, '') NOT LIKE 'no_path%') INTO wanted;
         stale := '{}';
         hashes := '{}';
         FOREACH link IN ARRAY wanted LOOP
@@ -146,8 +149,8 @@ BEGIN
                 END IF;
             END IF;
         END LOOP;
-        EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_link WHERE design_link_id = ANY ($1)
-            AND method LIKE ''no_path%%'')', model) INTO barred USING links;
+        SELECT EXISTS (SELECT FROM design_link WHERE design_link_id = ANY (links)
+            AND method LIKE 'no_path%') INTO barred;
         IF stage = 'axes' AND (stale <> '{}' OR links IS NULL OR barred) THEN
             written := streetgen._design_axes(model, stale);
             PERFORM streetgen._note_input(model, stage, l, h) FROM unnest(stale, hashes) u(l, h);
@@ -168,6 +171,7 @@ DECLARE
     wrong text;
     missing bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._require_design(model);
     SELECT w INTO wrong FROM unnest(stages) w WHERE w NOT IN (SELECT s.stage FROM streetgen._design_stage() s)
         OR w IS NULL LIMIT 1;
@@ -176,8 +180,8 @@ BEGIN
             HINT = 'The stages are ' || (SELECT string_agg(s.stage, ', ' ORDER BY s.place)
                 FROM streetgen._design_stage() s) || '.';
     END IF;
-    EXECUTE format('SELECT w FROM unnest($1) w WHERE NOT EXISTS (SELECT FROM %I.design_link
-        WHERE design_link_id = w) LIMIT 1', model) INTO missing USING links;
+    SELECT w FROM unnest(links) w WHERE NOT EXISTS (SELECT FROM design_link
+        WHERE design_link_id = w) LIMIT 1 INTO missing;
     IF missing IS NOT NULL THEN
         RAISE EXCEPTION 'there is no link % in the design', missing USING ERRCODE = '22023',
             HINT = format('SELECT design_link_id FROM %I.design_link lists them.', model);

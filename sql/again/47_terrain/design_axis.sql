@@ -2,30 +2,33 @@
 
 CREATE OR REPLACE FUNCTION streetgen._axis_cuts(model name, link bigint) RETURNS TABLE(part integer, low float8,
     high float8, level integer)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog
     AS $$
+#variable_conflict use_column
 DECLARE
     piece constant float8 := streetgen._design_number(model, 'design_axis_length');
     elements constant float8[] := streetgen._link_elements(model, link);
     length constant float8 := elements[cardinality(elements) - 6] + elements[cardinality(elements) - 2];
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH cut AS (
-    SELECT 0::float8 AS at UNION SELECT $2
-    -- Counted from the start, so that a bend moves the pieces behind it alone.
-    UNION SELECT $3 * k FROM generate_series(1, round($2 / $3)::integer - 1) k
-    UNION SELECT unnest(ARRAY[start_abscissa, end_abscissa]) FROM %1$I.structure
-        WHERE design_link_id = $1 AND NOT rejected
-    UNION SELECT abscissa FROM %1$I.design_crossing WHERE design_link_id = $1 AND kind = 'level' AND NOT rejected
-    UNION SELECT other_abscissa FROM %1$I.design_crossing WHERE other_link_id = $1 AND kind = 'level' AND NOT rejected),
--- Cuts nearer than two metres are one, but for the ends and crossings.
-kept AS (SELECT at FROM cut c WHERE at BETWEEN 0 AND $2 AND (at IN (0, $2) OR NOT EXISTS (SELECT FROM cut o
-    WHERE o.at < c.at AND o.at > c.at - 2) AND at < $2 - 2)),
-piece AS (SELECT at AS low, lead(at) OVER (ORDER BY at) AS high, row_number() OVER (ORDER BY at) AS nth FROM kept)
-SELECT nth::integer, low, high, coalesce((SELECT CASE kind WHEN 'bridge' THEN 1 ELSE -1 END FROM %1$I.structure s
-    WHERE design_link_id = $1 AND NOT rejected AND (low + high) / 2 BETWEEN start_abscissa AND end_abscissa
-    ORDER BY by_hand DESC LIMIT 1), 0)
-FROM piece WHERE high IS NOT NULL $sql$, model) USING link, length, piece;
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    WITH cut AS (
+        SELECT 0::float8 AS at UNION SELECT length
+        -- Counted from the start, so that a bend moves the pieces behind it alone.
+        UNION SELECT piece * k FROM generate_series(1, round(length / piece)::integer - 1) k
+        UNION SELECT unnest(ARRAY[start_abscissa, end_abscissa]) FROM structure
+            WHERE design_link_id = link AND NOT rejected
+        UNION SELECT abscissa FROM design_crossing WHERE design_link_id = link AND kind = 'level' AND NOT rejected
+        UNION SELECT other_abscissa FROM design_crossing WHERE other_link_id = link AND kind = 'level'
+            AND NOT rejected),
+    -- Cuts nearer than two metres are one, but for the ends and crossings.
+    kept AS (SELECT at FROM cut c WHERE at BETWEEN 0 AND length AND (at IN (0, length) OR NOT EXISTS (SELECT FROM cut o
+        WHERE o.at < c.at AND o.at > c.at - 2) AND at < length - 2)),
+    piece AS (SELECT at AS low, lead(at) OVER (ORDER BY at) AS high, row_number() OVER (ORDER BY at) AS nth FROM kept)
+    SELECT nth::integer, low, high, coalesce((SELECT CASE kind WHEN 'bridge' THEN 1 ELSE -1 END FROM structure s
+        WHERE design_link_id = link AND NOT rejected AND (low + high) / 2 BETWEEN start_abscissa AND end_abscissa
+        ORDER BY by_hand DESC LIMIT 1), 0)
+    FROM piece WHERE high IS NOT NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_cuts(name, bigint) IS
     'The pieces in which a link becomes axes: cut at structures, at level crossings, and about every '
@@ -40,6 +43,7 @@ DECLARE
     former text[];
     written bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     EXECUTE format($sql$
 CREATE TEMPORARY TABLE _import ON COMMIT DROP AS
 WITH link AS MATERIALIZED (SELECT l.design_link_id, c.*, concat_ws(' - ', a.name, b.name) AS link_name,
@@ -63,11 +67,11 @@ SELECT streetgen._alignment_line(elements, grades, %4$s, low, high, 0.01,
 FROM link JOIN side USING (carriageways), LATERAL streetgen._axis_cuts(%2$L, design_link_id)
 WHERE elements <> '{}' AND grades <> '{}' $sql$, model, model, links, srid, left_hand);
     SELECT count(*) INTO written FROM pg_temp._import;
-    EXECUTE format($sql$SELECT coalesce(array_agg(source_ref), '{}') FROM %1$I.axis WHERE source = 'design'
-        AND (split_part(source_ref, '/', 1)::bigint = ANY ($1)
-            OR NOT EXISTS (SELECT FROM %1$I.design_link l WHERE NOT l.rejected
-                AND coalesce(l.method, '') NOT LIKE 'no_path%%'
-                AND l.design_link_id = split_part(source_ref, '/', 1)::bigint)) $sql$, model) INTO former USING links;
+    SELECT coalesce(array_agg(source_ref), '{}') FROM axis WHERE source = 'design'
+        AND (split_part(source_ref, '/', 1)::bigint = ANY (links)
+            OR NOT EXISTS (SELECT FROM design_link l WHERE NOT l.rejected
+                AND coalesce(l.method, '') NOT LIKE 'no_path%'
+                AND l.design_link_id = split_part(source_ref, '/', 1)::bigint)) INTO former;
     PERFORM streetgen._import_change(model, 'design', former, clean => false);
     RETURN written;
 END $$;

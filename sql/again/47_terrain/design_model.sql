@@ -40,6 +40,7 @@ DECLARE
     registered streetgen.model;
     before oid[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model);
     SELECT * INTO registered FROM streetgen.model m WHERE m.name = model;
     IF registered.dimension <> 3 THEN
@@ -51,12 +52,12 @@ BEGIN
     END IF;
     before := streetgen._relations(model);
     PERFORM streetgen._make_design_tables(model, registered.srid);
-    EXECUTE format('INSERT INTO %I.design_standard (speed, radius, radius_normal, clothoid, grade, crest, sag, '
-        'stopping) SELECT * FROM streetgen._default_design_standard()', model);
-    EXECUTE format('INSERT INTO %I.design_class (network, speed, width, carriageways, lane_count, roadway_width, '
-        'median_width, taper, importance) SELECT * FROM streetgen._default_design_class()', model);
-    EXECUTE format('INSERT INTO %I.zone_class (class, cost, passage) VALUES (''water'', 0, ''bridge''), '
-        '(''forest'', 3, ''free''), (''building'', 0, ''forbidden'')', model);
+    INSERT INTO design_standard (speed, radius, radius_normal, clothoid, grade, crest, sag, stopping) SELECT *
+        FROM streetgen._default_design_standard();
+    INSERT INTO design_class (network, speed, width, carriageways, lane_count, roadway_width, median_width, taper,
+        importance) SELECT * FROM streetgen._default_design_class();
+    INSERT INTO zone_class (class, cost, passage) VALUES ('water', 0, 'bridge'), ('forest', 3, 'free'), ('building', 0,
+        'forbidden');
     PERFORM streetgen._make_design_views(model), streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));

@@ -16,14 +16,15 @@ COMMENT ON FUNCTION streetgen._place_column(name, name) IS
     'The column of places of a table of a design; NULL: it has none.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_default(model name, relation name, is_now jsonb) RETURNS jsonb
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     drawn boolean := false;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF relation = 'design_vertex' THEN
-        EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_vertex WHERE design_link_id = $1 AND NOT rejected)', model)
-            INTO drawn USING (is_now ->> 'design_link_id')::bigint;
+        SELECT EXISTS (SELECT FROM design_vertex WHERE design_link_id = ((is_now ->> 'design_link_id')::bigint)
+            AND NOT rejected) INTO drawn;
     END IF;
     RETURN CASE WHEN drawn THEN jsonb_build_object('straight_in', coalesce((is_now ->> 'straight_in')::boolean, true),
         'straight_out', coalesce((is_now ->> 'straight_out')::boolean, true)) ELSE '{}' END;
@@ -63,18 +64,19 @@ COMMENT ON FUNCTION streetgen._refuse_value(name, name, name, name, jsonb, text,
     'Raises what a constraint of a table of a design refuses, with row, value, what is expected and the way out.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_ends(model name, relation name, is_now jsonb) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     first constant float8 := coalesce(is_now ->> 'start_abscissa', is_now ->> 'abscissa');
     last constant float8 := coalesce(is_now ->> 'end_abscissa', is_now ->> 'abscissa');
     length float8;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF relation NOT IN ('structure', 'grade_point') OR is_now @> '{"rejected": true}' OR is_now IS NULL THEN
         RETURN;
     END IF;
-    EXECUTE format('SELECT max(abscissa + length) FROM %I.alignment_element WHERE design_link_id = $1 AND NOT rejected',
-        model) INTO length USING (is_now ->> 'design_link_id')::bigint;
+    SELECT max(e.abscissa + e.length) FROM alignment_element e
+        WHERE design_link_id = (is_now ->> 'design_link_id')::bigint AND NOT rejected INTO length;
     -- A link without a road tells nothing yet.
     IF length IS NOT NULL AND NOT (first >= 0 AND last <= length + 0.001) THEN
         PERFORM streetgen._refuse('22023',
@@ -92,71 +94,73 @@ CREATE OR REPLACE FUNCTION streetgen._make_design_views(model name) RETURNS void
 DECLARE
     shown record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- With the rights of the owner of the model: an editor writes rows by hand, the rest follows.
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._edit_design() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    relation constant name := replace(TG_TABLE_NAME, '_editing', '');
-    key constant name := relation || '_id';
-    place constant name := streetgen._place_column(TG_TABLE_SCHEMA, relation);
-    drawn geometry;
-    broken name;
-    missing name;
-    at_table name;
-    is_now jsonb;
-    was jsonb;
-    given name[];
-BEGIN
-    IF TG_TABLE_SCHEMA <> %2$L THEN
-        PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
-    END IF;
-    -- A place that is none is told before it is read as JSON.
-    IF TG_OP <> 'DELETE' AND place IS NOT NULL THEN
-        EXECUTE format('SELECT ($1).%%I', place) INTO drawn USING NEW;
-        PERFORM streetgen._check_edit_geometry(format('the %%s of the %%s', place, replace(relation, '_', ' ')), drawn)
-            WHERE drawn IS NOT NULL;
-    END IF;
-    is_now := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
-    was := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
-    IF TG_OP = 'INSERT' THEN
-        NEW := jsonb_populate_record(NEW, streetgen._edit_default(TG_TABLE_SCHEMA, relation, is_now));
-        is_now := to_jsonb(NEW);
-    END IF;
-    PERFORM streetgen._begin_design_edit(TG_TABLE_SCHEMA, relation, was, is_now);
-    IF TG_OP = 'INSERT' THEN
-        given := ARRAY(SELECT c FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
-            WHERE is_now ->> c IS NOT NULL AND c <> 'by_hand');
-        EXECUTE format('INSERT INTO %%I.%%I (%%s, by_hand) SELECT %%s, true', TG_TABLE_SCHEMA, relation,
-            (SELECT string_agg(quote_ident(c), ', ') FROM unnest(given) c),
-            (SELECT string_agg(format('($1).%%I', c), ', ') FROM unnest(given) c)) USING NEW;
-    ELSIF TG_OP = 'UPDATE' THEN
-        EXECUTE format('UPDATE %%I.%%I SET %%s WHERE %%I = ($2).%%I', TG_TABLE_SCHEMA, relation,
-            (SELECT string_agg(CASE c WHEN 'by_hand' THEN 'by_hand = '
-                    || (is_now @> '{"by_hand": true}' OR was @> '{"by_hand": false}')
-                WHEN 'rejected' THEN 'rejected = ' || (is_now @> '{"by_hand": true, "rejected": true}')
-                -- The radius that a point had where it was computed was not chosen for another place.
-                WHEN 'radius' THEN CASE WHEN relation = 'grade_point' AND is_now -> 'radius' = was -> 'radius'
-                    AND was @> '{"by_hand": false}' THEN 'radius = NULL' ELSE 'radius = ($1).radius' END
-                ELSE format('%%1$I = ($1).%%1$I', c) END, ', ')
-            FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
-            WHERE c IN ('by_hand', 'rejected') OR is_now -> c IS DISTINCT FROM was -> c
-                OR relation = 'grade_point' AND c = 'radius'), key, key) USING NEW, OLD;
-    ELSIF (SELECT t.computed FROM streetgen._design_table() t WHERE t.relation = replace(TG_TABLE_NAME, '_editing', ''))
-    THEN
-        EXECUTE format('UPDATE %%I.%%I SET rejected = true, by_hand = true WHERE %%I = ($1).%%I', TG_TABLE_SCHEMA,
-            relation, key, key) USING OLD;
-    ELSE
-        EXECUTE format('DELETE FROM %%I.%%I WHERE %%I = ($1).%%I', TG_TABLE_SCHEMA, relation, key, key) USING OLD;
-    END IF;
-    PERFORM streetgen._follow_design(TG_TABLE_SCHEMA, relation, coalesce(is_now, was));
-    PERFORM streetgen._check_ends(TG_TABLE_SCHEMA, relation, is_now);
-    RETURN CASE WHEN TG_OP = 'DELETE' THEN OLD ELSE NEW END;
-EXCEPTION WHEN check_violation OR not_null_violation OR foreign_key_violation OR unique_violation THEN
-    GET STACKED DIAGNOSTICS broken = CONSTRAINT_NAME, missing = COLUMN_NAME, at_table = TABLE_NAME;
-    PERFORM streetgen._refuse_value(TG_TABLE_SCHEMA, at_table, broken, missing, is_now, SQLSTATE, SQLERRM);
-END $body$ $sql$, model, model);
+    CREATE OR REPLACE FUNCTION _edit_design() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        relation constant name := replace(TG_TABLE_NAME, '_editing', '');
+        key constant name := relation || '_id';
+        place constant name := streetgen._place_column(TG_TABLE_SCHEMA, relation);
+        drawn geometry;
+        broken name;
+        missing name;
+        at_table name;
+        is_now jsonb;
+        was jsonb;
+        given name[];
+    BEGIN
+        IF TG_TABLE_SCHEMA <> current_schema() THEN
+            PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
+        END IF;
+        -- A place that is none is told before it is read as JSON.
+        IF TG_OP <> 'DELETE' AND place IS NOT NULL THEN
+            EXECUTE format('SELECT ($1).%I', place) INTO drawn USING NEW;
+            PERFORM streetgen._check_edit_geometry(format('the %s of the %s', place, replace(relation, '_', ' ')),
+                drawn)
+                WHERE drawn IS NOT NULL;
+        END IF;
+        is_now := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
+        was := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
+        IF TG_OP = 'INSERT' THEN
+            NEW := jsonb_populate_record(NEW, streetgen._edit_default(TG_TABLE_SCHEMA, relation, is_now));
+            is_now := to_jsonb(NEW);
+        END IF;
+        PERFORM streetgen._begin_design_edit(TG_TABLE_SCHEMA, relation, was, is_now);
+        IF TG_OP = 'INSERT' THEN
+            given := ARRAY(SELECT c FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
+                WHERE is_now ->> c IS NOT NULL AND c <> 'by_hand');
+            EXECUTE format('INSERT INTO %I.%I (%s, by_hand) SELECT %s, true', TG_TABLE_SCHEMA, relation,
+                (SELECT string_agg(quote_ident(c), ', ') FROM unnest(given) c),
+                (SELECT string_agg(format('($1).%I', c), ', ') FROM unnest(given) c)) USING NEW;
+        ELSIF TG_OP = 'UPDATE' THEN
+            EXECUTE format('UPDATE %I.%I SET %s WHERE %I = ($2).%I', TG_TABLE_SCHEMA, relation,
+                (SELECT string_agg(CASE c WHEN 'by_hand' THEN 'by_hand = '
+                        || (is_now @> '{"by_hand": true}' OR was @> '{"by_hand": false}')
+                    WHEN 'rejected' THEN 'rejected = ' || (is_now @> '{"by_hand": true, "rejected": true}')
+                    -- The radius that a point had where it was computed was not chosen for another place.
+                    WHEN 'radius' THEN CASE WHEN relation = 'grade_point' AND is_now -> 'radius' = was -> 'radius'
+                        AND was @> '{"by_hand": false}' THEN 'radius = NULL' ELSE 'radius = ($1).radius' END
+                    ELSE format('%1$I = ($1).%1$I', c) END, ', ')
+                FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
+                WHERE c IN ('by_hand', 'rejected') OR is_now -> c IS DISTINCT FROM was -> c
+                    OR relation = 'grade_point' AND c = 'radius'), key, key) USING NEW, OLD;
+        ELSIF (SELECT t.computed FROM streetgen._design_table() t WHERE t.relation = replace(TG_TABLE_NAME, '_editing',
+            ''))
+        THEN
+            EXECUTE format('UPDATE %I.%I SET rejected = true, by_hand = true WHERE %I = ($1).%I', TG_TABLE_SCHEMA,
+                relation, key, key) USING OLD;
+        ELSE
+            EXECUTE format('DELETE FROM %I.%I WHERE %I = ($1).%I', TG_TABLE_SCHEMA, relation, key, key) USING OLD;
+        END IF;
+        PERFORM streetgen._follow_design(TG_TABLE_SCHEMA, relation, coalesce(is_now, was));
+        PERFORM streetgen._check_ends(TG_TABLE_SCHEMA, relation, is_now);
+        RETURN CASE WHEN TG_OP = 'DELETE' THEN OLD ELSE NEW END;
+    EXCEPTION WHEN check_violation OR not_null_violation OR foreign_key_violation OR unique_violation THEN
+        GET STACKED DIAGNOSTICS broken = CONSTRAINT_NAME, missing = COLUMN_NAME, at_table = TABLE_NAME;
+        PERFORM streetgen._refuse_value(TG_TABLE_SCHEMA, at_table, broken, missing, is_now, SQLSTATE, SQLERRM);
+    END $body$;
     PERFORM streetgen._own_function(model, '_edit_design()', 'Turns an edit of a design into rows by hand');
     FOR shown IN SELECT * FROM streetgen._design_table() LOOP
         EXECUTE format('CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %3$s FROM %1$I.%4$I '
@@ -202,23 +206,22 @@ DECLARE
     released constant boolean := is_now @> '{"by_hand": false}' AND was @> '{"by_hand": true}';
     at constant float8 := was ->> 'ordinality';
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_one_build();
-    EXECUTE format('LOCK TABLE %I.design_link IN SHARE ROW EXCLUSIVE MODE', model);
+    LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
     IF relation <> 'design_vertex' THEN
         RETURN;
     ELSIF released THEN
-        EXECUTE format($sql$
-UPDATE %1$I.design_vertex SET straight_out = false WHERE design_vertex_id = (SELECT design_vertex_id
-    FROM %1$I.design_vertex WHERE design_link_id = $1 AND NOT rejected AND ordinality < $2
-    ORDER BY ordinality DESC LIMIT 1) $sql$, model) USING link, at;
-        EXECUTE format($sql$
-UPDATE %1$I.design_vertex SET straight_in = false WHERE design_vertex_id = (SELECT design_vertex_id
-    FROM %1$I.design_vertex WHERE design_link_id = $1 AND NOT rejected AND ordinality > $2
-    ORDER BY ordinality LIMIT 1) $sql$, model) USING link, at;
+        UPDATE design_vertex SET straight_out = false WHERE design_vertex_id = (SELECT design_vertex_id
+            FROM design_vertex WHERE design_link_id = link AND NOT rejected AND ordinality < at
+            ORDER BY ordinality DESC LIMIT 1);
+        UPDATE design_vertex SET straight_in = false WHERE design_vertex_id = (SELECT design_vertex_id
+            FROM design_vertex WHERE design_link_id = link AND NOT rejected AND ordinality > at
+            ORDER BY ordinality LIMIT 1);
     ELSE
-        -- Who edits one vertex of a path has seen the others, and keeps them.
-        EXECUTE format('UPDATE %I.design_vertex SET by_hand = true, straight_in = true, straight_out = true
-            WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
+        -- An edit of one vertex of a path keeps the others, which the editor has seen.
+        UPDATE design_vertex SET by_hand = true, straight_in = true, straight_out = true
+            WHERE design_link_id = link AND NOT by_hand;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
@@ -226,15 +229,15 @@ COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
     'vertices by hand with straight sides; one that is taken back leaves the sides to its neighbours to the search.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_crossed(model name, links bigint[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     crossed bigint[];
 BEGIN
-    EXECUTE format('SELECT array_agg(l) FROM (SELECT unnest($1) AS l
-        UNION SELECT design_link_id FROM %1$I.design_crossing WHERE other_link_id = ANY ($1)
-        UNION SELECT other_link_id FROM %1$I.design_crossing WHERE design_link_id = ANY ($1)) f', model)
-        INTO crossed USING links;
+    PERFORM streetgen._use_model(model);
+    SELECT array_agg(l) FROM (SELECT unnest(links) AS l
+        UNION SELECT design_link_id FROM design_crossing WHERE other_link_id = ANY (links)
+        UNION SELECT other_link_id FROM design_crossing WHERE design_link_id = ANY (links)) f INTO crossed;
     RETURN crossed;
 END $$;
 COMMENT ON FUNCTION streetgen._with_crossed(name, bigint[]) IS 'Links of a design, and those that they cross.';
@@ -246,6 +249,7 @@ DECLARE
     followed bigint[];
     barred text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF EXISTS (SELECT FROM streetgen._design_table() t WHERE t.relation = _follow_design.relation
         AND t.of_link IS NOT NULL) THEN
         -- The links that it crossed before, and those that it crosses now.
@@ -253,8 +257,8 @@ BEGIN
         PERFORM FROM streetgen._run_stages(model, '{paths,horizontal,vertical}', followed);
         PERFORM FROM streetgen._run_stages(model, '{paths,horizontal,vertical,structures,axes}',
             streetgen._with_crossed(model, followed));
-        EXECUTE format('SELECT method FROM %I.design_link WHERE design_link_id = $1 AND method LIKE ''no_path%%''',
-            model) INTO barred USING (edited ->> 'design_link_id')::bigint;
+        SELECT method FROM design_link WHERE design_link_id = ((edited ->> 'design_link_id')::bigint)
+            AND method LIKE 'no_path%' INTO barred;
         IF barred IS NOT NULL THEN
             PERFORM streetgen._refuse('22023',
                 format('link %s of the design would have no way: %s', edited ->> 'design_link_id', barred),

@@ -33,14 +33,14 @@ DECLARE
     shown geometry := extent;
     cell float8;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._require_design(model),
         streetgen._check_given('columns', columns::text);
     IF columns NOT BETWEEN 1 AND 2000 THEN
         RAISE EXCEPTION 'columns is %', columns USING ERRCODE = '22023', HINT = 'Expected 1 to 2000 columns of cells.';
     END IF;
     IF shown IS NULL THEN
-        EXECUTE format('SELECT ST_SetSRID(ST_Extent(geom)::geometry, 0) FROM %I.terrain_tile WHERE NOT rejected',
-            model) INTO shown;
+        SELECT ST_SetSRID(ST_Extent(t.geom)::geometry, 0) FROM terrain_tile t WHERE NOT rejected INTO shown;
         IF shown IS NULL THEN
             RETURN;
         END IF;

@@ -1,16 +1,16 @@
 -- Nodes: which towns there are.
 
 CREATE OR REPLACE FUNCTION streetgen._town_numbers(model name) RETURNS float8[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     numbers float8[];
 BEGIN
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(v ORDER BY design_node_id, k), '{}') FROM (SELECT * FROM %I.design_node
-    WHERE NOT rejected AND (by_hand OR kind <> 'interchange')) n,
-    unnest(ARRAY[array_position(ARRAY['city', 'town', 'village', 'interchange'], kind) - 1, importance, ST_X(geom),
-        ST_Y(geom)]) WITH ORDINALITY u(v, k) $sql$, model) INTO numbers;
+    PERFORM streetgen._use_model(model);
+    SELECT coalesce(array_agg(v ORDER BY design_node_id, k), '{}') FROM (SELECT * FROM design_node
+        WHERE NOT rejected AND (by_hand OR kind <> 'interchange')) n,
+        unnest(ARRAY[array_position(ARRAY['city', 'town', 'village', 'interchange'], kind) - 1, importance, ST_X(geom),
+            ST_Y(geom)]) WITH ORDINALITY u(v, k) INTO numbers;
     RETURN numbers;
 END $$;
 COMMENT ON FUNCTION streetgen._town_numbers(name) IS
@@ -27,6 +27,7 @@ DECLARE
     wishes float8[];
     made bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('area', area::text, 'count', count::text, 'seed',
         seed::text, 'options', options::text), streetgen._require_design(model);
     ground := streetgen._in_model(model, area, 'the area', '{POLYGON,MULTIPOLYGON}',
@@ -47,8 +48,8 @@ BEGIN
         coalesce((options ->> 'steepest')::float8, 0.15)];
     site := streetgen._road_site(model, ground, streetgen._road_rules(model, 'rural'));
     -- Towns drawn before wait for those drawn now: one at the same place is the same town.
-    EXECUTE format('UPDATE %I.design_node SET rejected = true WHERE NOT by_hand AND NOT rejected
-        AND kind <> ''interchange'' AND ST_Covers($1, geom)', model) USING ground;
+    UPDATE design_node SET rejected = true WHERE NOT by_hand AND NOT rejected
+        AND kind <> 'interchange' AND ST_Covers(ground, geom);
     EXECUTE format($sql$
 CREATE TEMPORARY TABLE _drawn ON COMMIT DROP AS SELECT d.kind, d.importance, d.geom, n.design_node_id FROM (
     SELECT (ARRAY['city', 'town', 'village'])[kind + 1] AS kind, importance, ST_SetSRID(ST_Point(x, y), $1) AS geom
@@ -57,13 +58,12 @@ CREATE TEMPORARY TABLE _drawn ON COMMIT DROP AS SELECT d.kind, d.importance, d.g
         AND w.kind <> 'interchange' AND ST_DWithin(w.geom, d.geom, 1) ORDER BY ST_Distance(w.geom, d.geom),
         design_node_id LIMIT 1) n ON true $sql$, model) USING ST_SRID(ground), site,
             ST_Multi(ST_Force2D(ground))::bytea, wishes, streetgen._town_numbers(model), seed;
-    EXECUTE format($sql$
-UPDATE %1$I.design_node n SET kind = d.kind, importance = d.importance, geom = d.geom, rejected = false
-    FROM pg_temp._drawn d WHERE d.design_node_id = n.design_node_id;
-DELETE FROM %1$I.design_node n WHERE rejected AND NOT by_hand
-    AND NOT EXISTS (SELECT FROM %1$I.design_link l WHERE n.design_node_id IN (l.node_a, l.node_b));
-INSERT INTO %1$I.design_node (kind, importance, geom) SELECT kind, importance, geom FROM pg_temp._drawn
-    WHERE design_node_id IS NULL ORDER BY importance DESC, geom $sql$, model);
+    UPDATE design_node n SET kind = d.kind, importance = d.importance, geom = d.geom, rejected = false
+        FROM pg_temp._drawn d WHERE d.design_node_id = n.design_node_id;
+    DELETE FROM design_node n WHERE rejected AND NOT by_hand
+        AND NOT EXISTS (SELECT FROM design_link l WHERE n.design_node_id IN (l.node_a, l.node_b));
+    INSERT INTO design_node (kind, importance, geom) SELECT kind, importance, geom FROM pg_temp._drawn
+        WHERE design_node_id IS NULL ORDER BY importance DESC, geom;
     SELECT count(*) INTO made FROM pg_temp._drawn;
     DROP TABLE pg_temp._drawn;
     RETURN made;
@@ -77,31 +77,30 @@ COMMENT ON FUNCTION streetgen.design_nodes(name, geometry, integer, bigint, json
     'Another option or geometry, a count beyond 1 to 1000: 22023; no design: 55000; not the owner of the model: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_design_nodes(model name) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     wrong record;
 BEGIN
-    EXECUTE format('SELECT design_node_id AS a, name FROM %I.design_node WHERE NOT rejected
-        AND NOT coalesce(ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1',
-        model) INTO wrong;
+    PERFORM streetgen._use_model(model);
+    SELECT design_node_id AS a, name FROM design_node WHERE NOT rejected
+        AND NOT coalesce(ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1
+            INTO wrong;
     IF wrong.a IS NOT NULL THEN
         PERFORM streetgen._refuse('22023',
             format('node %s of the design has a coordinate that is no place', concat_ws(' ', wrong.a, wrong.name)),
             detail => 'A coordinate is NaN, infinite, beyond 1e12, or missing.',
             hint => 'Move the node, or delete it.');
     END IF;
-    EXECUTE format($sql$
-SELECT a.design_node_id AS a, b.design_node_id AS b FROM %1$I.design_node a JOIN %1$I.design_node b
-    ON ST_DWithin(a.geom, b.geom, 1) AND a.design_node_id < b.design_node_id WHERE NOT a.rejected AND NOT b.rejected
-    LIMIT 1 $sql$, model) INTO wrong;
+    SELECT a.design_node_id AS a, b.design_node_id AS b FROM design_node a JOIN design_node b
+        ON ST_DWithin(a.geom, b.geom, 1) AND a.design_node_id < b.design_node_id WHERE NOT a.rejected AND NOT b.rejected
+        LIMIT 1 INTO wrong;
     IF wrong.a IS NOT NULL THEN
         PERFORM streetgen._refuse('22023', format('nodes %s and %s of the design lie at one place', wrong.a, wrong.b),
             hint => 'Delete one of both, or move it by more than a metre.');
     END IF;
-    EXECUTE format($sql$
-SELECT design_node_id AS a, name, streetgen.terrain_height($1, geom) AS height FROM %1$I.design_node
-WHERE NOT rejected AND streetgen.terrain_height($1, geom) IS NULL LIMIT 1 $sql$, model) INTO wrong USING model;
+    SELECT design_node_id AS a, name, streetgen.terrain_height(model, geom) AS height FROM design_node
+    WHERE NOT rejected AND streetgen.terrain_height(model, geom) IS NULL LIMIT 1 INTO wrong;
     IF wrong.a IS NOT NULL THEN
         PERFORM streetgen._refuse('22023',
             format('node %s of the design has no terrain under it', concat_ws(' ', wrong.a, wrong.name)),

@@ -25,16 +25,16 @@ CREATE OR REPLACE FUNCTION streetgen._clear_links(model name, links bigint[]) RE
 DECLARE
     relation name;
 BEGIN
+    PERFORM streetgen._use_model(model);
     FOR relation IN SELECT t.relation FROM streetgen._design_table() t WHERE t.of_link IS NOT NULL LOOP
         EXECUTE format('DELETE FROM %I.%I WHERE design_link_id = ANY ($1) AND NOT by_hand', model, relation)
             USING links;
     END LOOP;
-    EXECUTE format('DELETE FROM %I.design_crossing WHERE other_link_id = ANY ($1) AND NOT by_hand', model)
-        USING links;
-    EXECUTE format('UPDATE %I.design_crossing SET abscissa = -1, other_abscissa = -1 WHERE abscissa >= 0
-        AND (design_link_id = ANY ($1) OR other_link_id = ANY ($1))', model) USING links;
-    EXECUTE format('UPDATE %I.design_link SET geom = NULL WHERE design_link_id = ANY ($1)', model) USING links;
-    EXECUTE format('DELETE FROM %I.design_input WHERE design_link_id = ANY ($1)', model) USING links;
+    DELETE FROM design_crossing WHERE other_link_id = ANY (links) AND NOT by_hand;
+    UPDATE design_crossing SET abscissa = -1, other_abscissa = -1 WHERE abscissa >= 0
+        AND (design_link_id = ANY (links) OR other_link_id = ANY (links));
+    UPDATE design_link SET geom = NULL WHERE design_link_id = ANY (links);
+    DELETE FROM design_input WHERE design_link_id = ANY (links);
 END $$;
 COMMENT ON FUNCTION streetgen._clear_links(name, bigint[]) IS
     'Takes away what was computed of links; rows by hand stay, and all stages are stale.';
@@ -131,6 +131,7 @@ DECLARE
     changed bigint;
     gone bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     EXECUTE format($sql$
 CREATE TEMPORARY TABLE _piece ON COMMIT DROP AS
 WITH stop AS (
@@ -163,28 +164,26 @@ JOIN %1$I.design_node b ON b.design_node_id = p.node_b,
 WHERE p.design_link_id IS NULL AND w.apart < 0.2 * ST_Distance(a.geom, b.geom) $sql$, model,
         format(streetgen._rows_by_hand(), model));
     PERFORM streetgen._match_nearest();
-    EXECUTE format($sql$
-UPDATE pg_temp._piece p SET design_link_id = m.known FROM pg_temp._match m WHERE m.found = p.nth;
-WITH same AS (UPDATE %1$I.design_link l SET length = p.length, utilisation = p.utilisation, benefit = p.benefit,
-    cost = p.cost, town_a = p.town_a, town_b = p.town_b, rejected = false,
-    -- Metres along it count from the same end as before.
-    node_a = CASE WHEN m.turned IS NULL THEN l.node_a WHEN m.turned THEN p.node_b ELSE p.node_a END,
-    node_b = CASE WHEN m.turned IS NULL THEN l.node_b WHEN m.turned THEN p.node_a ELSE p.node_b END
-    FROM pg_temp._piece p LEFT JOIN pg_temp._match m ON m.found = p.nth WHERE p.design_link_id = l.design_link_id
-        AND NOT p.unwanted
-    AND (m.turned IS NOT NULL OR (l.length, l.utilisation, l.benefit, l.cost, l.town_a, l.town_b, l.rejected)
-        IS DISTINCT FROM (p.length, p.utilisation, p.benefit, p.cost, p.town_a, p.town_b, false)) RETURNING 1),
-come AS (INSERT INTO %1$I.design_link (node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b)
-    SELECT node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b FROM pg_temp._piece
-    WHERE design_link_id IS NULL ORDER BY nth RETURNING 1)
-SELECT (SELECT count(*) FROM same) + (SELECT count(*) FROM come) $sql$, model) INTO changed;
+    UPDATE pg_temp._piece p SET design_link_id = m.known FROM pg_temp._match m WHERE m.found = p.nth;
+    WITH same AS (UPDATE design_link l SET length = p.length, utilisation = p.utilisation, benefit = p.benefit,
+        cost = p.cost, town_a = p.town_a, town_b = p.town_b, rejected = false,
+        -- Metres along it count from the same end as before.
+        node_a = CASE WHEN m.turned IS NULL THEN l.node_a WHEN m.turned THEN p.node_b ELSE p.node_a END,
+        node_b = CASE WHEN m.turned IS NULL THEN l.node_b WHEN m.turned THEN p.node_a ELSE p.node_b END
+        FROM pg_temp._piece p LEFT JOIN pg_temp._match m ON m.found = p.nth WHERE p.design_link_id = l.design_link_id
+            AND NOT p.unwanted
+        AND (m.turned IS NOT NULL OR (l.length, l.utilisation, l.benefit, l.cost, l.town_a, l.town_b, l.rejected)
+            IS DISTINCT FROM (p.length, p.utilisation, p.benefit, p.cost, p.town_a, p.town_b, false)) RETURNING 1),
+    come AS (INSERT INTO design_link (node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b)
+        SELECT node_a, node_b, network, length, utilisation, benefit, cost, town_a, town_b FROM pg_temp._piece
+        WHERE design_link_id IS NULL ORDER BY nth RETURNING 1)
+    SELECT (SELECT count(*) FROM same) + (SELECT count(*) FROM come) INTO changed;
     -- Links that came have no row in _piece by their key; all others that are not there are gone.
-    EXECUTE format($sql$SELECT coalesce(array_agg(design_link_id), '{}') FROM %1$I.design_link l WHERE NOT by_hand
+    SELECT coalesce(array_agg(design_link_id), '{}') FROM design_link l WHERE NOT by_hand
         AND NOT rejected AND NOT EXISTS (SELECT FROM pg_temp._piece p WHERE (p.node_a, p.node_b, p.network)
-            = (least(l.node_a, l.node_b), greatest(l.node_a, l.node_b), l.network))$sql$, model) INTO gone;
+            = (least(l.node_a, l.node_b), greatest(l.node_a, l.node_b), l.network)) INTO gone;
     PERFORM streetgen._clear_links(model, gone);
-    EXECUTE format('UPDATE %I.design_link SET rejected = true, method = NULL WHERE design_link_id = ANY ($1)', model)
-        USING gone;
+    UPDATE design_link SET rejected = true, method = NULL WHERE design_link_id = ANY (gone);
     EXECUTE format($sql$
 DELETE FROM %1$I.design_link WHERE rejected AND NOT by_hand AND design_link_id NOT IN (SELECT design_link_id
     FROM (%2$s) h);

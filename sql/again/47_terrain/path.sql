@@ -1,40 +1,43 @@
 -- Stages paths and horizontal: vertices of the straight alignments, and the elements along them.
 
 CREATE OR REPLACE FUNCTION streetgen._link_area(model name, link bigint) RETURNS geometry
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     area geometry;
 BEGIN
-    EXECUTE format($sql$
-SELECT ST_Expand(ST_Envelope(place), 0.6 * ST_Length(ST_BoundingDiagonal(place)) + 4000) FROM (
-    SELECT ST_Collect(geom) AS place FROM (
-        SELECT n.geom FROM %1$I.design_link l JOIN %1$I.design_node n ON n.design_node_id IN (node_a, node_b)
-            WHERE l.design_link_id = $1
-        UNION ALL SELECT geom FROM %1$I.design_vertex WHERE design_link_id = $1 AND by_hand AND NOT rejected) p) c
-$sql$, model) INTO area USING link;
+    PERFORM streetgen._use_model(model);
+    SELECT ST_Expand(ST_Envelope(place), 0.6 * ST_Length(ST_BoundingDiagonal(place)) + 4000) FROM (
+        SELECT ST_Collect(geom) AS place FROM (
+            SELECT n.geom FROM design_link l JOIN design_node n ON n.design_node_id IN (node_a, node_b)
+                WHERE l.design_link_id = link
+            UNION ALL SELECT geom FROM design_vertex WHERE design_link_id = link AND by_hand AND NOT rejected) p) c
+                INTO area;
     RETURN area;
 END $$;
 COMMENT ON FUNCTION streetgen._link_area(name, bigint) IS 'Where the terrain and the zones of a link are looked for.';
 
 CREATE OR REPLACE FUNCTION streetgen._link_places(model name, link bigint, only_by_hand boolean)
     RETURNS TABLE(ordinality float8, geom geometry, curve float8[], straight boolean)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 50 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 50 SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH vertex AS (SELECT ordinality, geom, CASE WHEN by_hand AND radius > 0 THEN ARRAY[radius, coalesce(clothoid_in, 0),
-        coalesce(clothoid_out, 0)] ELSE '{0,0,0}' END AS curve, straight_in, straight_out
-    FROM %1$I.design_vertex WHERE design_link_id = $1 AND NOT rejected AND (by_hand OR NOT $2)),
-bound AS (SELECT coalesce(min(ordinality) - 1, 0) AS low, coalesce(max(ordinality) + 1, 1) AS high,
-    count(*) > 0 OR EXISTS (SELECT FROM %1$I.design_vertex WHERE design_link_id = $1 AND rejected) AS any FROM vertex),
-place AS (SELECT * FROM vertex
-    UNION ALL SELECT b.low, n.geom, '{0,0,0}', b.any, b.any FROM bound b, %1$I.design_link l
-        JOIN %1$I.design_node n ON n.design_node_id = node_a WHERE l.design_link_id = $1
-    UNION ALL SELECT b.high, n.geom, '{0,0,0}', b.any, b.any FROM bound b, %1$I.design_link l
-        JOIN %1$I.design_node n ON n.design_node_id = node_b WHERE l.design_link_id = $1)
-SELECT ordinality, geom, curve, coalesce(lag(straight_out) OVER (ORDER BY ordinality) AND straight_in, false)
-FROM place ORDER BY ordinality $sql$, model) USING link, only_by_hand;
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    WITH vertex AS (SELECT ordinality, geom, CASE WHEN by_hand AND radius > 0 THEN ARRAY[radius, coalesce(clothoid_in,
+        0),
+            coalesce(clothoid_out, 0)] ELSE '{0,0,0}' END AS curve, straight_in, straight_out
+        FROM design_vertex WHERE design_link_id = link AND NOT rejected AND (by_hand OR NOT only_by_hand)),
+    bound AS (SELECT coalesce(min(ordinality) - 1, 0) AS low, coalesce(max(ordinality) + 1, 1) AS high,
+        count(*) > 0 OR EXISTS (SELECT FROM design_vertex WHERE design_link_id = link AND rejected) AS any FROM vertex),
+    place AS (SELECT * FROM vertex
+        UNION ALL SELECT b.low, n.geom, '{0,0,0}', b.any, b.any FROM bound b, design_link l
+            JOIN design_node n ON n.design_node_id = node_a WHERE l.design_link_id = link
+        UNION ALL SELECT b.high, n.geom, '{0,0,0}', b.any, b.any FROM bound b, design_link l
+            JOIN design_node n ON n.design_node_id = node_b WHERE l.design_link_id = link)
+    SELECT ordinality, geom, curve, coalesce(lag(straight_out) OVER (ORDER BY ordinality) AND straight_in, false)
+    FROM place ORDER BY ordinality;
 END $$;
 COMMENT ON FUNCTION streetgen._link_places(name, bigint, boolean) IS
     'Both nodes of a link and the vertices between them, in order: place, the curve by hand (radius, clothoids; 0: '
@@ -50,6 +53,7 @@ DECLARE
     barred text;
     written bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     SELECT ST_MakeLine(p.geom ORDER BY p.ordinality), array_agg(p.straight::integer::float8 ORDER BY p.ordinality),
         array_agg(p.ordinality ORDER BY p.ordinality)
         INTO places, sides, known FROM streetgen._link_places(model, link, true) p;
@@ -59,18 +63,19 @@ BEGIN
             places::bytea, sides)
         WITH ORDINALITY f;
     SELECT f.barrier INTO barred FROM pg_temp._found f WHERE f.barrier IS NOT NULL;
-    EXECUTE format('UPDATE %I.design_link SET method = $2 WHERE design_link_id = $1 AND method IS DISTINCT FROM $2',
-        model) USING link, CASE WHEN barred IS NOT NULL THEN 'no_path: ' || barred END;
+    UPDATE design_link SET method = CASE WHEN barred IS NOT NULL THEN 'no_path: ' || barred END
+        WHERE design_link_id = link AND method IS DISTINCT FROM CASE WHEN barred IS NOT NULL THEN 'no_path: ' || barred
+        END;
     IF barred IS NOT NULL THEN
         PERFORM streetgen._clear_links(model, ARRAY[link]);
     END IF;
-    EXECUTE format('DELETE FROM %I.design_vertex WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
-    EXECUTE format($sql$
-INSERT INTO %I.design_vertex (design_link_id, ordinality, geom)
-SELECT $1, CASE WHEN cardinality($2) = 2 THEN k
-        ELSE $2[leg] + ($2[leg + 1] - $2[leg]) * k / (n + 1) END, ST_SetSRID(ST_Point(x, y), $3)
-FROM (SELECT *, row_number() OVER (PARTITION BY leg ORDER BY nth) AS k, count(*) OVER (PARTITION BY leg) AS n
-    FROM pg_temp._found WHERE NOT by_hand) f $sql$, model) USING link, known, ST_SRID(places);
+    DELETE FROM design_vertex WHERE design_link_id = link AND NOT by_hand;
+    INSERT INTO design_vertex (design_link_id, ordinality, geom)
+    SELECT link, CASE WHEN cardinality(known) = 2 THEN k
+            ELSE known[leg] + (known[leg + 1] - known[leg]) * k / (n + 1) END, ST_SetSRID(ST_Point(x, y),
+                ST_SRID(places))
+    FROM (SELECT *, row_number() OVER (PARTITION BY leg ORDER BY nth) AS k, count(*) OVER (PARTITION BY leg) AS n
+        FROM pg_temp._found WHERE NOT by_hand) f;
     GET DIAGNOSTICS written = ROW_COUNT;
     DROP TABLE pg_temp._found;
     RETURN written;
@@ -88,24 +93,24 @@ DECLARE
     site streetgen.road_site;
     written bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     SELECT ST_MakeLine(p.geom ORDER BY p.ordinality) INTO path FROM streetgen._link_places(model, link, false) p;
     given := ARRAY(SELECT v FROM streetgen._link_places(model, link, false) p,
         unnest(p.curve) WITH ORDINALITY u(v, k) ORDER BY p.ordinality, k);
     SELECT array_agg(key ORDER BY key), array_agg(value::float8 ORDER BY key) INTO site.rule_names, site.rule_values
         FROM jsonb_each_text(streetgen._link_rules(model, link));
-    EXECUTE format('DELETE FROM %I.alignment_element WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
-    EXECUTE format($sql$
-INSERT INTO %1$I.alignment_element (design_link_id, ordinality, kind, abscissa, start, heading, length, curvature_start,
-    curvature_end)
-WITH curve AS MATERIALIZED (SELECT array_agg(radius ORDER BY nth) AS radii, array_agg(clothoid_in ORDER BY nth) AS a,
-    array_agg(clothoid_out ORDER BY nth) AS b FROM streetgen._road_curves($2, $3::bytea, $4)
-    WITH ORDINALITY c(radius, clothoid_in, clothoid_out, nth))
-SELECT $1, e.nth, e.kind, e.abscissa, ST_SetSRID(ST_Point(x, y), ST_SRID($3)), heading, length, curvature_start,
-    curvature_end
-FROM curve, streetgen._horizontal_alignment($3::bytea, radii, a, b) WITH ORDINALITY
-    e(kind, abscissa, x, y, heading, length, curvature_start, curvature_end, nth)
-WHERE NOT EXISTS (SELECT FROM %1$I.alignment_element o WHERE o.design_link_id = $1 AND o.ordinality = e.nth)
-$sql$, model) USING link, site, path, given;
+    DELETE FROM alignment_element WHERE design_link_id = link AND NOT by_hand;
+    INSERT INTO alignment_element (design_link_id, ordinality, kind, abscissa, start, heading, length, curvature_start,
+        curvature_end)
+    WITH curve AS MATERIALIZED (SELECT array_agg(radius ORDER BY nth) AS radii, array_agg(clothoid_in
+        ORDER BY nth) AS a,
+        array_agg(clothoid_out ORDER BY nth) AS b FROM streetgen._road_curves(site, path::bytea, given)
+        WITH ORDINALITY c(radius, clothoid_in, clothoid_out, nth))
+    SELECT link, e.nth, e.kind, e.abscissa, ST_SetSRID(ST_Point(x, y), ST_SRID(path)), heading, length, curvature_start,
+        curvature_end
+    FROM curve, streetgen._horizontal_alignment(path::bytea, radii, a, b) WITH ORDINALITY
+        e(kind, abscissa, x, y, heading, length, curvature_start, curvature_end, nth)
+    WHERE NOT EXISTS (SELECT FROM alignment_element o WHERE o.design_link_id = link AND o.ordinality = e.nth);
     GET DIAGNOSTICS written = ROW_COUNT;
     RETURN written;
 EXCEPTION WHEN invalid_parameter_value THEN
@@ -117,35 +122,35 @@ COMMENT ON FUNCTION streetgen._design_horizontal(name, bigint) IS
     'fit: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._link_elements(model name, link bigint) RETURNS float8[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     numbers float8[];
 BEGIN
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(v ORDER BY ordinality, k), '{}') FROM %I.alignment_element e,
-    unnest(ARRAY[abscissa, ST_X(start), ST_Y(start), heading, length, curvature_start, curvature_end])
-        WITH ORDINALITY u(v, k) WHERE design_link_id = $1 AND NOT rejected $sql$, model) INTO numbers USING link;
+    PERFORM streetgen._use_model(model);
+    SELECT coalesce(array_agg(v ORDER BY ordinality, k), '{}') FROM alignment_element e,
+        unnest(ARRAY[abscissa, ST_X(start), ST_Y(start), heading, length, curvature_start, curvature_end])
+            WITH ORDINALITY u(v, k) WHERE design_link_id = link AND NOT rejected INTO numbers;
     RETURN numbers;
 END $$;
 COMMENT ON FUNCTION streetgen._link_elements(name, bigint) IS
     'The elements of a link as the core takes them, seven numbers each.';
 
 CREATE OR REPLACE FUNCTION streetgen._link_grades(model name, link bigint) RETURNS float8[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     numbers float8[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- A point by hand without a radius gets the widest parabola that half of both sides has room for.
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM (
-    SELECT abscissa, height, coalesce(radius, least(10000, least(before, after)
-        / nullif(abs((next_height - height) / after - (height - last_height) / before), 0)), 0) AS radius
-    FROM (SELECT *, abscissa - lag(abscissa) OVER along AS before, lead(abscissa) OVER along - abscissa AS after,
-            lag(height) OVER along AS last_height, lead(height) OVER along AS next_height
-        FROM %I.grade_point WHERE design_link_id = $1 AND NOT rejected WINDOW along AS (ORDER BY abscissa)) p) g,
-    unnest(ARRAY[abscissa, height, radius]) WITH ORDINALITY u(v, k) $sql$, model) INTO numbers USING link;
+    SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM (
+        SELECT abscissa, height, coalesce(radius, least(10000, least(before, after)
+            / nullif(abs((next_height - height) / after - (height - last_height) / before), 0)), 0) AS radius
+        FROM (SELECT *, abscissa - lag(abscissa) OVER along AS before, lead(abscissa) OVER along - abscissa AS after,
+                lag(height) OVER along AS last_height, lead(height) OVER along AS next_height
+            FROM grade_point WHERE design_link_id = link AND NOT rejected WINDOW along AS (ORDER BY abscissa)) p) g,
+        unnest(ARRAY[abscissa, height, radius]) WITH ORDINALITY u(v, k) INTO numbers;
     RETURN numbers;
 END $$;
 COMMENT ON FUNCTION streetgen._link_grades(name, bigint) IS

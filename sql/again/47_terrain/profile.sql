@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._network_rank(network text) RETURNS integer
 COMMENT ON FUNCTION streetgen._network_rank(text) IS 'The rank of a network: 1 of highways, 3 of rural roads.';
 
 CREATE OR REPLACE FUNCTION streetgen._plan_line(model name, link bigint) RETURNS geometry
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$ SELECT streetgen._alignment_line(e, NULL, (SELECT m.srid FROM streetgen.model m WHERE m.name = model), 0,
         1e12, 0.01)::geometry FROM streetgen._link_elements(model, link) e WHERE e <> '{}' $$;
 COMMENT ON FUNCTION streetgen._plan_line(name, bigint) IS 'The alignment of a link in the plan, as chords.';
@@ -28,7 +28,7 @@ FROM %1$I.design_link l JOIN %1$I.design_link o ON o.geom && streetgen._plan_lin
     LATERAL (SELECT streetgen._plan_line(%2$L, %3$s) AS line, ST_Force2D(o.geom) AS other_line OFFSET 0) g,
     LATERAL ST_Dump(ST_CollectionExtract(ST_Intersection(line, other_line), 1)) p
 WHERE l.design_link_id = %3$s
-    -- Where links leave a common node they touch, and do not cross.
+    -- Links touch where they leave a common node, and do not cross.
     AND NOT EXISTS (SELECT FROM %1$I.design_node n WHERE n.design_node_id IN (l.node_a, l.node_b, o.node_a, o.node_b)
         AND ST_DWithin(n.geom, p.geom, 60));
 CREATE TEMPORARY TABLE _near ON COMMIT DROP AS SELECT nth AS found, c.design_crossing_id AS known,
@@ -54,21 +54,21 @@ COMMENT ON FUNCTION streetgen._find_crossings(name, bigint) IS
     'links that is nearest to it; where they cross no more it waits, at abscissa -1.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_limits(model name, link bigint, fixed float8[]) RETURNS float8[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     clearance constant float8 := streetgen._design_number(model, 'clearance');
     numbers float8[];
 BEGIN
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}')
-FROM (SELECT c.abscissa, c.kind, p.z FROM %1$I.design_crossing c,
-    LATERAL streetgen._alignment_point(streetgen._link_elements($1, other_link_id),
-        streetgen._link_grades($1, other_link_id), other_abscissa) p
-    WHERE design_link_id = $2 AND NOT rejected AND c.abscissa >= 0 AND p.z IS NOT NULL) c,
-    unnest(CASE kind WHEN 'over' THEN ARRAY[abscissa, z + $3, 1e6] WHEN 'under' THEN ARRAY[abscissa, -1e6, z - $3]
-        ELSE ARRAY[abscissa, z, z] END) WITH ORDINALITY u(v, k) $sql$, model)
-        INTO numbers USING model, link, clearance;
+    PERFORM streetgen._use_model(model);
+    SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}')
+    FROM (SELECT c.abscissa, c.kind, p.z FROM design_crossing c,
+        LATERAL streetgen._alignment_point(streetgen._link_elements(model, other_link_id),
+            streetgen._link_grades(model, other_link_id), other_abscissa) p
+        WHERE design_link_id = link AND NOT rejected AND c.abscissa >= 0 AND p.z IS NOT NULL) c,
+        unnest(CASE kind WHEN 'over' THEN ARRAY[abscissa, z + clearance, 1e6] WHEN 'under' THEN ARRAY[abscissa, -1e6, z
+            - clearance]
+            ELSE ARRAY[abscissa, z, z] END) WITH ORDINALITY u(v, k) INTO numbers;
     RETURN numbers;
 END $$;
 COMMENT ON FUNCTION streetgen._crossing_limits(name, bigint, float8[]) IS
@@ -79,15 +79,14 @@ CREATE OR REPLACE FUNCTION streetgen._decide_crossings(model name, link bigint, 
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-UPDATE %1$I.design_crossing c SET kind = side.kind FROM (SELECT design_crossing_id, CASE WHEN own.z >= other.z
-        THEN 'over' ELSE 'under' END AS kind FROM %1$I.design_crossing x,
-    LATERAL streetgen._alignment_point($2, $3, x.abscissa) own,
-    LATERAL streetgen._alignment_point(streetgen._link_elements($4, x.other_link_id),
-        streetgen._link_grades($4, x.other_link_id), x.other_abscissa) other
-    WHERE x.design_link_id = $1 AND NOT x.by_hand AND x.kind <> 'level' AND other.z IS NOT NULL) side
-WHERE c.design_crossing_id = side.design_crossing_id AND c.kind <> side.kind $sql$, model)
-        USING link, elements, grades, model;
+    PERFORM streetgen._use_model(model);
+    UPDATE design_crossing c SET kind = side.kind FROM (SELECT design_crossing_id, CASE WHEN own.z >= other.z
+            THEN 'over' ELSE 'under' END AS kind FROM design_crossing x,
+        LATERAL streetgen._alignment_point(elements, grades, x.abscissa) own,
+        LATERAL streetgen._alignment_point(streetgen._link_elements(model, x.other_link_id),
+            streetgen._link_grades(model, x.other_link_id), x.other_abscissa) other
+        WHERE x.design_link_id = link AND NOT x.by_hand AND x.kind <> 'level' AND other.z IS NOT NULL) side
+    WHERE c.design_crossing_id = side.design_crossing_id AND c.kind <> side.kind;
 END $$;
 COMMENT ON FUNCTION streetgen._decide_crossings(name, bigint, float8[], float8[]) IS
     'Crossings of a link that nobody decided go over or under as the road lies that has these grades, which know of no '
@@ -105,42 +104,40 @@ DECLARE
     undecided boolean;
     written bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._find_crossings(model, link);
-    EXECUTE format($sql$SELECT ARRAY[streetgen.terrain_height($2, a.geom), streetgen.terrain_height($2, b.geom)]
-        FROM %1$I.design_link JOIN %1$I.design_node a ON a.design_node_id = node_a
-        JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE design_link_id = $1 $sql$, model)
-        INTO ends USING link, model;
-    EXECUTE format($sql$SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM %I.grade_point,
+    SELECT ARRAY[streetgen.terrain_height(model, a.geom), streetgen.terrain_height(model, b.geom)]
+        FROM design_link JOIN design_node a ON a.design_node_id = node_a
+        JOIN design_node b ON b.design_node_id = node_b WHERE design_link_id = link INTO ends;
+    SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM grade_point,
         unnest(ARRAY[abscissa, height, coalesce(radius, 0)]) WITH ORDINALITY u(v, k)
-        WHERE design_link_id = $1 AND by_hand AND NOT rejected $sql$, model) INTO fixed USING link;
-    EXECUTE format('SELECT coalesce(array_agg(abscissa ORDER BY abscissa), ''{}'') FROM %I.grade_point
-        WHERE design_link_id = $1 AND rejected', model) INTO gone USING link;
+        WHERE design_link_id = link AND by_hand AND NOT rejected INTO fixed;
+    SELECT coalesce(array_agg(abscissa ORDER BY abscissa), '{}') FROM grade_point
+        WHERE design_link_id = link AND rejected INTO gone;
     site := streetgen._road_site(model, streetgen._link_area(model, link), streetgen._link_rules(model, link));
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.design_crossing WHERE design_link_id = $1 AND NOT by_hand
-        AND kind <> ''level'')', model) INTO undecided USING link;
+    SELECT EXISTS (SELECT FROM design_crossing WHERE design_link_id = link AND NOT by_hand
+        AND kind <> 'level') INTO undecided;
     IF undecided THEN
         PERFORM streetgen._decide_crossings(model, link, elements, ARRAY(SELECT v
             FROM streetgen._road_profile(site, elements, ends, fixed, gone, '{}') p,
                 unnest(ARRAY[p.abscissa, p.height, p.radius]) WITH ORDINALITY u(v, k) ORDER BY p.abscissa, k));
     END IF;
-    EXECUTE format('DELETE FROM %I.grade_point WHERE design_link_id = $1 AND NOT by_hand AND NOT rejected', model)
-        USING link;
-    EXECUTE format($sql$
-INSERT INTO %1$I.grade_point (design_link_id, abscissa, height, radius, geom)
-SELECT $1, p.abscissa, p.height, p.radius, ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), $7)
-FROM streetgen._road_profile($2, $3, $4, $5, $6, streetgen._crossing_limits($8, $1, $5)) p,
-    LATERAL streetgen._alignment_point($3, NULL, p.abscissa) a
-WHERE NOT EXISTS (SELECT FROM %1$I.grade_point o WHERE o.design_link_id = $1 AND o.by_hand AND NOT o.rejected
-    AND abs(o.abscissa - p.abscissa) <= 1) $sql$, model) USING link, site, elements, ends, fixed, gone,
-        (SELECT m.srid FROM streetgen.model m WHERE m.name = model), model;
+    DELETE FROM grade_point WHERE design_link_id = link AND NOT by_hand AND NOT rejected;
+    INSERT INTO grade_point (design_link_id, abscissa, height, radius, geom)
+    SELECT link, p.abscissa, p.height, p.radius, ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), (SELECT m.srid
+        FROM streetgen.model m WHERE m.name = model))
+    FROM streetgen._road_profile(site, elements, ends, fixed, gone, streetgen._crossing_limits(model, link, fixed)) p,
+        LATERAL streetgen._alignment_point(elements, NULL, p.abscissa) a
+    WHERE NOT EXISTS (SELECT FROM grade_point o WHERE o.design_link_id = link AND o.by_hand AND NOT o.rejected
+        AND abs(o.abscissa - p.abscissa) <= 1);
     GET DIAGNOSTICS written = ROW_COUNT;
-    EXECUTE format($sql$UPDATE %1$I.grade_point p SET geom = ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), $3)
-        FROM %1$I.grade_point q, LATERAL streetgen._alignment_point($2, NULL, q.abscissa) a
-        WHERE q.grade_point_id = p.grade_point_id AND p.design_link_id = $1 AND p.by_hand $sql$, model)
-        USING link, elements, (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    EXECUTE format($sql$UPDATE %1$I.design_link SET geom = streetgen._alignment_line($2,
-        streetgen._link_grades($3, $1), $4, 0, 1e12, 0.01)::geometry WHERE design_link_id = $1 $sql$, model)
-        USING link, elements, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    UPDATE grade_point p SET geom = ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), (SELECT m.srid
+        FROM streetgen.model m WHERE m.name = model))
+        FROM grade_point q, LATERAL streetgen._alignment_point(elements, NULL, q.abscissa) a
+        WHERE q.grade_point_id = p.grade_point_id AND p.design_link_id = link AND p.by_hand;
+    UPDATE design_link SET geom = streetgen._alignment_line(elements,
+        streetgen._link_grades(model, link), (SELECT m.srid FROM streetgen.model m
+            WHERE m.name = model), 0, 1e12, 0.01)::geometry WHERE design_link_id = link;
     RETURN written;
 EXCEPTION WHEN invalid_parameter_value THEN
     RAISE EXCEPTION 'link % of the design: %', link, SQLERRM USING ERRCODE = '22023',
@@ -151,25 +148,27 @@ COMMENT ON FUNCTION streetgen._design_vertical(name, bigint) IS
     'do not fit: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._broken_rules(model name, link bigint) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     rules jsonb;
     broken text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     rules := streetgen._link_rules(model, link);
-    EXECUTE format($sql$
-SELECT string_agg(word, ', ' ORDER BY place) FROM (
-    SELECT 1 AS place, 'radius' AS word WHERE EXISTS (SELECT FROM %1$I.alignment_element WHERE design_link_id = $1
-        AND NOT rejected AND greatest(abs(curvature_start), abs(curvature_end)) > 1.001 / $2)
-    UNION ALL SELECT 2, 'grade' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment($6)
-        WHERE greatest(abs(grade_start), abs(grade_end)) > 1.005 * $3)
-    UNION ALL SELECT 3, 'crest' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment($6)
-        WHERE kind = 'crest' AND radius < 0.995 * $4)
-    UNION ALL SELECT 4, 'sag' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment($6)
-        WHERE kind = 'sag' AND radius < 0.995 * $5)) w $sql$, model) INTO broken
-        USING link, (rules ->> 'radius')::float8, (rules ->> 'grade')::float8, (rules ->> 'crest')::float8,
-            (rules ->> 'sag')::float8, streetgen._link_grades(model, link);
+    SELECT string_agg(word, ', ' ORDER BY place) FROM (
+        SELECT 1 AS place, 'radius' AS word WHERE EXISTS (SELECT FROM alignment_element WHERE design_link_id = link
+            AND NOT rejected AND greatest(abs(curvature_start), abs(curvature_end)) > 1.001 / ((rules ->>
+                'radius')::float8))
+        UNION ALL SELECT 2, 'grade' WHERE EXISTS (SELECT FROM
+            streetgen._vertical_alignment(streetgen._link_grades(model, link))
+            WHERE greatest(abs(grade_start), abs(grade_end)) > 1.005 * ((rules ->> 'grade')::float8))
+        UNION ALL SELECT 3, 'crest' WHERE EXISTS (SELECT FROM
+            streetgen._vertical_alignment(streetgen._link_grades(model, link))
+            WHERE kind = 'crest' AND radius < 0.995 * ((rules ->> 'crest')::float8))
+        UNION ALL SELECT 4, 'sag' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment(streetgen._link_grades(model,
+            link))
+            WHERE kind = 'sag' AND radius < 0.995 * ((rules ->> 'sag')::float8))) w INTO broken;
     RETURN 'breaks ' || broken;
 END $$;
 COMMENT ON FUNCTION streetgen._broken_rules(name, bigint) IS
@@ -184,32 +183,34 @@ DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
     written bigint;
 BEGIN
-    EXECUTE format('DELETE FROM %I.structure WHERE design_link_id = $1 AND NOT by_hand', model) USING link;
+    PERFORM streetgen._use_model(model);
+    DELETE FROM structure WHERE design_link_id = link AND NOT by_hand;
     -- A road passes over or under another one on a structure as long as both are wide.
-    EXECUTE format($sql$
-INSERT INTO %1$I.structure (design_link_id, kind, start_abscissa, end_abscissa, geom)
-WITH found AS (
-    SELECT substr(what, 4) AS kind, start_abscissa, end_abscissa FROM streetgen._road_estimate(
-        streetgen._road_site($2, streetgen._link_area($2, $1), streetgen._link_rules($2, $1)), $3, $4)
-        WHERE what LIKE 'is %%'
-    UNION ALL SELECT CASE c.kind WHEN 'over' THEN 'bridge' ELSE 'tunnel' END, c.abscissa - k.width / 2 - 10,
-        c.abscissa + k.width / 2 + 10 FROM %1$I.design_crossing c
-        JOIN %1$I.design_link o ON o.design_link_id = c.other_link_id JOIN %1$I.design_class k ON k.network = o.network
-        WHERE c.design_link_id = $1 AND c.kind <> 'level' AND NOT c.rejected AND c.abscissa >= 0),
-joined AS (SELECT kind, unnest(range_agg(numrange(greatest(start_abscissa, 0)::numeric, end_abscissa::numeric)))
-    AS part FROM found GROUP BY kind),
-free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FROM joined WHERE NOT EXISTS (
-    SELECT FROM %1$I.structure o WHERE o.design_link_id = $1 AND numrange(o.start_abscissa::numeric,
-        o.end_abscissa::numeric) && part))
-SELECT $1, kind, low, high, streetgen._alignment_line($3, $4, $5, low, high, 0.01)::geometry FROM free
-WHERE high > low $sql$, model) USING link, model, elements, grades, srid;
+    INSERT INTO structure (design_link_id, kind, start_abscissa, end_abscissa, geom)
+    WITH found AS (
+        SELECT substr(what, 4) AS kind, start_abscissa, end_abscissa FROM streetgen._road_estimate(
+            streetgen._road_site(model, streetgen._link_area(model, link), streetgen._link_rules(model, link)),
+                elements, grades)
+            WHERE what LIKE 'is %'
+        UNION ALL SELECT CASE c.kind WHEN 'over' THEN 'bridge' ELSE 'tunnel' END, c.abscissa - k.width / 2 - 10,
+            c.abscissa + k.width / 2 + 10 FROM design_crossing c
+            JOIN design_link o ON o.design_link_id = c.other_link_id JOIN design_class k ON k.network = o.network
+            WHERE c.design_link_id = link AND c.kind <> 'level' AND NOT c.rejected AND c.abscissa >= 0),
+    joined AS (SELECT kind, unnest(range_agg(numrange(greatest(start_abscissa, 0)::numeric, end_abscissa::numeric)))
+        AS part FROM found GROUP BY kind),
+    free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FROM joined WHERE NOT EXISTS (
+        SELECT FROM structure o WHERE o.design_link_id = link AND numrange(o.start_abscissa::numeric,
+            o.end_abscissa::numeric) && part))
+    SELECT link, kind, low, high, streetgen._alignment_line(elements, grades, srid, low, high, 0.01)::geometry FROM free
+    WHERE high > low;
     GET DIAGNOSTICS written = ROW_COUNT;
-    EXECUTE format($sql$UPDATE %1$I.structure SET geom = CASE WHEN start_abscissa < $5 THEN streetgen._alignment_line(
-        $2, $3, $4, start_abscissa, least(end_abscissa, $5), 0.01)::geometry END
-        WHERE design_link_id = $1 AND by_hand $sql$, model) USING link, elements, grades, srid,
-            elements[cardinality(elements) - 6] + elements[cardinality(elements) - 2];
-    EXECUTE format('UPDATE %I.design_link SET method = streetgen._broken_rules($2, $1) WHERE design_link_id = $1
-        AND method IS DISTINCT FROM streetgen._broken_rules($2, $1)', model) USING link, model;
+    UPDATE structure SET geom = CASE WHEN start_abscissa < (elements[cardinality(elements) - 6] +
+        elements[cardinality(elements) - 2]) THEN streetgen._alignment_line(
+        elements, grades, srid, start_abscissa, least(end_abscissa, elements[cardinality(elements) - 6] +
+            elements[cardinality(elements) - 2]), 0.01)::geometry END
+        WHERE design_link_id = link AND by_hand;
+    UPDATE design_link SET method = streetgen._broken_rules(model, link) WHERE design_link_id = link
+        AND method IS DISTINCT FROM streetgen._broken_rules(model, link);
     RETURN written;
 END $$;
 COMMENT ON FUNCTION streetgen._design_structures(name, bigint) IS

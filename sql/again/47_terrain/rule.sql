@@ -14,39 +14,39 @@ CREATE OR REPLACE FUNCTION streetgen._road_prices() RETURNS text[]
 COMMENT ON FUNCTION streetgen._road_prices() IS 'Settings that are rules of every road.';
 
 CREATE OR REPLACE FUNCTION streetgen._design_number(model name, setting text) RETURNS float8
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$ BEGIN RETURN streetgen._design_text(model, setting)::float8; END $$;
 COMMENT ON FUNCTION streetgen._design_number(name, text) IS 'A setting of the design as a number.';
 
 CREATE OR REPLACE FUNCTION streetgen._design_text(model name, setting text) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     value text;
 BEGIN
-    EXECUTE format('SELECT coalesce((SELECT s.value FROM %I.setting s WHERE s.name = $1), (SELECT d.value
-        FROM streetgen._default_setting() d WHERE d.name = $1))', model) INTO value USING setting;
+    PERFORM streetgen._use_model(model);
+    SELECT coalesce((SELECT s.value FROM setting s WHERE s.name = setting), (SELECT d.value
+        FROM streetgen._default_setting() d WHERE d.name = setting)) INTO value;
     RETURN value;
 END $$;
 COMMENT ON FUNCTION streetgen._design_text(name, text) IS
     'A setting of the design, also of a model that was made before the setting.';
 
 CREATE OR REPLACE FUNCTION streetgen._road_rules(model name, network text) RETURNS jsonb
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     class record;
     standard record;
     rules jsonb;
 BEGIN
-    EXECUTE format('SELECT * FROM %I.design_class WHERE network = $1 AND NOT rejected', model) INTO class
-        USING network;
+    PERFORM streetgen._use_model(model);
+    SELECT * FROM design_class c WHERE c.network = _road_rules.network AND NOT rejected INTO class;
     IF class.network IS NULL THEN
         PERFORM streetgen._refuse('22023', format('network "%s" has no row in design_class', network),
             hint => 'The networks are highway, secondary and rural, a row each.');
     END IF;
-    EXECUTE format('SELECT * FROM %I.design_standard WHERE speed = $1 AND NOT rejected', model) INTO standard
-        USING class.speed;
+    SELECT * FROM design_standard WHERE speed = class.speed AND NOT rejected INTO standard;
     IF standard.speed IS NULL THEN
         PERFORM streetgen._refuse('22023',
             format('speed %s km/h of network %s has no row in design_standard', class.speed, network),
@@ -63,15 +63,15 @@ COMMENT ON FUNCTION streetgen._road_rules(name, text) IS
     'The rules of the roads of a network: name to number. No class, or no standard for its speed: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._link_rules(model name, link bigint) RETURNS jsonb
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     rules jsonb;
 BEGIN
-    EXECUTE format($sql$SELECT r || jsonb_build_object('use_cost', (r ->> 'use_cost')::float8
-            + streetgen._design_number($2, 'utilisation_cost') * coalesce(utilisation, 0))
-        FROM %I.design_link, streetgen._road_rules($2, network) r WHERE design_link_id = $1 $sql$, model)
-        INTO rules USING link, model;
+    PERFORM streetgen._use_model(model);
+    SELECT r || jsonb_build_object('use_cost', (r ->> 'use_cost')::float8
+            + streetgen._design_number(model, 'utilisation_cost') * coalesce(utilisation, 0))
+        FROM design_link, streetgen._road_rules(model, network) r WHERE design_link_id = link INTO rules;
     RETURN rules;
 END $$;
 COMMENT ON FUNCTION streetgen._link_rules(name, bigint) IS
@@ -79,22 +79,22 @@ COMMENT ON FUNCTION streetgen._link_rules(name, bigint) IS
 
 CREATE OR REPLACE FUNCTION streetgen._road_site(model name, area geometry, rules jsonb)
     RETURNS streetgen.road_site
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     site streetgen.road_site;
 BEGIN
+    PERFORM streetgen._use_model(model);
     site.tiles := streetgen._tiles_of(model, area);
-    EXECUTE format($sql$
-WITH class AS (SELECT class, cost, passage, row_number() OVER (ORDER BY zone_class_id) - 1 AS nth FROM %1$I.zone_class
-    WHERE NOT rejected)
-SELECT ARRAY(SELECT geom::bytea FROM %1$I.zone JOIN class USING (class) WHERE geom && $1 AND NOT rejected
-        ORDER BY zone_id),
-    ARRAY(SELECT nth::float8 FROM %1$I.zone JOIN class USING (class) WHERE geom && $1 AND NOT rejected
-        ORDER BY zone_id),
-    ARRAY(SELECT cost FROM class ORDER BY nth),
-    ARRAY(SELECT (array_position(ARRAY['free', 'bridge', 'forbidden'], passage) - 1)::float8 FROM class ORDER BY nth)
-$sql$, model) INTO site.zone_surfaces, site.zone_classes, site.class_costs, site.class_passages USING area;
+    WITH class AS (SELECT class, cost, passage, row_number() OVER (ORDER BY zone_class_id) - 1 AS nth FROM zone_class
+        WHERE NOT rejected)
+    SELECT ARRAY(SELECT geom::bytea FROM zone JOIN class USING (class) WHERE geom && area AND NOT rejected
+            ORDER BY zone_id),
+        ARRAY(SELECT nth::float8 FROM zone JOIN class USING (class) WHERE geom && area AND NOT rejected
+            ORDER BY zone_id),
+        ARRAY(SELECT cost FROM class ORDER BY nth),
+        ARRAY(SELECT (array_position(ARRAY['free', 'bridge', 'forbidden'], passage) - 1)::float8 FROM class
+            ORDER BY nth) INTO site.zone_surfaces, site.zone_classes, site.class_costs, site.class_passages;
     SELECT array_agg(key ORDER BY key), array_agg(value::float8 ORDER BY key) INTO site.rule_names, site.rule_values
         FROM jsonb_each_text(rules);
     RETURN site;

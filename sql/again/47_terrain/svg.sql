@@ -49,6 +49,7 @@ DECLARE
     drawn text;
     svg text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._require_design(model),
         streetgen._check_given('stage', stage, 'width', width::text);
     IF at_stage IS NULL OR width NOT BETWEEN 100 AND 4000 THEN
@@ -56,7 +57,7 @@ BEGIN
             HINT = 'streetgen.design names the stages; a picture is 100 to 4000 pixels wide.';
     END IF;
     IF shown IS NULL THEN
-        EXECUTE format('SELECT ST_SetSRID(ST_Extent(geom)::geometry, 0) FROM %I.terrain_tile', model) INTO shown;
+        SELECT ST_SetSRID(ST_Extent(geom)::geometry, 0) FROM terrain_tile INTO shown;
     END IF;
     IF shown IS NULL THEN
         RAISE EXCEPTION 'model "%" has no terrain to draw', model USING ERRCODE = '22023',
@@ -77,17 +78,17 @@ BEGIN
         svg := svg || coalesce(format(E'\n<path %s d="%s"/>', layer.style, drawn), '');
     END LOOP;
     IF at_stage >= 3 THEN
-        EXECUTE format($q$SELECT string_agg(format('<circle cx="%%s" cy="%%s" r="%%s" fill="%%s" stroke="#111827"/>%%s',
-            round(((ST_X(geom) - ST_XMin($1)) / $2)::numeric, 1), round(((ST_YMax($1) - ST_Y(geom)) / $2)::numeric, 1),
+        SELECT string_agg(format('<circle cx="%s" cy="%s" r="%s" fill="%s" stroke="#111827"/>%s',
+            round(((ST_X(geom) - ST_XMin(shown)) / pixel)::numeric, 1), round(((ST_YMax(shown) - ST_Y(geom)) /
+                pixel)::numeric, 1),
             CASE kind WHEN 'city' THEN 7 WHEN 'town' THEN 5 ELSE 3.5 END,
             CASE kind WHEN 'interchange' THEN '#9ca3af' ELSE '#facc15' END,
-            coalesce(format('<text x="%%s" y="%%s" font-family="sans-serif" font-size="15" stroke="#fff" '
-                'stroke-width="3" paint-order="stroke">%%s</text>',
-                round(((ST_X(geom) - ST_XMin($1)) / $2)::numeric + 9, 1),
-                round(((ST_YMax($1) - ST_Y(geom)) / $2)::numeric - 7, 1),
+            coalesce(format('<text x="%s" y="%s" font-family="sans-serif" font-size="15" stroke="#fff" '
+                'stroke-width="3" paint-order="stroke">%s</text>',
+                round(((ST_X(geom) - ST_XMin(shown)) / pixel)::numeric + 9, 1),
+                round(((ST_YMax(shown) - ST_Y(geom)) / pixel)::numeric - 7, 1),
                 replace(replace(name, '&', '&amp;'), '<', '&lt;')), '')), '')
-            FROM %I.design_node WHERE NOT rejected AND geom && $1 $q$, model)
-            INTO drawn USING shown, pixel;
+            FROM design_node WHERE NOT rejected AND geom && shown INTO drawn;
         svg := svg || E'\n' || coalesce(drawn, '');
     END IF;
     RETURN svg || E'\n</svg>\n';
@@ -106,36 +107,36 @@ DECLARE
     tall constant integer := 260;
     svg text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._require_design(model);
-    EXECUTE format('SELECT geom FROM %I.design_link WHERE design_link_id = $1', model) INTO road USING link;
+    SELECT geom FROM design_link WHERE design_link_id = link INTO road;
     IF road IS NULL THEN
         RAISE EXCEPTION 'link % of the design has no road', link USING ERRCODE = '22023',
             HINT = format('SELECT * FROM streetgen.design(%L) computes it.', model);
     END IF;
-    EXECUTE format($q$
-WITH ground AS (SELECT * FROM streetgen.terrain_profile($1, $2, ST_Length($2) / 400) WHERE height IS NOT NULL),
-road AS (SELECT ST_Length($2) * k / 400.0 AS abscissa, ST_Z(ST_LineInterpolatePoint($2, k / 400.0)) AS height
-    FROM generate_series(0, 400) k),
-bound AS (SELECT min(height) AS low, max(height) AS high FROM (SELECT height FROM ground UNION ALL SELECT height
-    FROM road) h),
-line AS (SELECT what, string_agg(round((abscissa / ST_Length($2) * $3)::numeric, 1) || ',' || round(($4 - 20
-    - (height - low) / greatest(high - low, 10) * ($4 - 40))::numeric, 1), ' ' ORDER BY abscissa) AS points
-    FROM (SELECT 'ground' AS what, * FROM (SELECT abscissa, height FROM ground) g
-        UNION ALL SELECT 'road', * FROM road) l, bound GROUP BY what)
-SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%%s" height="%%s" font-family="sans-serif" '
-    'font-size="13"><rect width="100%%%%" height="100%%%%" fill="#fff"/>', $3, $4)
-    || (SELECT format('<polygon fill="#d6c7a1" points="0,%%s %%s %%s,%%s"/>', $4, points, $3, $4) FROM line
-        WHERE what = 'ground')
-    || coalesce((SELECT string_agg(format('<rect x="%%s" y="0" width="%%s" height="%%s" fill="%%s" opacity="0.25"/>',
-        round((start_abscissa / ST_Length($2) * $3)::numeric, 1),
-        round(((end_abscissa - start_abscissa) / ST_Length($2) * $3)::numeric, 1), $4,
-        CASE kind WHEN 'bridge' THEN '#dc2626' ELSE '#1f2937' END), '') FROM %I.structure WHERE design_link_id = $5
-        AND NOT rejected), '')
-    || (SELECT format('<polyline fill="none" stroke="#1d4ed8" stroke-width="2" points="%%s"/>', points) FROM line
-        WHERE what = 'road')
-    || (SELECT format('<text x="6" y="16">%%s to %%s m high, %%s km</text></svg>', round(low::numeric),
-        round(high::numeric), round((ST_Length($2) / 1000)::numeric, 1)) FROM bound) $q$, model)
-        INTO svg USING model, road, width, tall, link;
+    WITH ground AS (SELECT * FROM streetgen.terrain_profile(model, road, ST_Length(road) / 400)
+        WHERE height IS NOT NULL),
+    road AS (SELECT ST_Length(road) * k / 400.0 AS abscissa, ST_Z(ST_LineInterpolatePoint(road, k / 400.0)) AS height
+        FROM generate_series(0, 400) k),
+    bound AS (SELECT min(height) AS low, max(height) AS high FROM (SELECT height FROM ground UNION ALL SELECT height
+        FROM road) h),
+    line AS (SELECT what, string_agg(round((abscissa / ST_Length(road) * width)::numeric, 1) || ',' || round((tall - 20
+        - (height - low) / greatest(high - low, 10) * (tall - 40))::numeric, 1), ' ' ORDER BY abscissa) AS points
+        FROM (SELECT 'ground' AS what, * FROM (SELECT abscissa, height FROM ground) g
+            UNION ALL SELECT 'road', * FROM road) l, bound GROUP BY what)
+    SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s" font-family="sans-serif" '
+        'font-size="13"><rect width="100%%" height="100%%" fill="#fff"/>', width, tall)
+        || (SELECT format('<polygon fill="#d6c7a1" points="0,%s %s %s,%s"/>', tall, points, width, tall) FROM line
+            WHERE what = 'ground')
+        || coalesce((SELECT string_agg(format('<rect x="%s" y="0" width="%s" height="%s" fill="%s" opacity="0.25"/>',
+            round((start_abscissa / ST_Length(road) * width)::numeric, 1),
+            round(((end_abscissa - start_abscissa) / ST_Length(road) * width)::numeric, 1), tall,
+            CASE kind WHEN 'bridge' THEN '#dc2626' ELSE '#1f2937' END), '') FROM structure WHERE design_link_id = link
+            AND NOT rejected), '')
+        || (SELECT format('<polyline fill="none" stroke="#1d4ed8" stroke-width="2" points="%s"/>', points) FROM line
+            WHERE what = 'road')
+        || (SELECT format('<text x="6" y="16">%s to %s m high, %s km</text></svg>', round(low::numeric),
+            round(high::numeric), round((ST_Length(road) / 1000)::numeric, 1)) FROM bound) INTO svg;
     RETURN svg;
 END $$;
 COMMENT ON FUNCTION streetgen.profile_svg(name, bigint, integer) IS

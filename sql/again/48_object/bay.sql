@@ -59,14 +59,13 @@ CREATE OR REPLACE FUNCTION streetgen._make_type_function(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._types_below(type text) RETURNS text[]
-    LANGUAGE sql STABLE SET search_path FROM CURRENT
-    AS $body$
-    WITH RECURSIVE below AS (SELECT t.type FROM %1$I.object_type t WHERE t.type = $1
-        UNION SELECT t.type FROM below b JOIN %1$I.object_type t ON t.parent = b.type)
-    SELECT coalesce(array_agg(b.type), '{}') FROM below b $body$
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _types_below(type text) RETURNS text[]
+        LANGUAGE sql STABLE SET search_path FROM CURRENT
+        AS $body$
+        WITH RECURSIVE below AS (SELECT t.type FROM object_type t WHERE t.type = $1
+            UNION SELECT t.type FROM below b JOIN object_type t ON t.parent = b.type)
+        SELECT coalesce(array_agg(b.type), '{}') FROM below b $body$;
     PERFORM streetgen._own_function(model, '_types_below(text)', 'A type of objects and those below it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_type_function(name) IS
@@ -76,22 +75,22 @@ CREATE OR REPLACE FUNCTION streetgen._make_bay_functions(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._renew_bays(objects bigint[]) RETURNS void
-    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
-    AS $body$
-    WITH new AS (
-        SELECT b.street_object_id, streetgen._bay_ground(a.line, streetgen._border_offset(streetgen._to_border(a.width,
-                a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders, o.abscissa, o.side), o.axis_offset,
-                o.side),
-            coalesce(o.side, CASE WHEN o.axis_offset > a.roadway_offset THEN 'left' ELSE 'right' END), o.abscissa,
-            b.length, b.width, b.angle) AS ground
-        FROM %1$I.parking_bay b JOIN %1$I.street_object o USING (street_object_id)
-            LEFT JOIN %1$I._street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
-        WHERE b.street_object_id = ANY (objects))
-    UPDATE %1$I.parking_bay b SET surface = n.ground FROM new n
-    WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _renew_bays(objects bigint[]) RETURNS void
+        LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+        AS $body$
+        WITH new AS (
+            SELECT b.street_object_id, streetgen._bay_ground(a.line,
+                streetgen._border_offset(streetgen._to_border(a.width,
+                    a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders, o.abscissa, o.side), o.axis_offset,
+                    o.side),
+                coalesce(o.side, CASE WHEN o.axis_offset > a.roadway_offset THEN 'left' ELSE 'right' END), o.abscissa,
+                b.length, b.width, b.angle) AS ground
+            FROM parking_bay b JOIN street_object o USING (street_object_id)
+                LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+            WHERE b.street_object_id = ANY (objects))
+        UPDATE parking_bay b SET surface = n.ground FROM new n
+        WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
     PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew'),
         streetgen._make_redraw(model, 'parking_bay', 'bays');
 END $$;
@@ -104,13 +103,13 @@ CREATE OR REPLACE FUNCTION streetgen._edit_parking_bay() RETURNS trigger
 DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new bay' ELSE 'bay ' || OLD.street_object_id END;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP <> 'INSERT' THEN
         PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
             ARRAY[OLD.geom]);
     END IF;
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.street_object_id;
+        DELETE FROM street_object WHERE street_object_id = OLD.street_object_id;
         RETURN OLD;
     END IF;
     PERFORM streetgen._check_edit_number('the length of ' || subject, NEW.length, 1, 30, 'm',
@@ -122,20 +121,18 @@ BEGIN
             '0 is parallel to the border, 90 perpendicular.');
     END IF;
     IF TG_OP = 'INSERT' THEN
-        EXECUTE format('INSERT INTO %I.street_object_editing (type, geom, placement, axis_id, abscissa, side, '
-            'axis_offset) VALUES (''parking_bay'', $1, ''border'', $2, $3, $4, $5) RETURNING street_object_id',
-            TG_TABLE_SCHEMA)
-            INTO NEW.street_object_id USING NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset;
+        INSERT INTO street_object_editing (type, geom, placement, axis_id, abscissa, side, axis_offset)
+            VALUES ('parking_bay', NEW.geom, 'border', NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset)
+            RETURNING street_object_id INTO NEW.street_object_id;
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset)
         IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa, OLD.side, OLD.axis_offset) THEN
-        EXECUTE format('UPDATE %I.street_object_editing SET geom = $2, axis_id = $3, abscissa = $4, side = $5,
-            axis_offset = $6 WHERE street_object_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.street_object_id, NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset;
+        UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa, side =
+            NEW.side,
+            axis_offset = NEW.axis_offset WHERE street_object_id = OLD.street_object_id;
     END IF;
-    EXECUTE format('UPDATE %I.parking_bay SET length = coalesce($2, length), width = coalesce($3, width),
-        angle = coalesce($4, angle) WHERE street_object_id = $1 AND (length, width, angle)
-            IS DISTINCT FROM (coalesce($2, length), coalesce($3, width), coalesce($4, angle))',
-        TG_TABLE_SCHEMA) USING NEW.street_object_id, NEW.length, NEW.width, NEW.angle;
+    UPDATE parking_bay SET length = coalesce(NEW.length, length), width = coalesce(NEW.width, width),
+        angle = coalesce(NEW.angle, angle) WHERE street_object_id = NEW.street_object_id AND (length, width, angle)
+            IS DISTINCT FROM (coalesce(NEW.length, length), coalesce(NEW.width, width), coalesce(NEW.angle, angle));
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_parking_bay() IS

@@ -1,16 +1,17 @@
--- What check_model says of objects.
+-- Rules of check_model for objects.
 
 CREATE OR REPLACE FUNCTION streetgen._crowding_objects(model name)
     RETURNS TABLE(street_object_id bigint, geom geometry, type text, source text, source_ref text)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 100 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-SELECT o.street_object_id, o.geom, o.type, o.source, o.source_ref
-FROM %1$I.street_object o JOIN %1$I.object_type t USING (type)
-WHERE o.placed_by <> 'rule' AND t.distance_least > 0 AND EXISTS (SELECT FROM %1$I.street_object p
-    WHERE p.placed_by <> 'rule' AND p.street_object_id <> o.street_object_id
-        AND ST_DWithin(p.geom, o.geom, t.distance_least))$sql$, model);
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    SELECT o.street_object_id, o.geom, o.type, o.source, o.source_ref
+    FROM street_object o JOIN object_type t USING (type)
+    WHERE o.placed_by <> 'rule' AND t.distance_least > 0 AND EXISTS (SELECT FROM street_object p
+        WHERE p.placed_by <> 'rule' AND p.street_object_id <> o.street_object_id
+            AND ST_DWithin(p.geom, o.geom, t.distance_least));
 END $$;
 COMMENT ON FUNCTION streetgen._crowding_objects(name) IS
     'The objects of users and imports that stand nearer to another such one than distance_least of their type.';

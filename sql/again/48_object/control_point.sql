@@ -4,13 +4,13 @@ CREATE OR REPLACE FUNCTION streetgen._carry_controlled_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('UPDATE %I.street_object SET control_point_id = NULL WHERE control_point_id = $1',
-            TG_TABLE_SCHEMA) USING OLD.control_point_id;
+        UPDATE street_object SET control_point_id = NULL WHERE control_point_id = OLD.control_point_id;
     ELSE
-        EXECUTE format('UPDATE %I.street_object SET geom = $2, axis_id = $3, abscissa = NULL, placement = CASE
-                WHEN placement = ''absolute'' THEN ''axis'' ELSE placement END
-            WHERE control_point_id = $1', TG_TABLE_SCHEMA) USING NEW.control_point_id, NEW.geom, NEW.axis_id;
+        UPDATE street_object SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NULL, placement = CASE
+                WHEN placement = 'absolute' THEN 'axis' ELSE placement END
+            WHERE control_point_id = NEW.control_point_id;
     END IF;
     RETURN NULL;
 END $$;
@@ -20,14 +20,16 @@ COMMENT ON FUNCTION streetgen._carry_controlled_object() IS
 
 CREATE OR REPLACE FUNCTION streetgen._stands_at_control_point(model name, control_point bigint, place geometry)
     RETURNS boolean
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     stands boolean := false;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF control_point IS NOT NULL THEN
-        EXECUTE format('SELECT ST_DWithin(geom, $2, 1e-9) FROM %I.control_point WHERE control_point_id = $1', model)
-            INTO stands USING control_point, place;
+        SELECT ST_DWithin(geom, place, 1e-9) FROM control_point
+            WHERE control_point_id = _stands_at_control_point.control_point
+            INTO stands;
     END IF;
     RETURN coalesce(stands, false);
 END $$;
@@ -39,21 +41,21 @@ CREATE OR REPLACE FUNCTION streetgen._find_control_points(model name, source tex
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
-    EXECUTE format($sql$
-WITH kind AS MATERIALIZED (
-    SELECT unnest(%1$I._types_below(type)) AS type, kind FROM (VALUES ('crossing', 'pedestrian_crossing'),
-        ('traffic_light', 'signals'), ('sign', 'stop'), ('sign', 'yield')) k(type, kind)),
-pair AS (
-    SELECT o.street_object_id, c.control_point_id, ST_Distance(o.geom, c.geom) AS away
-    FROM %1$I.street_object o JOIN kind USING (type)
-        JOIN %1$I.control_point c ON c.kind = kind.kind AND ST_DWithin(c.geom, o.geom, 1)
-    WHERE o.source = $1 AND o.control_point_id IS NULL
-        AND NOT EXISTS (SELECT FROM %1$I.street_object p WHERE p.control_point_id = c.control_point_id)),
-nearest AS (
-    SELECT DISTINCT ON (control_point_id) * FROM pair ORDER BY control_point_id, away, street_object_id)
-UPDATE %1$I.street_object o SET control_point_id = n.control_point_id
-FROM (SELECT DISTINCT ON (street_object_id) * FROM nearest ORDER BY street_object_id, away, control_point_id) n
-WHERE o.street_object_id = n.street_object_id$sql$, model) USING source;
+    PERFORM streetgen._use_model(model);
+    WITH kind AS MATERIALIZED (
+        SELECT unnest(_types_below(type)) AS type, kind FROM (VALUES ('crossing', 'pedestrian_crossing'),
+            ('traffic_light', 'signals'), ('sign', 'stop'), ('sign', 'yield')) k(type, kind)),
+    pair AS (
+        SELECT o.street_object_id, c.control_point_id, ST_Distance(o.geom, c.geom) AS away
+        FROM street_object o JOIN kind USING (type)
+            JOIN control_point c ON c.kind = kind.kind AND ST_DWithin(c.geom, o.geom, 1)
+        WHERE o.source = _find_control_points.source AND o.control_point_id IS NULL
+            AND NOT EXISTS (SELECT FROM street_object p WHERE p.control_point_id = c.control_point_id)),
+    nearest AS (
+        SELECT DISTINCT ON (control_point_id) * FROM pair ORDER BY control_point_id, away, street_object_id)
+    UPDATE street_object o SET control_point_id = n.control_point_id
+    FROM (SELECT DISTINCT ON (street_object_id) * FROM nearest ORDER BY street_object_id, away, control_point_id) n
+    WHERE o.street_object_id = n.street_object_id;
 END $$;
 COMMENT ON FUNCTION streetgen._find_control_points(name, text) IS
     'Lets the crossings, signals and signs of an import point to the control point of their kind within a metre, each '

@@ -35,38 +35,37 @@ CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURN
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._renew_crossings(objects bigint[]) RETURNS void
-    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
-    AS $body$
-    WITH drawn AS MATERIALIZED (
-        SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
-            THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle)::geometry
-            END AS stripes
-        FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)
-            LEFT JOIN %1$I._street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
-            LEFT JOIN LATERAL (SELECT coalesce(a.borders, streetgen._even_borders(a.width, a.width_end,
-                ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
-            LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line::bytea, w.borders, o.abscissa, c.width,
-                c.angle)::geometry AS ground OFFSET 0) g ON true
-        WHERE c.street_object_id = ANY (objects)),
-    -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
-    clipped AS (
-        SELECT d.*, k.kept FROM drawn d LEFT JOIN LATERAL (
-            SELECT streetgen._on_roadway(d.ground, ARRAY(
-                SELECT surface FROM %1$I.section WHERE surface && d.ground
-                    AND (SELECT e.level FROM %1$I.edge e WHERE e.edge_id = section.edge_id) = d.level
-                UNION ALL SELECT surface FROM %1$I.intersection WHERE surface && d.ground AND level = d.level))
-                AS kept) k ON d.ground IS NOT NULL),
-    new AS (
-        -- Stripe by stripe, since they may touch in a bend.
-        SELECT street_object_id, kept AS ground, CASE WHEN kept = ground THEN stripes ELSE (
-            SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
-            FROM ST_Dump(stripes) s) END AS stripes FROM clipped)
-    UPDATE %1$I.pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
-    WHERE n.street_object_id = c.street_object_id
-        AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _renew_crossings(objects bigint[]) RETURNS void
+        LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+        AS $body$
+        WITH drawn AS MATERIALIZED (
+            SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
+                THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle)::geometry
+                END AS stripes
+            FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
+                LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+                LEFT JOIN LATERAL (SELECT coalesce(a.borders, streetgen._even_borders(a.width, a.width_end,
+                    ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
+                LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line::bytea, w.borders, o.abscissa, c.width,
+                    c.angle)::geometry AS ground OFFSET 0) g ON true
+            WHERE c.street_object_id = ANY (objects)),
+        -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
+        clipped AS (
+            SELECT d.*, k.kept FROM drawn d LEFT JOIN LATERAL (
+                SELECT streetgen._on_roadway(d.ground, ARRAY(
+                    SELECT surface FROM section WHERE surface && d.ground
+                        AND (SELECT e.level FROM edge e WHERE e.edge_id = section.edge_id) = d.level
+                    UNION ALL SELECT surface FROM intersection WHERE surface && d.ground AND level = d.level))
+                    AS kept) k ON d.ground IS NOT NULL),
+        new AS (
+            -- Stripe by stripe, since they may touch in a bend.
+            SELECT street_object_id, kept AS ground, CASE WHEN kept = ground THEN stripes ELSE (
+                SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
+                FROM ST_Dump(stripes) s) END AS stripes FROM clipped)
+        UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
+        WHERE n.street_object_id = c.street_object_id
+            AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
     PERFORM streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew'),
         streetgen._make_redraw(model, 'pedestrian_crossing', 'crossings');
 END $$;
@@ -79,30 +78,29 @@ CREATE OR REPLACE FUNCTION streetgen._edit_pedestrian_crossing() RETURNS trigger
 DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new crossing' ELSE 'crossing ' || OLD.street_object_id END;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP <> 'INSERT' THEN
         PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
             ARRAY[OLD.geom]);
     END IF;
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.street_object_id;
+        DELETE FROM street_object WHERE street_object_id = OLD.street_object_id;
         RETURN OLD;
     END IF;
     PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.5, 20, 'm',
             (streetgen._usual_crossing()).width || ' is usual.'),
         streetgen._check_edit_number('the angle of ' || subject, NEW.angle, 20, 160, 'degrees', '90 is square.');
     IF TG_OP = 'INSERT' THEN
-        EXECUTE format('INSERT INTO %I.street_object_editing (type, geom, placement, axis_id, abscissa)
-            VALUES (''crossing'', $1, ''axis'', $2, $3) RETURNING street_object_id', TG_TABLE_SCHEMA)
-            INTO NEW.street_object_id USING NEW.geom, NEW.axis_id, NEW.abscissa;
+        INSERT INTO street_object_editing (type, geom, placement, axis_id, abscissa)
+            VALUES ('crossing', NEW.geom, 'axis', NEW.axis_id, NEW.abscissa) RETURNING street_object_id
+                INTO NEW.street_object_id;
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa) THEN
-        EXECUTE format('UPDATE %I.street_object_editing SET geom = $2, axis_id = $3, abscissa = $4
-            WHERE street_object_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.street_object_id, NEW.geom, NEW.axis_id, NEW.abscissa;
+        UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa
+            WHERE street_object_id = OLD.street_object_id;
     END IF;
-    EXECUTE format('UPDATE %I.pedestrian_crossing SET width = coalesce($2, width), angle = coalesce($3, angle)
-        WHERE street_object_id = $1 AND (width, angle) IS DISTINCT FROM (coalesce($2, width), coalesce($3, angle))',
-        TG_TABLE_SCHEMA) USING NEW.street_object_id, NEW.width, NEW.angle;
+    UPDATE pedestrian_crossing SET width = coalesce(NEW.width, width), angle = coalesce(NEW.angle, angle)
+        WHERE street_object_id = NEW.street_object_id AND (width, angle) IS DISTINCT
+            FROM (coalesce(NEW.width, width), coalesce(NEW.angle, angle));
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_pedestrian_crossing() IS

@@ -1,13 +1,14 @@
 -- The edit view of objects.
 
 CREATE OR REPLACE FUNCTION streetgen._snapped_axis(model name, place geometry) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     axis bigint;
 BEGIN
-    EXECUTE format('SELECT axis_id FROM %1$I.axis WHERE ST_DWithin(geom, $1, (SELECT value::float8 FROM %1$I.setting
-        WHERE name = ''object_snap'')) ORDER BY ST_Distance(geom, $1), axis_id LIMIT 1', model) INTO axis USING place;
+    PERFORM streetgen._use_model(model);
+    SELECT axis_id FROM axis WHERE ST_DWithin(geom, place, (SELECT value::float8 FROM setting
+        WHERE name = 'object_snap')) ORDER BY ST_Distance(geom, place), axis_id LIMIT 1 INTO axis;
     RETURN axis;
 END $$;
 COMMENT ON FUNCTION streetgen._snapped_axis(name, geometry) IS
@@ -20,12 +21,13 @@ CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, object bigin
 DECLARE
     ruled boolean := false;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF to_regprocedure(format('%I._begin_ruled_edit()', model)) IS NOT NULL THEN
-        EXECUTE format('SELECT %I._begin_ruled_edit()', model) INTO ruled;
+        SELECT _begin_ruled_edit() INTO ruled;
     END IF;
     PERFORM streetgen._hold_axes(model, axes, CASE WHEN ruled THEN array_remove(places, NULL) END, wait => true);
     -- A wait for the object can be told here; one of the UPDATE below ends in a deadlock of the server.
-    EXECUTE format('SELECT FROM %I.street_object WHERE street_object_id = $1 FOR NO KEY UPDATE', model) USING object;
+    PERFORM FROM street_object WHERE street_object_id = object FOR NO KEY UPDATE;
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     PERFORM streetgen._refuse('55P03', 'another session edits the object or its street',
         detail => streetgen._holders(model), hint => 'Repeat the edit when it has ended, or raise lock_timeout.');
@@ -61,18 +63,18 @@ CREATE OR REPLACE FUNCTION streetgen._edit_street_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Where it was dropped.
+    -- The place where it was dropped.
     dropped geometry;
     axis record;
     at record;
     held bigint;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     PERFORM streetgen._hold_specialised_types(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
         PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
             ARRAY[OLD.geom]);
-        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.street_object_id;
+        DELETE FROM street_object WHERE street_object_id = OLD.street_object_id;
         RETURN OLD;
     ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
@@ -96,7 +98,7 @@ BEGIN
         END IF;
     ELSIF TG_OP = 'UPDATE' AND NEW.placement IN ('axis', 'border') AND NEW.placement IS DISTINCT FROM OLD.placement
         AND (NEW.abscissa, NEW.axis_offset) IS NOT DISTINCT FROM (OLD.abscissa, OLD.axis_offset) THEN
-        -- It stays where it is, and is measured from another line.
+        -- The object stays where it is, and is measured from another line.
         NEW.axis_id := coalesce(NEW.axis_id, streetgen._snapped_axis(TG_TABLE_SCHEMA, OLD.geom));
         NEW.abscissa := NULL;
     END IF;
@@ -124,12 +126,10 @@ BEGIN
             coalesce(NEW.orientation_kind, 'axis');
         RETURN NEW;
     END IF;
-    EXECUTE format('UPDATE %I.street_object SET type = $2, geom = $3, placement = $4, axis_id = $5, abscissa = $6, '
-        'side = $7, axis_offset = $8, orientation = $9, orientation_kind = $10, method = CASE '
-        'WHEN $11 THEN ''absolute'' ELSE method END WHERE street_object_id = $1 '
-        'RETURNING street_object_id', TG_TABLE_SCHEMA)
-        INTO held USING OLD.street_object_id, NEW.type, NEW.geom, NEW.placement, NEW.axis_id, NEW.abscissa,
-        NEW.side, NEW.axis_offset, NEW.orientation, NEW.orientation_kind, dropped IS NOT NULL;
+    UPDATE street_object SET type = NEW.type, geom = NEW.geom, placement = NEW.placement, axis_id = NEW.axis_id,
+        abscissa = NEW.abscissa, side = NEW.side, axis_offset = NEW.axis_offset, orientation = NEW.orientation,
+        orientation_kind = NEW.orientation_kind, method = CASE WHEN (dropped IS NOT NULL) THEN 'absolute' ELSE method
+        END WHERE street_object_id = OLD.street_object_id RETURNING street_object_id INTO held;
     IF held IS NULL THEN
         PERFORM streetgen._refuse('22023', format('object %s is gone', OLD.street_object_id),
             detail => 'Another session deleted it.', hint => 'Refresh the layer.');
@@ -142,26 +142,28 @@ COMMENT ON FUNCTION streetgen._edit_street_object() IS
     'the border; farther away it stands absolute. Typed values count as they are.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_foot(model name, axis bigint, abscissa float8) RETURNS geometry
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     foot geometry;
 BEGIN
-    EXECUTE format('SELECT ST_LineInterpolatePoint(geom, greatest(0, least(1, $2 / ST_Length2D(geom)))) FROM %I.axis
-        WHERE axis_id = $1', model) INTO foot USING axis, abscissa;
+    PERFORM streetgen._use_model(model);
+    SELECT ST_LineInterpolatePoint(geom, greatest(0, least(1, abscissa / ST_Length2D(geom)))) FROM axis
+        WHERE axis_id = _axis_foot.axis INTO foot;
     RETURN foot;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_foot(name, bigint, float8) IS
     'The place of an axis at an abscissa, or at the end that is nearer; NULL for an axis that is gone.';
 
 CREATE OR REPLACE FUNCTION streetgen._own_axis_near(model name, axis bigint, place geometry) RETURNS bigint
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     near bigint;
 BEGIN
-    EXECUTE format('SELECT axis_id FROM %1$I.axis WHERE axis_id = $1 AND ST_DWithin(geom, $2, (SELECT value::float8
-        FROM %1$I.setting WHERE name = ''object_snap''))', model) INTO near USING axis, place;
+    PERFORM streetgen._use_model(model);
+    SELECT axis_id FROM axis WHERE axis_id = _own_axis_near.axis AND ST_DWithin(geom, place, (SELECT value::float8
+        FROM setting WHERE name = 'object_snap')) INTO near;
     RETURN near;
 END $$;
 COMMENT ON FUNCTION streetgen._own_axis_near(name, bigint, geometry) IS

@@ -7,239 +7,241 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_functions(model name) RETURNS 
 DECLARE
     followed record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
-        EXECUTE format('DROP FUNCTION IF EXISTS %1$I._place_objects(bigint[]), %1$I._carry_objects(bigint[], '
-            'geometry[], geometry[]), %1$I.carry_objects_insert(), %1$I.carry_objects_update(), '
-            '%1$I.carry_objects_delete(), %1$I.join_objects(), %1$I._renew_rule_objects(bigint[]), '
-            '%1$I._renew_crossings(bigint[]), %1$I._renew_bays(bigint[]), %1$I._types_below(text), '
-            '%1$I._has_rules(), %1$I._arms_at(bigint), %1$I._take_from_rules(bigint[]), '
-            '%1$I._renew_rules_beside(geometry[]), %1$I._lock_beside(geometry[], boolean), '
-            '%1$I._begin_ruled_edit(), '
-            '%1$I.free_places(), %1$I.fill_places(), %1$I.enter_rules(), %1$I.apply_rules(), %1$I.rejoin_objects(), '
-            '%1$I.leave_edges(), %1$I._street_of_objects(bigint[]), %1$I._hold_borders(bigint[], boolean), '
-            '%1$I.redraw_crossings(), %1$I.redraw_bays() CASCADE', model);
+        PERFORM streetgen._drop_own_functions(model, '{_place_objects,_carry_objects,carry_objects_insert,'
+            'carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,_renew_crossings,_renew_bays,'
+            '_types_below,_has_rules,_arms_at,_take_from_rules,_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
+            'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
+            '_hold_borders,redraw_crossings,redraw_bays}');
         RETURN;
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
         streetgen._make_rule_functions(model),
         streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model);
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._place_objects(axes bigint[])
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
-    -- Of all axes or of some: each has a plan of its own. With less memory the joins of a city have too many parts.
-    SET plan_cache_mode = force_custom_plan SET work_mem = '16MB'
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    nestloop_before constant text := current_setting('enable_nestloop');
-    seqscan_before constant text := current_setting('enable_seqscan');
-BEGIN
-    -- Nothing is known of rows just computed: all of them are joined by hash, and a few are looked up by key.
-    PERFORM set_config(CASE WHEN axes IS NULL THEN 'enable_nestloop' ELSE 'enable_seqscan' END, 'off', true);
-    IF %1$I._has_rules() OR EXISTS (SELECT FROM %1$I.street_object
-        WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
-        PERFORM %1$I._renew_rule_objects(axes);
-    END IF;
-    UPDATE %1$I.street_object o SET geom = n.geom, angle = n.angle
-    FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end,
-                a.roadway_offset, b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom,
-            streetgen._object_angle(a.line, o.abscissa, o.abscissa_end, o.orientation, o.orientation_kind) AS angle
-        FROM %1$I.street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
-                roadway_offset FROM %1$I.axis_used WHERE axes IS NULL
-                    OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
-            LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
-        -- Those of rules are new.
-        WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
-    WHERE o.street_object_id = n.street_object_id
-        AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
-    PERFORM streetgen._renew_specialised(%2$L, axes);
-    PERFORM %1$I._renew_crossings(ARRAY(SELECT c.street_object_id FROM %1$I.pedestrian_crossing c
-            JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes))),
-        %1$I._renew_bays(ARRAY(SELECT b.street_object_id FROM %1$I.parking_bay b
-            JOIN %1$I.street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
-    RETURN QUERY WITH there AS MATERIALIZED (
-        SELECT s.street_object_id, s.axis_id, s.abscissa FROM %1$I.street_object s
-        WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
-    new AS MATERIALIZED (
-        SELECT DISTINCT ON (t.street_object_id) t.street_object_id, e.edge_id
-        FROM there t JOIN %1$I.edge e ON e.axis_id = t.axis_id
-            AND t.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
-        ORDER BY t.street_object_id, e.start_abscissa),
-    old AS MATERIALIZED (
-        SELECT o.street_object_id, o.edge_id FROM %1$I.object_edge o
-        WHERE axes IS NULL OR o.street_object_id = ANY (ARRAY(SELECT street_object_id FROM there))),
-    compared AS MATERIALIZED (
-        SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN old o USING (street_object_id)),
-    -- Of what stands there no more, and of objects whose axes are gone.
-    gone AS (
-        DELETE FROM %1$I.object_edge o WHERE o.street_object_id = ANY (ARRAY(SELECT street_object_id FROM old
-            EXCEPT SELECT street_object_id FROM new)) RETURNING 1),
-    -- A first run has no keys yet.
-    put AS (
-        INSERT INTO %1$I.object_edge (street_object_id, edge_id)
-        SELECT street_object_id, edge_id FROM compared WHERE before IS NULL ORDER BY street_object_id),
-    moved AS (
-        UPDATE %1$I.object_edge o SET edge_id = c.edge_id FROM (SELECT * FROM compared WHERE before <> edge_id) c
-        WHERE o.street_object_id = c.street_object_id)
-    SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
-        (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
-    PERFORM set_config('enable_nestloop', nestloop_before, true), set_config('enable_seqscan', seqscan_before, true);
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I.join_objects() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    DELETE FROM %1$I.object_edge o USING new_object n WHERE o.street_object_id = n.street_object_id
-        AND n.method <> 'relative';
-    INSERT INTO %1$I.object_edge AS o (street_object_id, edge_id)
-        SELECT DISTINCT ON (n.street_object_id) n.street_object_id, e.edge_id
-        FROM new_object n JOIN %1$I.edge e ON e.axis_id = n.axis_id
-            AND n.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
-        WHERE n.method = 'relative' ORDER BY n.street_object_id, e.start_abscissa
-        ON CONFLICT (street_object_id) DO UPDATE SET edge_id = excluded.edge_id WHERE o.edge_id <> excluded.edge_id;
-    INSERT INTO %1$I.pedestrian_crossing (street_object_id)
-        SELECT street_object_id FROM new_object WHERE type = ANY (%1$I._types_below('crossing')) ON CONFLICT DO NOTHING;
-    DELETE FROM %1$I.pedestrian_crossing c USING new_object n WHERE c.street_object_id = n.street_object_id
-        AND n.type <> ALL (%1$I._types_below('crossing'));
-    INSERT INTO %1$I.parking_bay (street_object_id)
-        SELECT street_object_id FROM new_object
-            WHERE type = ANY (%1$I._types_below('parking_bay')) ON CONFLICT DO NOTHING;
-    DELETE FROM %1$I.parking_bay b USING new_object n WHERE b.street_object_id = n.street_object_id
-        AND n.type <> ALL (%1$I._types_below('parking_bay'));
-    PERFORM %1$I._renew_crossings(ARRAY(SELECT street_object_id FROM new_object)),
-        %1$I._renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
-        streetgen._join_specialised(%2$L, ARRAY(SELECT street_object_id FROM new_object));
-    PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM new_object));
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I.leave_edges() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
-    AS $body$
-BEGIN
-    IF TG_OP = 'TRUNCATE' THEN
-        DELETE FROM %1$I.object_edge o WHERE NOT EXISTS (SELECT FROM %1$I.street_object s
-            WHERE s.street_object_id = o.street_object_id);
-    ELSIF TG_TABLE_NAME = 'edge' THEN
-        DELETE FROM %1$I.object_edge o USING gone g WHERE o.edge_id = g.edge_id;
-    ELSE
-        DELETE FROM %1$I.object_edge o USING gone g WHERE o.street_object_id = g.street_object_id;
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS gone
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
-CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON %1$I.edge REFERENCING OLD TABLE AS gone
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
-CREATE OR REPLACE TRIGGER leave_edges_truncate AFTER TRUNCATE ON %1$I.street_object
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.leave_edges();
-COMMENT ON TRIGGER leave_edges ON %1$I.street_object IS 'An object that is gone stands at no edge';
-COMMENT ON TRIGGER leave_edges_truncate ON %1$I.street_object IS 'An object that is gone stands at no edge';
-COMMENT ON TRIGGER leave_edges ON %1$I.edge IS 'No object stands at an edge that is gone';
-CREATE OR REPLACE FUNCTION %1$I.rejoin_objects() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    UPDATE %1$I.street_object SET type = type WHERE type = ANY (%1$I._types_below(NEW.type));
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER rejoin_objects AFTER UPDATE OF parent ON %1$I.object_type FOR EACH ROW
-    WHEN (NEW.parent IS DISTINCT FROM OLD.parent) EXECUTE FUNCTION %1$I.rejoin_objects();
-COMMENT ON TRIGGER rejoin_objects ON %1$I.object_type IS 'Its objects get the rows of what they are a kind of now';
-CREATE OR REPLACE FUNCTION %1$I._carry_objects(axes bigint[], before geometry[], after geometry[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    tolerance constant float8 := streetgen._tolerance(%2$L);
-BEGIN
-    -- Those of changed axes, with the place of the old axis at which they stood.
-    WITH changed AS MATERIALIZED (
-        SELECT c.axis_id, ST_Force2D(c.was) AS was, ST_Force2D(c.now) AS now,
-            c.was IS NOT NULL AND c.now IS NOT NULL AND NOT streetgen._remap_is_cut_back(ST_Force2D(c.was),
-                ST_Force2D(c.now), tolerance) AS moved
-        FROM unnest(axes, before, after) c(axis_id, was, now)),
-    standing AS MATERIALIZED (
-        SELECT o.*, c.was, c.now, c.moved, f.foot, coalesce(ST_DWithin(c.now, f.foot, tolerance), false) AS stays,
-            CASE WHEN o.abscissa_end IS NOT NULL THEN ST_LineInterpolatePoint(c.was,
-                least(1, o.abscissa_end / ST_Length2D(c.was))) END AS foot_end
-        FROM changed c JOIN %1$I.street_object o USING (axis_id),
-            LATERAL (SELECT ST_LineInterpolatePoint(c.was, least(1, o.abscissa / ST_Length2D(c.was))) AS foot) f
-        WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND c.was IS NOT NULL),
-    inherited AS MATERIALIZED (
-        SELECT s.*, h.axis_id AS heir, h.line FROM standing s LEFT JOIN LATERAL (
-            SELECT s.axis_id, s.now AS line, 1 AS turn WHERE s.stays
-            -- Another axis took the ground over: it runs there as this one did.
-            UNION ALL SELECT x.axis_id, ST_Force2D(x.geom), 2 FROM %1$I.axis x
-            WHERE NOT s.stays AND x.axis_id <> s.axis_id
-                AND ST_DWithin(x.geom, s.foot, tolerance)
-                AND abs(cos(streetgen._heading(s.was, s.foot) - streetgen._heading(ST_Force2D(x.geom), s.foot))) > 0.9
-            -- It moved, and is not only cut back.
-            UNION ALL SELECT s.axis_id, s.now, 3
-            WHERE NOT s.stays AND s.moved
-            ORDER BY turn, axis_id LIMIT 1) h ON true),
-    new AS (
-        SELECT street_object_id, heir, at.abscissa, at.abscissa_end, turned,
-            heir IS NULL OR coalesce(at.abscissa_end - at.abscissa < (i.abscissa_end - i.abscissa) / 2, false)
-                AS lost,
-            CASE WHEN turned THEN orientation + CASE WHEN orientation > 0 THEN -180 ELSE 180 END ELSE orientation END
-                AS orientation
-        FROM inherited i, LATERAL (SELECT (streetgen._locate_on(line::bytea, foot::bytea))[1] AS a,
-                (streetgen._locate_on(line::bytea, foot_end::bytea))[1] AS b) l,
-            LATERAL (SELECT coalesce(cosd(streetgen._direction_on(was::bytea, i.abscissa, 0)
-                - streetgen._direction_on(line::bytea, a, 0)) < 0, false) AS turned) t,
-            LATERAL (SELECT CASE WHEN abs(least(a, b) - i.abscissa) < 1e-6 THEN i.abscissa ELSE least(a, b) END
-                AS abscissa, CASE WHEN b IS NOT NULL THEN CASE WHEN abs(greatest(a, b) - i.abscissa_end) < 1e-6
-                THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at)
-    UPDATE %1$I.street_object o SET method = CASE WHEN lost THEN 'orphaned' ELSE 'relative' END,
-        axis_id = CASE WHEN lost THEN o.axis_id ELSE n.heir END,
-        abscissa = CASE WHEN lost THEN o.abscissa ELSE n.abscissa END,
-        abscissa_end = CASE WHEN lost THEN o.abscissa_end ELSE n.abscissa_end END,
-        axis_offset = CASE WHEN n.turned AND o.side IS NULL AND NOT lost THEN -o.axis_offset ELSE o.axis_offset END,
-        side = CASE WHEN n.turned AND NOT lost THEN CASE o.side WHEN 'left' THEN 'right' WHEN 'right' THEN 'left' END
-            ELSE o.side END,
-        orientation = CASE WHEN o.orientation_kind = 'axis' AND NOT lost THEN n.orientation ELSE o.orientation END
-    FROM new n
-    WHERE o.street_object_id = n.street_object_id AND (lost OR turned OR (o.axis_id, o.abscissa, o.abscissa_end)
-        IS DISTINCT FROM (n.heir, n.abscissa, n.abscissa_end));
-    DELETE FROM %1$I.object_edge e USING %1$I.street_object o WHERE o.street_object_id = e.street_object_id
-        AND o.axis_id = ANY (axes) AND o.method = 'orphaned';
-    -- An orphan takes an axis that comes by where it stood at its own.
-    WITH changed AS MATERIALIZED (SELECT c.axis_id FROM unnest(axes, after) c(axis_id, now) WHERE now IS NOT NULL),
-    found AS (
-        SELECT DISTINCT ON (o.street_object_id) o.street_object_id, u.axis_id, p.at[1] AS abscissa, p.at[2] AS beside,
-            s.middle,
-            CASE WHEN o.abscissa_end IS NOT NULL THEN p.at[1] + (o.abscissa_end - o.abscissa) END AS abscissa_end
-        FROM changed JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
-            FROM %1$I.axis_used) u
-                USING (axis_id)
-            JOIN %1$I.street_object o ON o.method = 'orphaned' AND o.geom && ST_Expand(u.line, 400)
-            CROSS JOIN LATERAL (SELECT streetgen._locate_on(u.line::bytea, CASE WHEN o.abscissa_end IS NULL
-                THEN o.geom ELSE ST_StartPoint(o.geom) END::bytea) AS at) p
-            CROSS JOIN LATERAL (SELECT CASE WHEN o.side IS NULL THEN 0 ELSE u.roadway_offset END AS middle) s
-        -- On either side, since the axis may run the other way.
-        WHERE abs(abs(p.at[2] - s.middle) - abs(streetgen._border_offset(streetgen._to_border(u.width, u.width_end,
-                ST_Length2D(u.line), 0, NULL, p.at[1], o.side), o.axis_offset, o.side))) <= tolerance
-            AND ST_DWithin(u.line, o.geom, abs(p.at[2]) + tolerance)
-            AND p.at[1] + coalesce(o.abscissa_end - o.abscissa, 0) <= ST_Length2D(u.line) + 1e-6
-            -- Not beyond an end of it.
-            AND ST_DWithin(streetgen._place_on(u.line::bytea, p.at[1], p.at[2])::geometry, CASE
-                WHEN o.abscissa_end IS NULL THEN o.geom ELSE ST_StartPoint(o.geom) END, tolerance)
-        ORDER BY o.street_object_id, abs(p.at[2]), u.axis_id)
-    UPDATE %1$I.street_object o SET method = 'relative', axis_id = f.axis_id, abscissa = f.abscissa,
-        abscissa_end = f.abscissa_end,
-        side = CASE WHEN o.side IS NOT NULL THEN CASE WHEN beside >= middle THEN 'left' ELSE 'right' END END,
-        axis_offset = CASE WHEN o.side IS NULL THEN beside ELSE o.axis_offset END,
-        orientation = CASE WHEN o.orientation_kind = 'axis' THEN round((o.angle - streetgen._direction_on(
-            (SELECT ST_Force2D(geom)::bytea FROM %1$I.axis a WHERE a.axis_id = f.axis_id), f.abscissa, 0))::numeric, 9)
-            ELSE o.orientation END
-    FROM found f WHERE o.street_object_id = f.street_object_id;
-    -- Streets that follow take their objects along.
-    IF NOT streetgen._live(%2$L) OR streetgen._setting_changed(%2$L) THEN
-        PERFORM FROM %1$I._place_objects(axes);
-    END IF;
-END $body$ $sql$, model, model);
+    CREATE OR REPLACE FUNCTION _place_objects(axes bigint[])
+        RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
+            bigint)
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
+        -- Of all axes or of some: each has a plan of its own. With less memory the joins of a city have too many parts.
+        SET plan_cache_mode = force_custom_plan SET work_mem = '16MB'
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        nestloop_before constant text := current_setting('enable_nestloop');
+        seqscan_before constant text := current_setting('enable_seqscan');
+    BEGIN
+        -- Nothing is known of rows just computed: all of them are joined by hash, and a few are looked up by key.
+        PERFORM set_config(CASE WHEN axes IS NULL THEN 'enable_nestloop' ELSE 'enable_seqscan' END, 'off', true);
+        IF _has_rules() OR EXISTS (SELECT FROM street_object
+            WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
+            PERFORM _renew_rule_objects(axes);
+        END IF;
+        UPDATE street_object o SET geom = n.geom, angle = n.angle
+        FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end,
+                    a.roadway_offset, b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom,
+                streetgen._object_angle(a.line, o.abscissa, o.abscissa_end, o.orientation, o.orientation_kind) AS angle
+            FROM street_object o JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
+                    roadway_offset FROM axis_used WHERE axes IS NULL
+                        OR axis_id = ANY (axes) OFFSET 0) a USING (axis_id)
+                LEFT JOIN streetgen._axis_borders(current_schema(), axes) b USING (axis_id)
+            -- Objects of rules are new.
+            WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
+        WHERE o.street_object_id = n.street_object_id
+            AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
+        PERFORM streetgen._renew_specialised(current_schema(), axes);
+        PERFORM _renew_crossings(ARRAY(SELECT c.street_object_id FROM pedestrian_crossing c
+                JOIN street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes))),
+            _renew_bays(ARRAY(SELECT b.street_object_id FROM parking_bay b
+                JOIN street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
+        RETURN QUERY WITH there AS MATERIALIZED (
+            SELECT s.street_object_id, s.axis_id, s.abscissa FROM street_object s
+            WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
+        new AS MATERIALIZED (
+            SELECT DISTINCT ON (t.street_object_id) t.street_object_id, e.edge_id
+            FROM there t JOIN edge e ON e.axis_id = t.axis_id
+                AND t.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+            ORDER BY t.street_object_id, e.start_abscissa),
+        old AS MATERIALIZED (
+            SELECT o.street_object_id, o.edge_id FROM object_edge o
+            WHERE axes IS NULL OR o.street_object_id = ANY (ARRAY(SELECT street_object_id FROM there))),
+        compared AS MATERIALIZED (
+            SELECT n.*, o.edge_id AS before FROM new n LEFT JOIN old o USING (street_object_id)),
+        -- Rows of what stands there no more, and of objects whose axes are gone.
+        gone AS (
+            DELETE FROM object_edge o WHERE o.street_object_id = ANY (ARRAY(SELECT street_object_id FROM old
+                EXCEPT SELECT street_object_id FROM new)) RETURNING 1),
+        -- A first run has no keys yet.
+        put AS (
+            INSERT INTO object_edge (street_object_id, edge_id)
+            SELECT street_object_id, edge_id FROM compared WHERE before IS NULL ORDER BY street_object_id),
+        moved AS (
+            UPDATE object_edge o SET edge_id = c.edge_id FROM (SELECT * FROM compared WHERE before <> edge_id) c
+            WHERE o.street_object_id = c.street_object_id)
+        SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
+            (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
+        PERFORM set_config('enable_nestloop', nestloop_before, true), set_config('enable_seqscan', seqscan_before,
+            true);
+    END $body$;
+    CREATE OR REPLACE FUNCTION join_objects() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        DELETE FROM object_edge o USING new_object n WHERE o.street_object_id = n.street_object_id
+            AND n.method <> 'relative';
+        INSERT INTO object_edge AS o (street_object_id, edge_id)
+            SELECT DISTINCT ON (n.street_object_id) n.street_object_id, e.edge_id
+            FROM new_object n JOIN edge e ON e.axis_id = n.axis_id
+                AND n.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+            WHERE n.method = 'relative' ORDER BY n.street_object_id, e.start_abscissa
+            ON CONFLICT (street_object_id) DO UPDATE SET edge_id = excluded.edge_id WHERE o.edge_id <> excluded.edge_id;
+        INSERT INTO pedestrian_crossing (street_object_id)
+            SELECT street_object_id FROM new_object WHERE type = ANY (_types_below('crossing')) ON CONFLICT DO NOTHING;
+        DELETE FROM pedestrian_crossing c USING new_object n WHERE c.street_object_id = n.street_object_id
+            AND n.type <> ALL (_types_below('crossing'));
+        INSERT INTO parking_bay (street_object_id)
+            SELECT street_object_id FROM new_object
+                WHERE type = ANY (_types_below('parking_bay')) ON CONFLICT DO NOTHING;
+        DELETE FROM parking_bay b USING new_object n WHERE b.street_object_id = n.street_object_id
+            AND n.type <> ALL (_types_below('parking_bay'));
+        PERFORM _renew_crossings(ARRAY(SELECT street_object_id FROM new_object)),
+            _renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
+            streetgen._join_specialised(current_schema(), ARRAY(SELECT street_object_id FROM new_object));
+        PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM new_object));
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE FUNCTION leave_edges() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+        AS $body$
+    BEGIN
+        IF TG_OP = 'TRUNCATE' THEN
+            DELETE FROM object_edge o WHERE NOT EXISTS (SELECT FROM street_object s
+                WHERE s.street_object_id = o.street_object_id);
+        ELSIF TG_TABLE_NAME = 'edge' THEN
+            DELETE FROM object_edge o USING gone g WHERE o.edge_id = g.edge_id;
+        ELSE
+            DELETE FROM object_edge o USING gone g WHERE o.street_object_id = g.street_object_id;
+        END IF;
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON street_object REFERENCING OLD TABLE AS gone
+        FOR EACH STATEMENT EXECUTE FUNCTION leave_edges();
+    CREATE OR REPLACE TRIGGER leave_edges AFTER DELETE ON edge REFERENCING OLD TABLE AS gone
+        FOR EACH STATEMENT EXECUTE FUNCTION leave_edges();
+    CREATE OR REPLACE TRIGGER leave_edges_truncate AFTER TRUNCATE ON street_object
+        FOR EACH STATEMENT EXECUTE FUNCTION leave_edges();
+    COMMENT ON TRIGGER leave_edges ON street_object IS 'An object that is gone stands at no edge';
+    COMMENT ON TRIGGER leave_edges_truncate ON street_object IS 'An object that is gone stands at no edge';
+    COMMENT ON TRIGGER leave_edges ON edge IS 'No object stands at an edge that is gone';
+    CREATE OR REPLACE FUNCTION rejoin_objects() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    BEGIN
+        UPDATE street_object SET type = type WHERE type = ANY (_types_below(NEW.type));
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER rejoin_objects AFTER UPDATE OF parent ON object_type FOR EACH ROW
+        WHEN (NEW.parent IS DISTINCT FROM OLD.parent) EXECUTE FUNCTION rejoin_objects();
+    COMMENT ON TRIGGER rejoin_objects ON object_type IS 'Its objects get the rows of what they are a kind of now';
+    CREATE OR REPLACE FUNCTION _carry_objects(axes bigint[], before geometry[], after geometry[]) RETURNS void
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+            SET streetgen.computes = 'on'
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        tolerance constant float8 := streetgen._tolerance(current_schema());
+    BEGIN
+        -- Those of changed axes, with the place of the old axis at which they stood.
+        WITH changed AS MATERIALIZED (
+            SELECT c.axis_id, ST_Force2D(c.was) AS was, ST_Force2D(c.now) AS now,
+                c.was IS NOT NULL AND c.now IS NOT NULL AND NOT streetgen._remap_is_cut_back(ST_Force2D(c.was),
+                    ST_Force2D(c.now), tolerance) AS moved
+            FROM unnest(axes, before, after) c(axis_id, was, now)),
+        standing AS MATERIALIZED (
+            SELECT o.*, c.was, c.now, c.moved, f.foot, coalesce(ST_DWithin(c.now, f.foot, tolerance), false) AS stays,
+                CASE WHEN o.abscissa_end IS NOT NULL THEN ST_LineInterpolatePoint(c.was,
+                    least(1, o.abscissa_end / ST_Length2D(c.was))) END AS foot_end
+            FROM changed c JOIN street_object o USING (axis_id),
+                LATERAL (SELECT ST_LineInterpolatePoint(c.was, least(1, o.abscissa / ST_Length2D(c.was))) AS foot) f
+            WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND c.was IS NOT NULL),
+        inherited AS MATERIALIZED (
+            SELECT s.*, h.axis_id AS heir, h.line FROM standing s LEFT JOIN LATERAL (
+                SELECT s.axis_id, s.now AS line, 1 AS turn WHERE s.stays
+                -- Another axis took the ground over: it runs there as this one did.
+                UNION ALL SELECT x.axis_id, ST_Force2D(x.geom), 2 FROM axis x
+                WHERE NOT s.stays AND x.axis_id <> s.axis_id
+                    AND ST_DWithin(x.geom, s.foot, tolerance)
+                    AND abs(cos(streetgen._heading(s.was, s.foot) - streetgen._heading(ST_Force2D(x.geom), s.foot))) >
+                        0.9
+                -- The axis moved, and is not only cut back.
+                UNION ALL SELECT s.axis_id, s.now, 3
+                WHERE NOT s.stays AND s.moved
+                ORDER BY turn, axis_id LIMIT 1) h ON true),
+        new AS (
+            SELECT street_object_id, heir, at.abscissa, at.abscissa_end, turned,
+                heir IS NULL OR coalesce(at.abscissa_end - at.abscissa < (i.abscissa_end - i.abscissa) / 2, false)
+                    AS lost,
+                CASE WHEN turned THEN orientation + CASE WHEN orientation > 0 THEN -180 ELSE 180 END ELSE orientation
+                    END
+                    AS orientation
+            FROM inherited i, LATERAL (SELECT (streetgen._locate_on(line::bytea, foot::bytea))[1] AS a,
+                    (streetgen._locate_on(line::bytea, foot_end::bytea))[1] AS b) l,
+                LATERAL (SELECT coalesce(cosd(streetgen._direction_on(was::bytea, i.abscissa, 0)
+                    - streetgen._direction_on(line::bytea, a, 0)) < 0, false) AS turned) t,
+                LATERAL (SELECT CASE WHEN abs(least(a, b) - i.abscissa) < 1e-6 THEN i.abscissa ELSE least(a, b) END
+                    AS abscissa, CASE WHEN b IS NOT NULL THEN CASE WHEN abs(greatest(a, b) - i.abscissa_end) < 1e-6
+                    THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at)
+        UPDATE street_object o SET method = CASE WHEN lost THEN 'orphaned' ELSE 'relative' END,
+            axis_id = CASE WHEN lost THEN o.axis_id ELSE n.heir END,
+            abscissa = CASE WHEN lost THEN o.abscissa ELSE n.abscissa END,
+            abscissa_end = CASE WHEN lost THEN o.abscissa_end ELSE n.abscissa_end END,
+            axis_offset = CASE WHEN n.turned AND o.side IS NULL AND NOT lost THEN -o.axis_offset ELSE o.axis_offset END,
+            side = CASE WHEN n.turned AND NOT lost THEN CASE o.side WHEN 'left' THEN 'right' WHEN 'right' THEN 'left'
+                END
+                ELSE o.side END,
+            orientation = CASE WHEN o.orientation_kind = 'axis' AND NOT lost THEN n.orientation ELSE o.orientation END
+        FROM new n
+        WHERE o.street_object_id = n.street_object_id AND (lost OR turned OR (o.axis_id, o.abscissa, o.abscissa_end)
+            IS DISTINCT FROM (n.heir, n.abscissa, n.abscissa_end));
+        DELETE FROM object_edge e USING street_object o WHERE o.street_object_id = e.street_object_id
+            AND o.axis_id = ANY (axes) AND o.method = 'orphaned';
+        -- An orphan takes an axis that comes by where it stood at its own.
+        WITH changed AS MATERIALIZED (SELECT c.axis_id FROM unnest(axes, after) c(axis_id, now) WHERE now IS NOT NULL),
+        found AS (
+            SELECT DISTINCT ON (o.street_object_id) o.street_object_id, u.axis_id, p.at[1] AS abscissa, p.at[2] AS
+                beside,
+                s.middle,
+                CASE WHEN o.abscissa_end IS NOT NULL THEN p.at[1] + (o.abscissa_end - o.abscissa) END AS abscissa_end
+            FROM changed JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end, roadway_offset
+                FROM axis_used) u
+                    USING (axis_id)
+                JOIN street_object o ON o.method = 'orphaned' AND o.geom && ST_Expand(u.line, 400)
+                CROSS JOIN LATERAL (SELECT streetgen._locate_on(u.line::bytea, CASE WHEN o.abscissa_end IS NULL
+                    THEN o.geom ELSE ST_StartPoint(o.geom) END::bytea) AS at) p
+                CROSS JOIN LATERAL (SELECT CASE WHEN o.side IS NULL THEN 0 ELSE u.roadway_offset END AS middle) s
+            -- On either side, since the axis may run the other way.
+            WHERE abs(abs(p.at[2] - s.middle) - abs(streetgen._border_offset(streetgen._to_border(u.width, u.width_end,
+                    ST_Length2D(u.line), 0, NULL, p.at[1], o.side), o.axis_offset, o.side))) <= tolerance
+                AND ST_DWithin(u.line, o.geom, abs(p.at[2]) + tolerance)
+                AND p.at[1] + coalesce(o.abscissa_end - o.abscissa, 0) <= ST_Length2D(u.line) + 1e-6
+                -- Not beyond an end of it.
+                AND ST_DWithin(streetgen._place_on(u.line::bytea, p.at[1], p.at[2])::geometry, CASE
+                    WHEN o.abscissa_end IS NULL THEN o.geom ELSE ST_StartPoint(o.geom) END, tolerance)
+            ORDER BY o.street_object_id, abs(p.at[2]), u.axis_id)
+        UPDATE street_object o SET method = 'relative', axis_id = f.axis_id, abscissa = f.abscissa,
+            abscissa_end = f.abscissa_end,
+            side = CASE WHEN o.side IS NOT NULL THEN CASE WHEN beside >= middle THEN 'left' ELSE 'right' END END,
+            axis_offset = CASE WHEN o.side IS NULL THEN beside ELSE o.axis_offset END,
+            orientation = CASE WHEN o.orientation_kind = 'axis' THEN round((o.angle - streetgen._direction_on(
+                (SELECT ST_Force2D(geom)::bytea FROM axis a WHERE a.axis_id = f.axis_id), f.abscissa, 0))::numeric, 9)
+                ELSE o.orientation END
+        FROM found f WHERE o.street_object_id = f.street_object_id;
+        -- Streets that follow take their objects along.
+        IF NOT streetgen._live(current_schema()) OR streetgen._setting_changed(current_schema()) THEN
+            PERFORM FROM _place_objects(axes);
+        END IF;
+    END $body$;
     PERFORM streetgen._own_function(model, '_place_objects(bigint[])',
         'Brings the places of the objects of axes (NULL: of all), and their edges, up to date; a row per table'),
         streetgen._own_function(model, '_carry_objects(bigint[], geometry[], geometry[])',
@@ -275,10 +277,11 @@ DECLARE
     worth_it constant integer := 1000;
     none boolean;
 BEGIN
-    EXECUTE format('SELECT %1$I._has_rules() AND NOT EXISTS (SELECT FROM %1$I.street_object)
-        AND (SELECT count(*) = $1 FROM (SELECT FROM %1$I.axis LIMIT $1) a)
-        AND pg_has_role(relowner, ''USAGE'') FROM pg_class WHERE oid = $2::regclass', model)
-        INTO none USING worth_it, format('%I.street_object', model);
+    PERFORM streetgen._use_model(model);
+    SELECT _has_rules() AND NOT EXISTS (SELECT FROM street_object)
+        AND (SELECT count(*) = worth_it FROM (SELECT FROM axis LIMIT worth_it) a)
+        AND pg_has_role(relowner, 'USAGE') FROM pg_class WHERE oid = format('%I.street_object', model)::regclass
+            INTO none;
     RETURN none;
 END $$;
 COMMENT ON FUNCTION streetgen._has_no_objects(name) IS
@@ -291,6 +294,7 @@ CREATE OR REPLACE FUNCTION streetgen._update_objects(model name, axes bigint[])
 DECLARE
     back text[] := '{}';
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
@@ -298,7 +302,7 @@ BEGIN
         back := ARRAY(SELECT t.statement FROM streetgen._drop_keys(model, '{object_type,street_object,object_edge}') t
             ORDER BY t.turn);
     END IF;
-    RETURN QUERY EXECUTE format('SELECT * FROM %I._place_objects($1)', model) USING axes;
+    RETURN QUERY SELECT * FROM _place_objects(axes);
     FOR i IN 1 .. cardinality(back) LOOP
         EXECUTE back[i];
     END LOOP;

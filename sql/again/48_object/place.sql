@@ -1,4 +1,4 @@
--- Where an object stands that is placed by an axis, or by the border of its roadway.
+-- The place of an object by an axis, or by the border of its roadway.
 
 CREATE OR REPLACE FUNCTION streetgen._axis_borders(model name, axes bigint[])
     RETURNS TABLE(axis_id bigint, borders float8[])
@@ -25,34 +25,34 @@ CREATE OR REPLACE FUNCTION streetgen._make_street_function(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._street_of_objects(objects bigint[])
-    RETURNS TABLE(axis_id bigint, level integer, line geometry, width float8, width_end float8, roadway_offset float8,
-        borders float8[])
-    LANGUAGE plpgsql STABLE ROWS 10 SET search_path FROM CURRENT
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    touched constant bigint[] := ARRAY(SELECT DISTINCT axis_id FROM %1$I.street_object
-        WHERE street_object_id = ANY (objects) AND method = 'relative' ORDER BY axis_id);
-BEGIN
-    RETURN QUERY SELECT u.axis_id, u.level, ST_Force2D(u.geom), u.width, u.width_end, u.roadway_offset, b.borders
-        FROM %1$I.axis_used u LEFT JOIN streetgen._axis_borders(%2$L, touched) b USING (axis_id)
-        WHERE u.axis_id = ANY (touched);
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I._hold_borders(axes bigint[], wait boolean) RETURNS void
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF wait THEN
-        PERFORM FROM %1$I.section s JOIN %1$I.edge e USING (edge_id) WHERE e.axis_id = ANY (axes) ORDER BY edge_id
-            FOR SHARE OF s;
-    ELSE
-        PERFORM FROM %1$I.section s JOIN %1$I.edge e USING (edge_id) WHERE e.axis_id = ANY (axes) ORDER BY edge_id
-            FOR SHARE OF s NOWAIT;
-    END IF;
-END $body$;
-$sql$, model, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _street_of_objects(objects bigint[])
+        RETURNS TABLE(axis_id bigint, level integer, line geometry, width float8, width_end float8, roadway_offset
+            float8,
+            borders float8[])
+        LANGUAGE plpgsql STABLE ROWS 10 SET search_path FROM CURRENT
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        touched constant bigint[] := ARRAY(SELECT DISTINCT axis_id FROM street_object
+            WHERE street_object_id = ANY (objects) AND method = 'relative' ORDER BY axis_id);
+    BEGIN
+        RETURN QUERY SELECT u.axis_id, u.level, ST_Force2D(u.geom), u.width, u.width_end, u.roadway_offset, b.borders
+            FROM axis_used u LEFT JOIN streetgen._axis_borders(current_schema(), touched) b USING (axis_id)
+            WHERE u.axis_id = ANY (touched);
+    END $body$;
+    CREATE OR REPLACE FUNCTION _hold_borders(axes bigint[], wait boolean) RETURNS void
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    BEGIN
+        IF wait THEN
+            PERFORM FROM section s JOIN edge e USING (edge_id) WHERE e.axis_id = ANY (axes) ORDER BY edge_id
+                FOR SHARE OF s;
+        ELSE
+            PERFORM FROM section s JOIN edge e USING (edge_id) WHERE e.axis_id = ANY (axes) ORDER BY edge_id
+                FOR SHARE OF s NOWAIT;
+        END IF;
+    END $body$;
     PERFORM streetgen._own_function(model, '_street_of_objects(bigint[])',
         'The axes by which objects stand, with their lines, widths and borders'),
         streetgen._own_function(model, '_hold_borders(bigint[], boolean)',
@@ -129,12 +129,13 @@ DECLARE
     held text;
     entered boolean;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- Nobody waits here while holding anything that was taken here: who edits axes wants these in another order.
     LOOP
         entered := false;
         BEGIN
             IF places IS NOT NULL THEN
-                EXECUTE format('SELECT %I._lock_beside($1, false)', model) USING places;
+                PERFORM _lock_beside(places, false);
             END IF;
             entered := true;
             EXECUTE hold_axes || ' NOWAIT' USING axes;
@@ -173,9 +174,10 @@ CREATE OR REPLACE FUNCTION streetgen._object_axis(model name, axis bigint, holde
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._hold_axes(model, ARRAY[axis], NULL, wait => holder IS NULL);
-    EXECUTE format('SELECT ST_Force2D(geom), width, width_end, roadway_offset FROM %I.axis_used WHERE axis_id = $1',
-        model) INTO line, width, width_end, roadway_offset USING axis;
+    SELECT ST_Force2D(u.geom), u.width, u.width_end, u.roadway_offset FROM axis_used u WHERE u.axis_id = axis
+        INTO line, width, width_end, roadway_offset;
     borders := (SELECT b.borders FROM streetgen._axis_borders(model, ARRAY[axis]) b);
 EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
     PERFORM streetgen._refuse('55P03',
@@ -194,7 +196,8 @@ CREATE OR REPLACE FUNCTION streetgen._leave_free(model name, rule bigint, place 
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
-    EXECUTE format('INSERT INTO %I.free_place (rule_id, geom) VALUES ($1, $2)', model) USING rule, place;
+    PERFORM streetgen._use_model(model);
+    INSERT INTO free_place (rule_id, geom) VALUES (rule, place);
 END $$;
 COMMENT ON FUNCTION streetgen._leave_free(name, bigint, geometry) IS
     'Keeps a place free of objects of a rule; they are renewed later in the edit.';
@@ -224,8 +227,9 @@ DECLARE
     renamed boolean;
     changed text[] := '{}';
 BEGIN
-    EXECUTE format('SELECT count(*) FILTER (WHERE type = $1) = 1, count(*) FILTER (WHERE type = $2) = 0
-        FROM %I.object_type WHERE type IN ($1, $2)', TG_TABLE_SCHEMA) INTO known, renamed USING NEW.type, OLD.type;
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    SELECT count(*) FILTER (WHERE type = NEW.type) = 1, count(*) FILTER (WHERE type = OLD.type) = 0
+        FROM object_type WHERE type IN (NEW.type, OLD.type) INTO known, renamed;
     IF TG_OP = 'UPDATE' AND known AND renamed THEN
         -- Its type has another name now, and nothing else changed.
         RETURN NEW;
@@ -240,7 +244,7 @@ BEGIN
     IF OLD.placed_by = 'rule' AND (changed <> '{}'
         OR (NEW.placed_by, NEW.rule_id, NEW.rule_place) IS DISTINCT FROM (OLD.placed_by, OLD.rule_id, OLD.rule_place))
     THEN
-        -- It belongs to the user from then on, and the rule leaves its place free.
+        -- The object belongs to the user from then on, and the rule leaves its place free.
         PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom);
         NEW.placed_by := CASE NEW.placed_by WHEN 'rule' THEN 'user' ELSE NEW.placed_by END;
     ELSIF OLD.source_ref IS NOT NULL AND changed <> '{}' AND NEW.by_hand = OLD.by_hand THEN

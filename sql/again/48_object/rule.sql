@@ -9,8 +9,9 @@ DECLARE
     run float8;
     least float8;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF NEW.every < 0.5 THEN
-        EXECUTE format('SELECT coalesce(sum(ST_Length2D(geom)), 0) FROM %I.axis', TG_TABLE_SCHEMA) INTO length;
+        SELECT coalesce(sum(ST_Length2D(geom)), 0) FROM axis INTO length;
         PERFORM streetgen._refuse('22023', format('%s cannot place an object every %s m', subject, NEW.every),
             detail => CASE WHEN NEW.every > 0 THEN format('It would place up to %s objects.',
                 ceil(2 * length / NEW.every)) ELSE 'It would never end.' END,
@@ -284,7 +285,7 @@ DECLARE
         JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
     timeout constant text := current_setting('lock_timeout');
 BEGIN
-    -- Who holds places may wait for an object that this session has written.
+    -- A session that holds places may wait for an object that this one has written.
     IF holding THEN
         PERFORM set_config('lock_timeout', '100ms', true);
     END IF;

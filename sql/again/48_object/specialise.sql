@@ -23,7 +23,8 @@ CREATE OR REPLACE FUNCTION streetgen._hold_specialised_types(model name) RETURNS
 DECLARE
     any_type boolean;
 BEGIN
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.specialised_type)', model) INTO any_type;
+    PERFORM streetgen._use_model(model);
+    SELECT EXISTS (SELECT FROM specialised_type) INTO any_type;
     IF any_type THEN
         PERFORM streetgen._hold_specialised(model, true);
     END IF;
@@ -76,9 +77,8 @@ CREATE OR REPLACE FUNCTION streetgen._join_specialised(model name, objects bigin
 DECLARE
     special record;
 BEGIN
-    FOR special IN EXECUTE format('SELECT relation, function, %1$I._types_below(type) AS types '
-        'FROM %1$I.specialised_type ORDER BY type', model)
-    LOOP
+    PERFORM streetgen._use_model(model);
+    FOR special IN SELECT relation, function, _types_below(type) AS types FROM specialised_type ORDER BY type LOOP
         -- A row that is just being written there brings its object.
         IF current_setting('streetgen.specialises', true) IS DISTINCT FROM special.relation::text THEN
             EXECUTE format('INSERT INTO %1$I.%2$I (street_object_id) SELECT street_object_id FROM %1$I.street_object
@@ -100,9 +100,10 @@ CREATE OR REPLACE FUNCTION streetgen._renew_specialised(model name, axes bigint[
 DECLARE
     objects bigint[];
 BEGIN
-    EXECUTE format('SELECT array_agg(street_object_id ORDER BY street_object_id) FROM %1$I.street_object o
-        WHERE type = ANY (ARRAY(SELECT unnest(%1$I._types_below(s.type)) FROM %1$I.specialised_type s))
-            AND ($1 IS NULL OR o.axis_id = ANY ($1))', model) INTO objects USING axes;
+    PERFORM streetgen._use_model(model);
+    SELECT array_agg(street_object_id ORDER BY street_object_id) FROM street_object o
+        WHERE type = ANY (ARRAY(SELECT unnest(_types_below(s.type)) FROM specialised_type s))
+            AND (axes IS NULL OR o.axis_id = ANY (axes)) INTO objects;
     IF objects IS NOT NULL THEN
         PERFORM streetgen._hold_specialised(model, false), streetgen._join_specialised(model, objects);
     END IF;
@@ -127,14 +128,13 @@ CREATE OR REPLACE FUNCTION streetgen._write_specialised() RETURNS trigger
 DECLARE
     has_geom constant boolean := TG_ARGV[1]::boolean;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
-        EXECUTE format('DELETE FROM %I.street_object WHERE street_object_id = $1', TG_TABLE_SCHEMA)
-            USING OLD.street_object_id;
+        DELETE FROM street_object WHERE street_object_id = OLD.street_object_id;
         RETURN NULL;
     ELSIF TG_OP = 'UPDATE' AND TG_WHEN = 'AFTER' THEN
         IF has_geom AND NEW.geom IS DISTINCT FROM OLD.geom THEN
-            EXECUTE format('UPDATE %I.street_object_editing SET geom = $2 WHERE street_object_id = $1',
-                TG_TABLE_SCHEMA) USING NEW.street_object_id, NEW.geom;
+            UPDATE street_object_editing SET geom = NEW.geom WHERE street_object_id = NEW.street_object_id;
         END IF;
     ELSIF TG_OP = 'UPDATE' THEN
         IF NEW.street_object_id IS DISTINCT FROM OLD.street_object_id THEN
@@ -150,8 +150,8 @@ BEGIN
                     'its row comes by itself.', TG_ARGV[0], TG_TABLE_SCHEMA));
         END IF;
         PERFORM set_config('streetgen.specialises', TG_TABLE_NAME, true);
-        EXECUTE format('INSERT INTO %I.street_object_editing (type, geom) VALUES ($1, $2) RETURNING street_object_id',
-            TG_TABLE_SCHEMA) INTO NEW.street_object_id USING TG_ARGV[0], NEW.geom;
+        INSERT INTO street_object_editing (type, geom) VALUES (TG_ARGV[0], NEW.geom) RETURNING street_object_id
+            INTO NEW.street_object_id;
         PERFORM set_config('streetgen.specialises', '', true);
     END IF;
     RETURN NEW;
@@ -166,8 +166,8 @@ CREATE OR REPLACE FUNCTION streetgen._compute_specialised() RETURNS trigger
 DECLARE
     function text;
 BEGIN
-    EXECUTE format('SELECT function FROM %I.specialised_type WHERE relation = $1', TG_TABLE_SCHEMA) INTO function
-        USING TG_TABLE_NAME;
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    SELECT t.function FROM specialised_type t WHERE t.relation = TG_TABLE_NAME INTO function;
     PERFORM streetgen._compute_specialised(TG_TABLE_SCHEMA, TG_TABLE_NAME, function,
         ARRAY(SELECT street_object_id FROM new_row));
     RETURN NULL;
@@ -278,33 +278,35 @@ DECLARE
     other text;
     objects bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._check_given('model', model, 'type', type, 'relation', relation::text);
     PERFORM streetgen._require_owner(model), streetgen._require_subject(model, 'object'),
         streetgen._hold_specialised(model, true);
-    EXECUTE format('SELECT EXISTS (SELECT FROM %I.object_type t WHERE t.type = $1)', model) INTO known USING type;
+    SELECT EXISTS (SELECT FROM object_type t WHERE t.type = specialise.type) INTO known;
     IF NOT known THEN
         RAISE EXCEPTION 'there is no object type "%"', type USING ERRCODE = '22023',
             HINT = format('SELECT type FROM %I.object_type lists them; a row there makes another.', model);
     END IF;
     PERFORM streetgen._check_specialised(model, type, relation, function);
-    EXECUTE format('SELECT s.type FROM %I.specialised_type s WHERE s.relation = $1 AND s.type <> $2', model) INTO other
-        USING relation, type;
+    SELECT s.type FROM specialised_type s WHERE s.relation = specialise.relation
+        AND s.type <> specialise.type INTO other;
     IF other IS NOT NULL THEN
         RAISE EXCEPTION 'table %.% holds objects of type "%" already', model, relation, other
             USING ERRCODE = '22023', HINT = 'Each type has a table of its own.';
     END IF;
-    EXECUTE format('SELECT s.relation FROM %I.specialised_type s WHERE s.type = $1 AND s.relation <> $2', model)
-        INTO other USING type, relation;
+    SELECT s.relation FROM specialised_type s WHERE s.type = specialise.type
+        AND s.relation <> specialise.relation INTO other;
     PERFORM streetgen._untie_specialised(model, other::name);
     EXECUTE format('ALTER TABLE %1$I.%2$I DROP CONSTRAINT IF EXISTS object_of_the_row, ADD CONSTRAINT object_of_the_row
         FOREIGN KEY (street_object_id) REFERENCES %1$I.street_object ON UPDATE CASCADE ON DELETE CASCADE', model,
         relation);
-    EXECUTE format('INSERT INTO %1$I.specialised_type AS s (type, relation, function) VALUES ($1, $2, $3)
-        ON CONFLICT (type) DO UPDATE SET relation = excluded.relation, function = excluded.function', model)
-        USING type, relation, streetgen._specialised_function(model, relation, streetgen._qualified(function));
+    INSERT INTO specialised_type AS s (type, relation, function) VALUES (type, relation,
+        streetgen._specialised_function(model, relation, streetgen._qualified(function)))
+        ON CONFLICT ON CONSTRAINT specialised_type_pkey
+        DO UPDATE SET relation = excluded.relation, function = excluded.function;
     PERFORM streetgen._tie_specialised(model);
-    EXECUTE format('SELECT coalesce(array_agg(street_object_id ORDER BY street_object_id), ''{}'')
-        FROM %1$I.street_object o WHERE o.type = ANY (%1$I._types_below($1))', model) INTO objects USING type;
+    SELECT coalesce(array_agg(street_object_id ORDER BY street_object_id), '{}')
+        FROM street_object o WHERE o.type = ANY (_types_below(specialise.type)) INTO objects;
     PERFORM streetgen._join_specialised(model, objects);
     RETURN cardinality(objects);
 END $$;

@@ -1,4 +1,4 @@
--- How objects are drawn.
+-- The drawing of objects.
 CREATE OR REPLACE FUNCTION streetgen._object_symbol(place geometry, angle float8, symbol text, size float8)
     RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

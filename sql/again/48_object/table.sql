@@ -1,4 +1,4 @@
--- What stands at streets: types of objects and the objects. Both are input that users own: a run never empties them.
+-- Types of objects, and the objects that stand at streets. Both are input that users own: a run never empties them.
 
 CREATE OR REPLACE FUNCTION streetgen._object_table() RETURNS name[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -126,7 +126,7 @@ COMMENT ON TABLE %1$I.specialised_type
     IS 'Types of objects with a table of their own: streetgen.specialise writes them, for the owner alone';$t$,
         model, srid, (streetgen._usual_bay()).length, (streetgen._usual_bay()).width,
         streetgen._finite('geom'), (streetgen._usual_crossing()).width, (streetgen._usual_crossing()).angle);
-    -- What users took away of a model that is there stays away.
+    -- Types that users took away from a model stay away.
     EXECUTE format('INSERT INTO %I.object_type (type, category, parent, geometry, symbol, size, description)
         SELECT * FROM streetgen._default_object_type() WHERE NOT $1 OR (NOT $2 AND type = ''parking_bay'')
         ON CONFLICT DO NOTHING', model) USING there, bays_there;
@@ -138,12 +138,12 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_tables(model name, srid intege
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._make_object_input_tables(model, srid);
     -- Without foreign keys: they took half of the time of a run with many objects, and its rows come from both tables.
-    EXECUTE format($t$
-CREATE TABLE %1$I.object_edge (street_object_id bigint PRIMARY KEY, edge_id bigint NOT NULL);
-CREATE INDEX object_edge_edge ON %1$I.object_edge (edge_id);
-COMMENT ON TABLE %1$I.object_edge IS 'The edge at which each object that is placed by an axis stands'$t$, model);
+    CREATE TABLE object_edge (street_object_id bigint PRIMARY KEY, edge_id bigint NOT NULL);
+    CREATE INDEX object_edge_edge ON object_edge (edge_id);
+    COMMENT ON TABLE object_edge IS 'The edge at which each object that is placed by an axis stands';
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_tables(name, integer) IS
     'Makes the tables of objects of a model; those that users write may be there from before.';
@@ -152,25 +152,26 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_triggers(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
-        EXECUTE format($t$
-CREATE OR REPLACE TRIGGER place_object BEFORE INSERT OR UPDATE ON %1$I.street_object FOR EACH ROW
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._place_object();
-COMMENT ON TRIGGER place_object ON %1$I.street_object
-    IS 'Computes place and direction of what an axis or border places';
-CREATE OR REPLACE TRIGGER check_rule BEFORE INSERT OR UPDATE ON %1$I.placement_rule FOR EACH ROW
-    EXECUTE FUNCTION streetgen._check_placement_rule();
-COMMENT ON TRIGGER check_rule ON %1$I.placement_rule IS 'Says what a rule may hold';
-CREATE OR REPLACE TRIGGER check_hierarchy BEFORE INSERT OR UPDATE ON %1$I.object_type FOR EACH ROW
-    EXECUTE FUNCTION streetgen._check_object_type();
-COMMENT ON TRIGGER check_hierarchy ON %1$I.object_type IS 'Refuses a type that would stand below itself';
-CREATE OR REPLACE TRIGGER carry_object AFTER UPDATE ON %1$I.control_point FOR EACH ROW
-    WHEN (NEW.geom::bytea IS DISTINCT FROM OLD.geom::bytea) EXECUTE FUNCTION streetgen._carry_controlled_object();
-CREATE OR REPLACE TRIGGER release_object AFTER DELETE ON %1$I.control_point FOR EACH ROW
-    EXECUTE FUNCTION streetgen._carry_controlled_object();
-COMMENT ON TRIGGER carry_object ON %1$I.control_point IS 'The object of a control point goes with it';
-COMMENT ON TRIGGER release_object ON %1$I.control_point IS 'The object of a control point stays without it'$t$, model);
+        CREATE OR REPLACE TRIGGER place_object BEFORE INSERT OR UPDATE ON street_object FOR EACH ROW
+            WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+            EXECUTE FUNCTION streetgen._place_object();
+        COMMENT ON TRIGGER place_object ON street_object
+            IS 'Computes place and direction of what an axis or border places';
+        CREATE OR REPLACE TRIGGER check_rule BEFORE INSERT OR UPDATE ON placement_rule FOR EACH ROW
+            EXECUTE FUNCTION streetgen._check_placement_rule();
+        COMMENT ON TRIGGER check_rule ON placement_rule IS 'Says what a rule may hold';
+        CREATE OR REPLACE TRIGGER check_hierarchy BEFORE INSERT OR UPDATE ON object_type FOR EACH ROW
+            EXECUTE FUNCTION streetgen._check_object_type();
+        COMMENT ON TRIGGER check_hierarchy ON object_type IS 'Refuses a type that would stand below itself';
+        CREATE OR REPLACE TRIGGER carry_object AFTER UPDATE ON control_point FOR EACH ROW
+            WHEN (NEW.geom::bytea IS DISTINCT FROM OLD.geom::bytea) EXECUTE FUNCTION
+                streetgen._carry_controlled_object();
+        CREATE OR REPLACE TRIGGER release_object AFTER DELETE ON control_point FOR EACH ROW
+            EXECUTE FUNCTION streetgen._carry_controlled_object();
+        COMMENT ON TRIGGER carry_object ON control_point IS 'The object of a control point goes with it';
+        COMMENT ON TRIGGER release_object ON control_point IS 'The object of a control point stays without it';
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_triggers(name) IS

@@ -5,6 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._held_by_others(model name, OUT axes bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- The key of a lock, as it was before pg_locks shows it without a sign. Who holds a part shares what it lies in.
     SELECT coalesce(array_agg(key) FILTER (WHERE key < 0 OR key >= 1073741824), '{}'),
         coalesce(array_agg(key) FILTER (WHERE key BETWEEN 4095 AND 1073741823), '{}')
@@ -15,18 +16,15 @@ BEGIN
                 AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
                 AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid
                 AND mode = 'ExclusiveLock') k;
-    EXECUTE format($sql$
-SELECT ARRAY(SELECT axis_id FROM %1$I.axis WHERE streetgen._axis_key(axis_id) = ANY ($1)
-    UNION SELECT axis_id FROM %1$I.edge WHERE streetgen._axis_key(axis_id) = ANY ($1))
-$sql$, model) INTO axes USING chains;
-    -- Who holds a district, or all places, holds the axes there.
+    SELECT ARRAY(SELECT axis_id FROM axis WHERE streetgen._axis_key(axis_id) = ANY (chains)
+        UNION SELECT axis_id FROM edge WHERE streetgen._axis_key(axis_id) = ANY (chains)) INTO axes;
+    -- A session that holds a district, or all places, holds the axes there.
     IF EXISTS (SELECT FROM unnest(places) key WHERE key < 0) THEN
-        EXECUTE format($sql$
-SELECT ARRAY(SELECT unnest($1) UNION SELECT axis_id
-    FROM (SELECT axis_id, geom FROM %1$I.axis UNION ALL SELECT axis_id, geom FROM %1$I.edge) l,
-        (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size') s
-    WHERE -1 = ANY ($2) OR EXISTS (SELECT FROM streetgen._districts_of(geom, size) key WHERE key = ANY ($2)))
-$sql$, model) INTO axes USING axes, places;
+        SELECT ARRAY(SELECT unnest(axes) UNION SELECT axis_id
+            FROM (SELECT axis_id, geom FROM axis UNION ALL SELECT axis_id, geom FROM edge) l,
+                (SELECT value::float8 AS size FROM setting WHERE name = 'cell_size') s
+            WHERE -1 = ANY (places) OR EXISTS (SELECT FROM streetgen._districts_of(geom, size) key
+                WHERE key = ANY (places))) INTO axes;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._held_by_others(name) IS
@@ -40,6 +38,7 @@ DECLARE
     beside bigint[];
     reach record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF places = '{}' THEN
         RETURN '{}';
     END IF;
@@ -63,9 +62,9 @@ WHERE axis_id <> ALL ($1) AND (EXISTS (SELECT FROM far, line l WHERE ST_DWithin(
     OR EXISTS (SELECT FROM size, far, streetgen._cells(s.geom, far / 2, size) key WHERE key = ANY ($2))
     OR EXISTS (SELECT FROM size, streetgen._districts_of(s.geom, size) key WHERE key = ANY ($2)))
 $sql$, model, streetgen._reach_value(), streetgen._reach_names(model)) INTO beside USING axes, places;
-    -- What changed leads on from one to the next.
+    -- Changed axes lead on from one to the next.
     LOOP
-        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO reach USING axes || beside;
+        SELECT * FROM _reach(axes || beside) INTO reach;
         EXIT WHEN reach.stale = '{}';
         beside := beside || reach.stale;
     END LOOP;
@@ -79,7 +78,7 @@ CREATE OR REPLACE FUNCTION streetgen._lock_places_beside(
     model name, axes bigint[], OUT requested bigint[], OUT changed bigint[], OUT written bigint[],
     OUT gathered bigint[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- Who takes places holds the door for a moment.
+    -- A session that takes places holds the door for a moment.
     SET lock_timeout = '100ms' SET jit = off
     AS $$
 DECLARE
@@ -87,6 +86,7 @@ DECLARE
     held bigint[];
     reach record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     requested := '{}';
     changed := '{}';
     written := '{}';
@@ -94,8 +94,7 @@ BEGIN
     PERFORM streetgen._lock_places(model, ARRAY[streetgen._door()], '{}', wait => true);
     others := streetgen._held_by_others(model);
     IF axes IS NULL THEN
-        EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model)
-            INTO requested;
+        SELECT ARRAY(SELECT axis_id FROM axis UNION SELECT axis_id FROM edge) INTO requested;
         changed := requested;
         written := requested;
         gathered := requested;

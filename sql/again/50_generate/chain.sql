@@ -105,19 +105,20 @@ CREATE OR REPLACE FUNCTION streetgen._axes_at_chains(model name, axes bigint[], 
 DECLARE
     touching bigint[] := '{}';
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF streetgen._all_chains() = ANY (chains) THEN
         touching := axes;
     ELSIF chains <> '{}' THEN
-        EXECUTE format($sql$
-WITH street AS MATERIALIZED (
-    SELECT axis_id, edge_id, from_node, to_node FROM %1$I.edge WHERE axis_id = ANY ($1)),
--- With what meets them, since that may go on from them.
-at_node AS (
-    SELECT DISTINCT s.axis_id, e.edge_id FROM street s JOIN %1$I.edge e ON e.from_node IN (s.from_node, s.to_node)
-    UNION SELECT s.axis_id, e.edge_id FROM street s JOIN %1$I.edge e ON e.to_node IN (s.from_node, s.to_node)),
-touched AS (SELECT array_agg(axis_id) AS axes, array_agg(edge_id) AS edges FROM at_node)
-SELECT ARRAY(SELECT DISTINCT k.axis_id FROM touched t, %1$I._chain_keys($1, $1, t.axes, t.edges) k WHERE key = ANY ($2))
-$sql$, model) INTO touching USING axes, chains;
+        WITH street AS MATERIALIZED (
+            SELECT axis_id, edge_id, from_node, to_node FROM edge WHERE axis_id = ANY (axes)),
+        -- With what meets them, since that may go on from them.
+        at_node AS (
+            SELECT DISTINCT s.axis_id, e.edge_id FROM street s JOIN edge e ON e.from_node IN (s.from_node, s.to_node)
+            UNION SELECT s.axis_id, e.edge_id FROM street s JOIN edge e ON e.to_node IN (s.from_node, s.to_node)),
+        touched AS (SELECT array_agg(axis_id) AS axes, array_agg(edge_id) AS edges FROM at_node)
+        SELECT ARRAY(SELECT DISTINCT k.axis_id FROM touched t,
+            _chain_keys(_axes_at_chains.axes, _axes_at_chains.axes, t.axes, t.edges) k
+            WHERE key = ANY (chains)) INTO touching;
     END IF;
     RETURN touching;
 END $$;

@@ -28,7 +28,7 @@ COMMENT ON COLUMN %1$I.deferred_key.relation IS
 COMMENT ON COLUMN %1$I.deferred_key.statement IS 'makes them';
 ALTER TABLE %1$I.deferred_key OWNER TO %2$s
 $sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
-    -- What it says is done with the owner's rights, whoever may write new tables by default.
+    -- Its statements are done with the owner's rights, whoever may write new tables by default.
     FOR writer IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
         WHERE oid = format('%I.deferred_key', model)::regclass AND grantee <> relowner LOOP
         EXECUTE format('REVOKE INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER ON %I.deferred_key FROM %s', model, CASE writer

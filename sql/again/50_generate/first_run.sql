@@ -9,7 +9,8 @@ DECLARE
     relation name;
     held boolean;
 BEGIN
-    EXECUTE format('SELECT count(*) < $1 FROM (SELECT FROM %I.axis LIMIT $1) a', model) INTO held USING worth_it;
+    PERFORM streetgen._use_model(model);
+    SELECT count(*) < worth_it FROM (SELECT FROM axis LIMIT worth_it) a INTO held;
     FOREACH relation IN ARRAY streetgen._computed_tables(model) LOOP
         EXIT WHEN held;
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.%I)', model, relation) INTO held;
@@ -28,7 +29,7 @@ COMMENT ON FUNCTION streetgen._has_no_results(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._analyse(relation regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- Of the default sample of 30,000 rows a table, most of ANALYZE is sorting boxes.
+    -- ANALYZE mostly sorts boxes under the default sample of 30,000 rows a table.
     SET default_statistics_target = 25
     AS $$
 BEGIN

@@ -12,6 +12,7 @@ DECLARE
     skipped_axes bigint := 0;
     lock_timeout_before text := current_setting('lock_timeout');
 BEGIN
+    PERFORM streetgen._use_model(model);
     wait := coalesce(wait, false);
     IF NOT wait THEN
         -- Long enough for a table that another session makes longer, which is over at once.
@@ -23,26 +24,25 @@ BEGIN
         FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE %L::bigint[] IS NULL OR axis_id = '
             'ANY (%2$L)', model, axes) lines;
     -- TRUNCATE takes its table before it enters: who entered must not wait for it.
-    EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
+    LOCK TABLE override_place IN ACCESS SHARE MODE;
     IF axes IS NOT NULL THEN
         -- An id that is neither an axis nor has left rows behind is skipped.
         skipped_axes := (SELECT count(DISTINCT id) FROM unnest(requested) id);
-        EXECUTE format($sql$SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest($1) id
-            WHERE EXISTS (SELECT FROM %1$I.axis WHERE axis_id = id) OR EXISTS (SELECT FROM %1$I.edge
-                WHERE axis_id = id)$sql$, model) INTO requested USING requested;
+        SELECT coalesce(array_agg(DISTINCT id), '{}') FROM unnest(requested) id
+            WHERE EXISTS (SELECT FROM axis WHERE axis_id = id) OR EXISTS (SELECT FROM edge
+                WHERE axis_id = id) INTO requested;
         skipped_axes := skipped_axes - cardinality(requested);
         -- All axes one by one are all axes; fewer than there are need no look at each.
-        EXECUTE format($sql$SELECT NOT EXISTS (SELECT FROM %1$I.axis OFFSET cardinality($1))
-            AND NOT EXISTS (SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge
-                EXCEPT SELECT unnest($1))$sql$, model) INTO whole USING requested;
+        SELECT NOT EXISTS (SELECT FROM axis OFFSET cardinality(requested))
+            AND NOT EXISTS (SELECT axis_id FROM axis UNION SELECT axis_id FROM edge
+                EXCEPT SELECT unnest(requested)) INTO whole;
     END IF;
     IF whole AND streetgen._lock_model(model, wait, alone => true) THEN
         RETURN QUERY SELECT u.relation, u.inserted, u.updated, u.deleted, u.unchanged, CASE u.relation WHEN 'edge'
             THEN skipped_axes ELSE 0 END, u.fallbacks FROM streetgen._upsert_whole(model) u;
     ELSE
         IF requested IS NULL THEN
-            EXECUTE format('SELECT ARRAY(SELECT axis_id FROM %1$I.axis UNION SELECT axis_id FROM %1$I.edge)', model)
-                INTO requested;
+            SELECT ARRAY(SELECT axis_id FROM axis UNION SELECT axis_id FROM edge) INTO requested;
         END IF;
         IF streetgen._setting_changed(model) THEN
             RAISE EXCEPTION 'settings of model "%" changed since its streets were computed', model

@@ -1,4 +1,4 @@
--- What follows the one statement: subjects whose rows may be longer than the reach.
+-- Subjects that follow the one statement: their rows may be longer than the reach.
 
 CREATE OR REPLACE FUNCTION streetgen._later_subjects() RETURNS text[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -14,10 +14,11 @@ CREATE OR REPLACE FUNCTION streetgen._update_later(model name, axes bigint[], bl
 DECLARE
     touched bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF axes IS NULL THEN
         RETURN QUERY SELECT * FROM streetgen._renew_all_blocks(model);
     ELSE
-        RETURN QUERY EXECUTE format('SELECT * FROM %I._renew_blocks($1, $2)', model) USING blocks, axes;
+        RETURN QUERY SELECT * FROM _renew_blocks(blocks, axes);
     END IF;
     RETURN QUERY SELECT * FROM streetgen._update_bridges(model, axes, edges);
     RETURN QUERY SELECT * FROM streetgen._update_objects(model, axes);
@@ -25,10 +26,10 @@ BEGIN
         RETURN;
     END IF;
     IF axes IS NOT NULL THEN
-        EXECUTE format('SELECT ARRAY(SELECT from_node FROM %1$I.edge WHERE axis_id = ANY ($1) UNION SELECT to_node '
-            'FROM %1$I.edge WHERE axis_id = ANY ($1))', model) INTO touched USING axes;
+        SELECT ARRAY(SELECT from_node FROM edge WHERE axis_id = ANY (axes) UNION SELECT to_node FROM edge
+            WHERE axis_id = ANY (axes)) INTO touched;
     END IF;
-    RETURN QUERY EXECUTE format('SELECT * FROM %I._update_junctions($1)', model) USING touched;
+    RETURN QUERY SELECT * FROM _update_junctions(touched);
 END $$;
 COMMENT ON FUNCTION streetgen._update_later(name, bigint[], bigint[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings the subjects up to date that it does not write; '

@@ -22,6 +22,7 @@ DECLARE
     missing constant boolean := keys AND streetgen._keys_are_missing(model);
     entered boolean := true;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF current_setting('transaction_isolation') <> 'read committed' THEN
         PERFORM streetgen._refuse('0A000',
             format('streets of model "%s" need isolation level read committed, this transaction has %s', model,
@@ -30,14 +31,14 @@ BEGIN
     END IF;
     -- What runs goes by one state of the settings, grid of the places included: who changes one waits until it has
     -- ended.
-    EXECUTE format('LOCK TABLE %I.setting IN SHARE MODE', model);
+    LOCK TABLE setting IN SHARE MODE;
     CASE
         WHEN wait AND (alone OR missing) THEN PERFORM pg_advisory_xact_lock(model_key, 0);
         WHEN wait THEN PERFORM pg_advisory_xact_lock_shared(model_key, 0);
         WHEN alone OR missing THEN entered := pg_try_advisory_xact_lock(model_key, 0);
         ELSE entered := pg_try_advisory_xact_lock_shared(model_key, 0);
     END CASE;
-    -- Who waited for another may find them made.
+    -- Another session may have made them meanwhile.
     IF missing AND entered AND streetgen._keys_are_missing(model) THEN
         PERFORM streetgen._make_keys(model);
     END IF;

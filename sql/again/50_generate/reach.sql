@@ -1,4 +1,4 @@
--- How far an edit or a run reaches: the axes that it writes, those it computes with, and the keys that lock both.
+-- The reach of an edit or a run: the axes that it writes, those it computes with, and the keys that lock both.
 
 CREATE OR REPLACE FUNCTION streetgen._runs_along(edge geometry, axis geometry, start_abscissa float8,
     end_abscissa float8) RETURNS boolean
@@ -63,7 +63,7 @@ BEGIN
     SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)
         + 2 * abs(u.roadway_offset)) INTO present, widths FROM %1$I.axis_used u
         WHERE u.axis_id = ANY (requested);
-    -- What the requested axes can change: along the network, and by their roadway.
+    -- Axes that the requested ones can change: along the network, and by their roadway.
     WITH line AS MATERIALIZED (
         SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
         UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
@@ -79,7 +79,7 @@ BEGIN
             FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
                 3 * tolerance)) OFFSET 0) e
         WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
-    -- Where limits cross, the far end of an edge moves too, however far.
+    -- The far end of an edge moves too where limits cross, however far.
     far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
     -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
     reaching AS MATERIALIZED (
@@ -99,7 +99,7 @@ BEGIN
             AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2
                 + abs(e.roadway_offset)))
     SELECT ARRAY(SELECT axis_id FROM part
-            -- What joined its ends may part them.
+            -- An axis that joined its ends may part them.
             UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
                 WHERE issue = 'collapsed_axis'
             UNION SELECT unnest(requested)),
@@ -206,14 +206,14 @@ CREATE OR REPLACE FUNCTION streetgen._reach_of(model name, axes bigint[], OUT re
 DECLARE
     stale bigint[] := axes;
 BEGIN
+    PERFORM streetgen._use_model(model);
     requested := '{}';
     written := '{}';
     gathered := '{}';
     -- An axis that changed while nobody followed changes what is around it too.
     WHILE stale <> '{}' LOOP
         requested := requested || stale;
-        EXECUTE format('SELECT * FROM %I._reach($1)', model) INTO stale, written, gathered, cells, districts, chains
-            USING requested;
+        SELECT * FROM _reach(requested) INTO stale, written, gathered, cells, districts, chains;
     END LOOP;
     cells := coalesce(cells, '{}');
     districts := coalesce(districts, '{}');
@@ -227,15 +227,15 @@ CREATE OR REPLACE FUNCTION streetgen._make_setting_changed(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- No run mixes settings: any edge tells.
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._setting_changed() RETURNS boolean
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    RETURN coalesce((SELECT setting_hash FROM %1$I.edge LIMIT 1) <> (SELECT setting_hash FROM %1$I.setting_used),
-        false);
-END $body$ $sql$, model);
+    CREATE OR REPLACE FUNCTION _setting_changed() RETURNS boolean
+        LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT
+        AS $body$
+    BEGIN
+        RETURN coalesce((SELECT setting_hash FROM edge LIMIT 1) <> (SELECT setting_hash FROM setting_used),
+            false);
+    END $body$;
     PERFORM streetgen._own_function(model, '_setting_changed()',
         'Were settings changed since the streets were computed?');
 END $$;
@@ -248,7 +248,8 @@ CREATE OR REPLACE FUNCTION streetgen._setting_changed(model name) RETURNS boolea
 DECLARE
     changed boolean;
 BEGIN
-    EXECUTE format('SELECT %I._setting_changed()', model) INTO changed;
+    PERFORM streetgen._use_model(model);
+    SELECT _setting_changed() INTO changed;
     RETURN changed;
 END $$;
 COMMENT ON FUNCTION streetgen._setting_changed(name) IS

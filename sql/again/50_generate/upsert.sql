@@ -88,7 +88,7 @@ DECLARE
     work_mem_before text := current_setting('work_mem');
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
-    -- What fails within a loop's query does not show it whole, a thousand lines of CONTEXT.
+    -- An error within a loop's query does not show it whole, a thousand lines of CONTEXT.
     FOR relation, inserted, updated, deleted, unchanged, fallbacks, blocks
         IN EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, run))
             USING written, gathered, changed, may_spread LOOP
@@ -105,6 +105,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_upsert(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: no page
     -- is far; its joins stand in their order.
     EXECUTE format($sql$
@@ -121,14 +122,14 @@ BEGIN
         RETURN NEXT;
     END LOOP;
 END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(model, 'part')));
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._spreads_to(axes bigint[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET enable_seqscan = off
-        SET plan_cache_mode = force_generic_plan
-    AS $body$
-BEGIN
-    RETURN ARRAY(SELECT axis_id FROM %1$I.edge WHERE axis_id = ANY (axes) AND input_hash = 0);
-END $body$ $sql$, model);
+    CREATE OR REPLACE FUNCTION _spreads_to(axes bigint[]) RETURNS bigint[]
+        LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+            SET enable_seqscan = off
+            SET plan_cache_mode = force_generic_plan
+        AS $body$
+    BEGIN
+        RETURN ARRAY(SELECT axis_id FROM edge WHERE axis_id = ANY (axes) AND input_hash = 0);
+    END $body$;
     PERFORM streetgen._own_function(model, '_spreads_to(bigint[])',
         'Of axes that a run wrote those along which the change goes on beyond them: it left them marked as stale');
     PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[], boolean)',
@@ -153,6 +154,7 @@ DECLARE
     moved bigint[];
     edges bigint[] := '{}';
 BEGIN
+    PERFORM streetgen._use_model(model);
     LOOP
         edges := edges || streetgen._edges_at_bridges(model, written);
         FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN EXECUTE format('SELECT * FROM '
@@ -163,7 +165,7 @@ BEGIN
             RETURN NEXT;
         END LOOP;
         EXIT WHEN NOT may_spread;
-        EXECUTE format('SELECT %I._spreads_to($1)', model) INTO spreads_to USING written;
+        SELECT _spreads_to(written) INTO spreads_to;
         EXIT WHEN spreads_to = '{}';
         -- Not to wait while places are held; where others hold theirs they stay stale.
         locked := streetgen._lock_places(model, changed || spreads_to, wait => false);

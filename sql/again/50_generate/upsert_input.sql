@@ -3,7 +3,7 @@
 CREATE OR REPLACE FUNCTION streetgen._upsert_former(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$
--- What is there before the change. OFFSET 0: each is looked up by its key, and not joined.
+-- Rows as they are before the change. OFFSET 0: each is looked up by its key, and not joined.
 former_edge AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
            s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,

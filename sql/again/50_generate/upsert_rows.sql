@@ -34,7 +34,7 @@ set_{relation} AS (
     INSERT INTO {model}.{relation} ({id}, {written})
     SELECT {id_new}, {written} FROM new_{relation} WHERE changed$part$ || CASE run
         WHEN 'cluster' THEN ' AND NOT fresh'
-        -- Of a whole model what changed is not looked for where nothing did.
+        -- A run over a whole model does not look for what changed where nothing did.
         WHEN 'whole' THEN ' AND (SELECT inserted + updated > 0 FROM count_{relation})' ELSE '' END
     || CASE WHEN run IN ('whole', 'empty') THEN '' ELSE ' ORDER BY number' END
     || CASE run WHEN 'empty' THEN '' ELSE $part$
@@ -68,7 +68,7 @@ add_{relation} AS (
 {relation}_ids AS MATERIALIZED (SELECT streetgen._ids(number, {id}) AS ids FROM new_{relation})$part$ ELSE '' END
     || CASE WHEN there IS NULL THEN '' ELSE $part$,
 gone_{relation} AS (
-    -- Of a whole model every row is looked at only where one is too many.
+    -- A run over a whole model looks at every row only where one is too many.
     DELETE FROM {model}.{relation} WHERE NOT {empty}
         AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT updated + unchanged
         FROM count_{relation})) AND {id} = ANY (ARRAY(
@@ -105,7 +105,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_row_places(places jsonb, relation t
             WHEN named THEN format('coalesce(old.%1$s, %2$s) AS %1$s, ', id, next_id) ELSE format('old.%s, ', id) END,
         'id_new', CASE WHEN identity IS NULL THEN id WHEN run = 'empty' AND NOT named THEN next_id
             ELSE format('coalesce(%s, %s)', id, next_id) END,
-        -- Of a whole model what stays as it is need not be stored.
+        -- A run over a whole model need not store what stays as it is.
         'stored', CASE WHEN named OR read OR run <> 'whole' THEN '*' ELSE concat_ws(', ', 'fresh, changed, number', id,
             regexp_replace(columns, '\m(?!method\M)\w+', 'CASE WHEN changed THEN \& END AS \&', 'g')) END,
         'fallbacks', CASE WHEN columns ~ '\mmethod\M' THEN 'count(*) FILTER (WHERE method <> ''hypothesis'')'

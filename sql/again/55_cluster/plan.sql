@@ -9,11 +9,13 @@ COMMENT ON FUNCTION streetgen._clusters(float8[], float8[], integer) IS
 CREATE OR REPLACE FUNCTION streetgen._axis_lines(model name) RETURNS TABLE(axis_id bigint, geom geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 BEGIN
-    RETURN QUERY EXECUTE format('SELECT axis_id, ST_Force2D(geom) FROM %1$I.axis
-        UNION ALL (SELECT DISTINCT ON (axis_id) axis_id, ST_Force2D(geom) FROM %1$I.edge e
-            WHERE NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = e.axis_id)
-            ORDER BY axis_id, start_abscissa)', model);
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT axis_id, ST_Force2D(geom) FROM axis
+        UNION ALL (SELECT DISTINCT ON (axis_id) axis_id, ST_Force2D(geom) FROM edge e
+            WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = e.axis_id)
+            ORDER BY axis_id, start_abscissa);
 END $$;
 COMMENT ON FUNCTION streetgen._axis_lines(name) IS
     'The line of each axis of a model, and one edge of each that is gone and has left edges behind.';
@@ -81,7 +83,8 @@ CREATE OR REPLACE FUNCTION streetgen._setting_hash(model name) RETURNS bigint
 DECLARE
     hash bigint;
 BEGIN
-    EXECUTE format('SELECT setting_hash FROM %I.axis_used LIMIT 1', model) INTO hash;
+    PERFORM streetgen._use_model(model);
+    SELECT setting_hash FROM axis_used LIMIT 1 INTO hash;
     RETURN coalesce(hash, 0);
 END $$;
 COMMENT ON FUNCTION streetgen._setting_hash(name) IS 'Hash of the settings of a model; 0 for one without axes.';
@@ -100,6 +103,7 @@ DECLARE
     came integer;
     hash bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_settings(model);
     IF clusters < 1 OR sessions IS NULL OR sessions < 1 THEN
@@ -108,32 +112,32 @@ BEGIN
             HINT = 'At least one of each.';
     END IF;
     -- Beside sessions that compute a cluster, but not beside another plan.
-    EXECUTE format('LOCK TABLE %I.cluster IN SHARE UPDATE EXCLUSIVE MODE', model);
+    LOCK TABLE cluster IN SHARE UPDATE EXCLUSIVE MODE;
     hash := streetgen._setting_hash(model);
-    EXECUTE format('SELECT count(*), count(*) FILTER (WHERE setting_hash = $1), count(*) FILTER (WHERE ended IS NULL '
-        'AND setting_hash = $1) FROM %I.cluster', model) INTO planned, same, left_over USING hash;
+    SELECT count(*), count(*) FILTER (WHERE setting_hash = hash), count(*) FILTER (WHERE ended IS NULL
+        AND setting_hash = hash) FROM cluster INTO planned, same, left_over;
     IF left_over > 0 OR same > 0 AND streetgen._keys_are_missing(model) THEN
-        -- What came since in no cluster is one more.
-        EXECUTE format($sql$INSERT INTO %1$I.cluster (cluster_id, axes, hull, setting_hash)
-            SELECT max(k.cluster_id) + 1, n.ids, n.hull, $1 FROM %1$I.cluster k, (
+        -- Axes that came since, in no cluster, are one more.
+        INSERT INTO cluster (cluster_id, axes, hull, setting_hash)
+            SELECT max(k.cluster_id) + 1, n.ids, n.hull, hash FROM cluster k, (
                 SELECT array_agg(a.axis_id) AS ids, ST_ConvexHull(ST_Collect(geom)) AS hull
-                    FROM streetgen._axis_lines(%2$L) a
-                WHERE NOT EXISTS (SELECT FROM %1$I.cluster c, unnest(c.axes) id WHERE id = a.axis_id)) n
-                    WHERE n.ids IS NOT NULL GROUP BY n.ids, n.hull$sql$, model, model) USING hash;
+                    FROM streetgen._axis_lines(model) a
+                WHERE NOT EXISTS (SELECT FROM cluster c, unnest(c.axes) id WHERE id = a.axis_id)) n
+                    WHERE n.ids IS NOT NULL GROUP BY n.ids, n.hull;
         GET DIAGNOSTICS came = ROW_COUNT;
         IF came > 0 THEN
             -- They may change what is computed already.
             PERFORM streetgen._lock_model(model, wait => true, alone => false);
         END IF;
         RAISE NOTICE 'model "%": % of % clusters are done, the run goes on', model, planned - left_over, planned;
-        EXECUTE format('SELECT count(*) FROM %I.cluster WHERE ended IS NULL', model) INTO left_over;
+        SELECT count(*) FROM cluster WHERE ended IS NULL INTO left_over;
         RETURN left_over;
     END IF;
     PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
         FROM format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model) lines;
     SELECT count(*) INTO many FROM streetgen._axis_lines(model);
     planned := least(many, coalesce(clusters, sessions * ceil(many / (axes_of_cluster::float8 * sessions))));
-    EXECUTE format('DELETE FROM %I.cluster', model);
+    DELETE FROM cluster;
     IF streetgen._keys_are_missing(model) OR streetgen._has_no_results(model) THEN
         PERFORM streetgen._lock_model(model, wait => true, alone => true);
         IF streetgen._has_no_results(model) THEN
@@ -141,10 +145,10 @@ BEGIN
         END IF;
     END IF;
     IF planned > 0 THEN
-        EXECUTE format('INSERT INTO %I.cluster (cluster_id, axes, hull, setting_hash)
-            SELECT c.cluster, array_agg(c.axis_id ORDER BY c.axis_id), ST_ConvexHull(ST_Collect(geom)), $1
-            FROM streetgen.cluster(%2$L, $2) c JOIN streetgen._axis_lines(%2$L) a USING (axis_id) GROUP BY c.cluster',
-                model, model) USING hash, planned;
+        INSERT INTO cluster (cluster_id, axes, hull, setting_hash)
+            SELECT c.cluster, array_agg(c.axis_id ORDER BY c.axis_id), ST_ConvexHull(ST_Collect(geom)), hash
+            FROM streetgen.cluster(model, planned) c JOIN streetgen._axis_lines(model) a USING (axis_id) GROUP BY
+                c.cluster;
     END IF;
     RETURN planned;
 END $$;

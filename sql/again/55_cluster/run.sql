@@ -24,7 +24,7 @@ id AS MATERIALIZED (
     SELECT array_agg(axis_id) AS near FROM (
         SELECT a.axis_id FROM hull h JOIN %1$I.axis a ON ST_DWithin(a.geom, h.geom, $3)
             UNION SELECT axis_id FROM beside UNION SELECT unnest($2)
-        -- Of an edge the far end may move, however far it is.
+        -- The far end of an edge may move, however far it is.
         UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY (ARRAY(SELECT node_id FROM node))
             UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY (ARRAY(SELECT node_id FROM node))) i),
 near AS MATERIALIZED (SELECT a.geom FROM id JOIN %1$I.axis a ON axis_id = ANY (near)
@@ -40,7 +40,7 @@ SELECT (SELECT near FROM id),
        (SELECT array_agg(DISTINCT key) FROM box, streetgen._districts(west, south, east, north) key)
 $sql$, model, streetgen._merging_run_of(model, '$1 || $2')) INTO near, districts
     USING requested, written, reach + widest, size;
-    -- Of an axis that is gone without a trace nothing is to be locked.
+    -- An axis that is gone without a trace leaves nothing to be locked.
     near := near || requested || written;
     districts := coalesce(districts, '{}');
 END $$;
@@ -61,58 +61,56 @@ DECLARE
     -- No roadway is wider.
     widest constant float8 := 200;
 BEGIN
+    PERFORM streetgen._use_model(model);
     EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8)
         FILTER (WHERE name = 'tolerance') FROM %1$I.setting WHERE name IN (%3$s, 'tolerance')$sql$, model,
         streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, near;
-    -- What lies around is less than what lies inside: it looks for that.
-    EXECUTE format($sql$
-WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM %1$I.axis
-    WHERE axis_id = ANY ($1)),
-around AS MATERIALIZED (
-    SELECT a.axis_id, a.geom FROM hull h, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
-        WHERE ST_DWithin(a.geom, h.geom, $2) OFFSET 0) a
-    WHERE a.axis_id <> ALL ($1) AND (SELECT true FROM %1$I.edge e WHERE e.axis_id = a.axis_id LIMIT 1))
-SELECT $1 || ARRAY(SELECT axis_id FROM around a WHERE (
-    SELECT true FROM (SELECT o.axis_id FROM %1$I.axis o WHERE ST_DWithin(o.geom, a.geom, $2) OFFSET 0) o
-        WHERE o.axis_id = ANY ($1) LIMIT 1))
-$sql$, model) INTO written USING axes, near;
-    EXECUTE format($sql$
-WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
-    FROM %1$I.axis_used
-    WHERE axis_id = ANY ($1)),
-around AS MATERIALIZED (
-    SELECT axis_id, geom, half, most FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull,
-        (SELECT max(half) FROM inside) AS most FROM %1$I.axis WHERE axis_id = ANY ($1)) h,
-        LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
-            FROM %1$I.axis_used u
-            WHERE ST_DWithin(u.geom, hull, $2 + $4) AND u.axis_id <> ALL ($1) OFFSET 0) u
-    WHERE ST_DWithin(geom, hull, $2 + half + most)),
-near AS MATERIALIZED (
-    SELECT DISTINCT ON (p.axis_id) p.axis_id, p.geom FROM (
-        SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line
-            FROM around u, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
-            WHERE a.geom && ST_Expand(u.geom, $2 + u.half + most) OFFSET 0) o) p
-    JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, $2 + p.half + w.half)),
--- Merging lanes come along a highway from afar.
-beside AS MATERIALIZED (
-    SELECT axis_id, geom FROM near
-    UNION ALL SELECT a.axis_id, a.geom FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull
-        FROM %1$I.axis WHERE axis_id = ANY ($1)) h JOIN %1$I.axis a ON ST_DWithin(a.geom, hull, $5)
-        LEFT JOIN %1$I.axis_class c ON c.class = a.kind
-    WHERE streetgen._may_be_highway(a.kind, c.highway_role) AND a.axis_id <> ALL ($1)
-        AND a.axis_id NOT IN (SELECT axis_id FROM near)),
--- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What meets
--- those inside lies beside them.
-met AS MATERIALIZED (
-    SELECT DISTINCT ON (m.axis_id) m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM %1$I.axis a
-        WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m
-    WHERE m.axis_id <> ALL ($1) AND m.axis_id NOT IN (SELECT axis_id FROM beside))
-SELECT array_agg(axis_id) FROM (
-    SELECT unnest($1) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
-    UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM %1$I.axis a
-        WHERE ST_DWithin(a.geom, b.geom, $3) OFFSET 0) m) g
-$sql$, model) INTO gathered USING written, reach, near, widest, CASE WHEN 'ramp' = ANY (streetgen._subjects(model))
-        THEN streetgen._merging_reach(model) END;
+    -- Fewer axes lie around than inside: the query begins with those.
+    WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM axis
+        WHERE axis_id = ANY (axes)),
+    around AS MATERIALIZED (
+        SELECT a.axis_id, a.geom FROM hull h, LATERAL (SELECT axis_id, geom FROM axis a
+            WHERE ST_DWithin(a.geom, h.geom, near) OFFSET 0) a
+        WHERE a.axis_id <> ALL (axes) AND (SELECT true FROM edge e WHERE e.axis_id = a.axis_id LIMIT 1))
+    SELECT axes || ARRAY(SELECT axis_id FROM around a WHERE (
+        SELECT true FROM (SELECT o.axis_id FROM axis o WHERE ST_DWithin(o.geom, a.geom, near) OFFSET 0) o
+            WHERE o.axis_id = ANY (axes) LIMIT 1)) INTO written;
+    WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
+        FROM axis_used
+        WHERE axis_id = ANY (written)),
+    around AS MATERIALIZED (
+        SELECT axis_id, geom, half, most FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull,
+            (SELECT max(half) FROM inside) AS most FROM axis WHERE axis_id = ANY (written)) h,
+            LATERAL (SELECT axis_id, geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
+                FROM axis_used u
+                WHERE ST_DWithin(u.geom, hull, reach + widest) AND u.axis_id <> ALL (written) OFFSET 0) u
+        WHERE ST_DWithin(geom, hull, reach + half + most)),
+    near AS MATERIALIZED (
+        SELECT DISTINCT ON (p.axis_id) p.axis_id, p.geom FROM (
+            SELECT u.axis_id, u.geom, u.half, o.axis_id AS other, o.geom AS line
+                FROM around u, LATERAL (SELECT axis_id, geom FROM axis a
+                WHERE a.geom && ST_Expand(u.geom, reach + u.half + most) OFFSET 0) o) p
+        JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, reach + p.half + w.half)),
+    -- Merging lanes come along a highway from afar.
+    beside AS MATERIALIZED (
+        SELECT axis_id, geom FROM near
+        UNION ALL SELECT a.axis_id, a.geom FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull
+            FROM axis WHERE axis_id = ANY (written)) h JOIN axis a ON ST_DWithin(a.geom, hull, CASE WHEN 'ramp' = ANY
+                (streetgen._subjects(model)) THEN streetgen._merging_reach(model) END)
+            LEFT JOIN axis_class c ON c.class = a.kind
+        WHERE streetgen._may_be_highway(a.kind, c.highway_role) AND a.axis_id <> ALL (written)
+            AND a.axis_id NOT IN (SELECT axis_id FROM near)),
+    -- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What
+    -- meets
+    -- those inside lies beside them.
+    met AS MATERIALIZED (
+        SELECT DISTINCT ON (m.axis_id) m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM axis a
+            WHERE ST_DWithin(a.geom, b.geom, near) OFFSET 0) m
+        WHERE m.axis_id <> ALL (written) AND m.axis_id NOT IN (SELECT axis_id FROM beside))
+    SELECT array_agg(axis_id) FROM (
+        SELECT unnest(written) AS axis_id UNION SELECT axis_id FROM beside UNION SELECT axis_id FROM met
+        UNION SELECT m.axis_id FROM met b, LATERAL (SELECT axis_id FROM axis a
+            WHERE ST_DWithin(a.geom, b.geom, near) OFFSET 0) m) g INTO gathered;
     requested := axes;
 END $$;
 COMMENT ON FUNCTION streetgen._surroundings(name, bigint[]) IS
@@ -126,12 +124,12 @@ CREATE OR REPLACE FUNCTION streetgen._clusters_beside(model name, cluster intege
 DECLARE
     beside integer[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- Axes that share a node are nearer.
-    EXECUTE format($sql$
-SELECT ARRAY(SELECT o.cluster_id FROM %1$I.cluster k JOIN %1$I.cluster o ON o.ended IS NULL
-    AND o.cluster_id <> k.cluster_id AND ST_DWithin(o.hull, k.hull, reach) WHERE k.cluster_id = $1)
-FROM (SELECT sum(CASE name WHEN 'tolerance' THEN 3 ELSE 1 END * value::float8) AS reach FROM %1$I.setting
-    WHERE name IN ('reach', 'tolerance')) s $sql$, model) INTO beside USING cluster;
+    SELECT ARRAY(SELECT o.cluster_id FROM cluster k JOIN cluster o ON o.ended IS NULL
+        AND o.cluster_id <> k.cluster_id AND ST_DWithin(o.hull, k.hull, reach) WHERE k.cluster_id = cluster)
+    FROM (SELECT sum(CASE name WHEN 'tolerance' THEN 3 ELSE 1 END * value::float8) AS reach FROM setting
+        WHERE name IN ('reach', 'tolerance')) s INTO beside;
     RETURN beside;
 END $$;
 COMMENT ON FUNCTION streetgen._clusters_beside(name, integer) IS
@@ -149,7 +147,7 @@ DECLARE
 BEGIN
     first_run := streetgen._keys_are_missing(model);
     LOOP
-        -- Where more turns out to be needed, the locks taken here are given back first, as _lock_places does.
+        -- The locks taken here are given back first where more turns out to be needed, as _lock_places does.
         BEGIN
             IF first_run THEN
                 -- No edit comes in before the keys are made.
@@ -202,27 +200,30 @@ CREATE OR REPLACE FUNCTION streetgen.progress(model name)
         axes_per_second float8, time_left interval)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model);
-    RETURN QUERY EXECUTE format($sql$
-SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(secs => (axes - axes_ended) / rate)
-FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
-    coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,
-             coalesce(sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL), 0)::bigint AS axes_ended,
-                 min(k.began) AS began,
-             sum(cardinality(k.axes))
-                 FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)),
-                 0)::float8 AS rate_of_one FROM %1$I.cluster k) c,
-     -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute. A large
-     -- edit holds districts, too, but no row of a cluster.
-     (SELECT count(*)::integer AS sessions FROM (SELECT
-          FROM (SELECT *, database = (SELECT oid FROM pg_database WHERE datname = current_database()) AS here
-              FROM pg_locks) p
-          GROUP BY pid HAVING bool_and(granted) AND bool_or(here AND locktype = 'advisory' AND objsubid = 2
-              AND classid = (hashtext('streetgen.' || $1)::bigint & 4294967295)::oid
-              AND objid::bigint BETWEEN 2147483649 AND 4294967294 AND mode = 'ExclusiveLock')
-          AND bool_or(here AND relation = (SELECT tableoid FROM %1$I.cluster LIMIT 1) AND mode = 'RowShareLock')) l) s,
-     LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r $sql$, model) USING model;
+    RETURN QUERY
+    SELECT clusters, ended, sessions, axes, axes_ended, began, rate, make_interval(secs => (axes - axes_ended) / rate)
+    FROM (SELECT count(*)::integer AS clusters, count(k.ended)::integer AS ended,
+        coalesce(sum(cardinality(k.axes)), 0)::bigint AS axes,
+                 coalesce(sum(cardinality(k.axes)) FILTER (WHERE k.ended IS NOT NULL), 0)::bigint AS axes_ended,
+                     min(k.began) AS began,
+                 sum(cardinality(k.axes))
+                     FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)),
+                     0)::float8 AS rate_of_one FROM cluster k) c,
+         -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute. A
+         -- large
+         -- edit holds districts, too, but no row of a cluster.
+         (SELECT count(*)::integer AS sessions FROM (SELECT
+              FROM (SELECT *, database = (SELECT oid FROM pg_database WHERE datname = current_database()) AS here
+                  FROM pg_locks) p
+              GROUP BY pid HAVING bool_and(granted) AND bool_or(here AND locktype = 'advisory' AND objsubid = 2
+                  AND classid = (hashtext('streetgen.' || model)::bigint & 4294967295)::oid
+                  AND objid::bigint BETWEEN 2147483649 AND 4294967294 AND mode = 'ExclusiveLock')
+              AND bool_or(here AND relation = (SELECT tableoid FROM cluster LIMIT 1) AND mode = 'RowShareLock')) l) s,
+         LATERAL (SELECT rate_of_one * greatest(sessions, 1) AS rate) r;
 END $$;
 COMMENT ON FUNCTION streetgen.progress(name) IS
     'How far the run of a model by clusters is: clusters and those that ended, sessions that compute one now and do '
@@ -243,21 +244,21 @@ DECLARE
     wait boolean := false;
     started timestamptz;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model);
     PERFORM streetgen._lock_model(model, wait => true, alone => false, keys => false);
     LOOP
         BEGIN
             -- What has most beside it first: those that are left at the end are apart, and no session waits for
             -- another.
-            EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL AND cluster_id '
-                '<> ALL ($1)
-                ORDER BY cluster_id = $2 DESC, cardinality(streetgen._clusters_beside($3, cluster_id)) DESC, cluster_id
-                LIMIT 1 FOR UPDATE SKIP LOCKED', model)
-                INTO chosen USING tried, coalesce(first, 0), model;
+            SELECT cluster_id, axes, setting_hash FROM cluster WHERE ended IS NULL AND cluster_id <> ALL (tried)
+                ORDER BY cluster_id = coalesce(first, 0) DESC, cardinality(streetgen._clusters_beside(model,
+                    cluster_id)) DESC, cluster_id
+                LIMIT 1 FOR UPDATE SKIP LOCKED INTO chosen;
             IF chosen.cluster_id IS NULL AND tried = '{}' THEN
                 -- All that is left is under way: should a session fail, its cluster is free again.
-                EXECUTE format('SELECT cluster_id, axes, setting_hash FROM %I.cluster WHERE ended IS NULL ORDER BY '
-                    'cluster_id LIMIT 1 FOR UPDATE', model) INTO chosen;
+                SELECT cluster_id, axes, setting_hash FROM cluster WHERE ended IS NULL
+                    ORDER BY cluster_id LIMIT 1 FOR UPDATE INTO chosen;
             END IF;
             IF chosen.cluster_id IS NOT NULL THEN
                 IF chosen.setting_hash <> streetgen._setting_hash(model) THEN
@@ -282,7 +283,7 @@ BEGIN
             wait := true;
             tried := '{}';
         ELSE
-            EXECUTE format('SELECT cluster_id FROM %I.cluster WHERE ended IS NULL LIMIT 1', model) INTO chosen;
+            SELECT cluster_id FROM cluster WHERE ended IS NULL LIMIT 1 INTO chosen;
             IF chosen.cluster_id IS NULL THEN
                 RETURN;
             END IF;
@@ -293,8 +294,8 @@ BEGIN
     ELSE
         PERFORM FROM streetgen._upsert_part(model, locked.written, locked.gathered, locked.changed);
     END IF;
-    EXECUTE format('UPDATE %I.cluster SET began = $1, ended = clock_timestamp(), session = pg_backend_pid() WHERE '
-        'cluster_id = $2', model) USING started, chosen.cluster_id;
+    UPDATE cluster SET began = started, ended = clock_timestamp(), session = pg_backend_pid()
+        WHERE cluster_id = chosen.cluster_id;
     RETURN QUERY SELECT chosen.cluster_id, cardinality(chosen.axes),
         extract(epoch FROM clock_timestamp() - started)::float8, p.ended, p.clusters, p.axes_per_second, p.time_left
         FROM streetgen.progress(model) p;
@@ -355,7 +356,7 @@ BEGIN
         COMMIT;
     END LOOP;
     COMMIT;
-    -- Where sessions end together the last one clears up.
+    -- The last one of sessions that end together clears up.
     PERFORM streetgen._lock_model(model, wait => true, alone => false);
 END $$;
 COMMENT ON PROCEDURE streetgen.generate_clusters(name) IS

@@ -111,7 +111,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         ARRAY['key', 'the link', 'on or off the highway', 'metres before and behind the bend into its lane',
             'metres that merging lanes keep their width, as typed or computed; 0: none',
             'decided by hand; false takes it back', 'its node'],
-        -- What was typed, also where an auxiliary lane goes on beyond it or the next junction cuts it.
+        -- The length typed, also where an auxiliary lane goes on beyond it or the next junction cuts it.
         $sql$SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, coalesce(d.length, r.length) AS length,
             r.method = 'by_hand' AS by_hand, r.geom
         FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id) LEFT JOIN LATERAL (
@@ -342,8 +342,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_axis_of(model name, subject text, edg
 DECLARE
     place record;
 BEGIN
-    EXECUTE format('SELECT e.*, ST_Force2D(a.geom) AS axis FROM %1$I.edge e JOIN %1$I.axis a USING (axis_id) WHERE '
-        'edge_id = $1', model) INTO place USING edge;
+    PERFORM streetgen._use_model(model);
+    SELECT e.*, ST_Force2D(a.geom) AS axis FROM edge e JOIN axis a USING (axis_id) WHERE edge_id = edge INTO place;
     IF place.edge_id IS NULL THEN
         PERFORM streetgen._refuse('22023', format('%s lies on an axis that is gone', subject),
             detail => format('Edge %s has no axis any more.', edge),

@@ -13,38 +13,38 @@ CREATE OR REPLACE FUNCTION streetgen._make_marks_by_hand(model name) RETURNS voi
 DECLARE
     relation name;
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._mark_by_hand() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF TG_OP = 'TRUNCATE' THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand();
-    ELSIF TG_TABLE_NAME = 'edge' THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE axis_id = OLD.axis_id;
-    ELSIF TG_TABLE_NAME = 'corner' THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (OLD.edge_a, OLD.edge_b);
-    ELSIF TG_TABLE_NAME = 'road' THEN
-        -- Its rows of road_edge may be gone with it.
-        UPDATE %1$I.edge e SET input_hash = streetgen._changed_by_hand() WHERE NOT EXISTS (
-            SELECT FROM %1$I.road_edge m WHERE m.edge_id = e.edge_id AND m.road_id <> OLD.road_id);
-    ELSIF TG_TABLE_NAME IN ('node', 'intersection', 'interconnection', 'junction_node') THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.node_id
-            OR to_node = OLD.node_id;
-    ELSIF TG_TABLE_NAME = 'block' THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (
-            SELECT edge_id FROM %1$I.block_edge WHERE block_id = OLD.block_id);
-    ELSIF TG_TABLE_NAME IN ('controller', 'signal_state', 'signal_movement', 'signal_head') THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.controller_id
-            OR to_node = OLD.controller_id;
-    ELSIF TG_TABLE_NAME IN ('junction', 'junction_movement') THEN
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.junction_id
-            OR to_node = OLD.junction_id;
-    ELSE
-        UPDATE %1$I.edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id = OLD.edge_id;
-    END IF;
-    RETURN NULL;
-END $body$ $sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _mark_by_hand() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    BEGIN
+        IF TG_OP = 'TRUNCATE' THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand();
+        ELSIF TG_TABLE_NAME = 'edge' THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE axis_id = OLD.axis_id;
+        ELSIF TG_TABLE_NAME = 'corner' THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (OLD.edge_a, OLD.edge_b);
+        ELSIF TG_TABLE_NAME = 'road' THEN
+            -- Its rows of road_edge may be gone with it.
+            UPDATE edge e SET input_hash = streetgen._changed_by_hand() WHERE NOT EXISTS (
+                SELECT FROM road_edge m WHERE m.edge_id = e.edge_id AND m.road_id <> OLD.road_id);
+        ELSIF TG_TABLE_NAME IN ('node', 'intersection', 'interconnection', 'junction_node') THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.node_id
+                OR to_node = OLD.node_id;
+        ELSIF TG_TABLE_NAME = 'block' THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (
+                SELECT edge_id FROM block_edge WHERE block_id = OLD.block_id);
+        ELSIF TG_TABLE_NAME IN ('controller', 'signal_state', 'signal_movement', 'signal_head') THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.controller_id
+                OR to_node = OLD.controller_id;
+        ELSIF TG_TABLE_NAME IN ('junction', 'junction_movement') THEN
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.junction_id
+                OR to_node = OLD.junction_id;
+        ELSE
+            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id = OLD.edge_id;
+        END IF;
+        RETURN NULL;
+    END $body$;
     PERFORM streetgen._own_function(model, '_mark_by_hand()',
         'After derived rows were changed by hand: marks their edges as stale');
     FOREACH relation IN ARRAY streetgen._computed_tables(model) LOOP

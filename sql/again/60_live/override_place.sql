@@ -1,4 +1,4 @@
--- Where an override lies beside axes, as they were and as they are.
+-- The place of an override beside axes, as they were and as they are.
 
 CREATE OR REPLACE FUNCTION streetgen._heading(line geometry, place geometry) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

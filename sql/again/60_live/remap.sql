@@ -276,33 +276,34 @@ COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, float8) IS
     'place, put onto the line where asked.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa float8) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     lanes bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'lane' <> ALL (streetgen._subjects(model)) THEN
         RETURN 0;
     END IF;
-    EXECUTE format('SELECT count(*) FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id) WHERE axis_id = $1 '
-        'AND $2 >= e.start_abscissa AND $2 < e.end_abscissa AND l.kind <> ''merging''', model) INTO lanes
-        USING axis, abscissa;
+    SELECT count(*) FROM lane l JOIN edge e USING (edge_id) WHERE axis_id = axis AND abscissa >= e.start_abscissa
+        AND abscissa < e.end_abscissa AND l.kind <> 'merging' INTO lanes;
     RETURN lanes;
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_at(name, bigint, float8) IS
     'Number of lanes of an axis at an abscissa, without merging lanes, as generated last; 0 where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_by(model name, axis bigint, place geometry) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     lanes bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'lane' <> ALL (streetgen._subjects(model)) THEN
         RETURN 0;
     END IF;
-    EXECUTE format('SELECT count(*) FROM %1$I.lane WHERE edge_id = (SELECT edge_id FROM %1$I.edge WHERE axis_id = $1 '
-        'ORDER BY ST_Distance(geom, $2), edge_id LIMIT 1)', model) INTO lanes USING axis, place;
+    SELECT count(*) FROM lane WHERE edge_id = (SELECT edge_id FROM edge WHERE axis_id = axis
+        ORDER BY ST_Distance(geom, place), edge_id LIMIT 1) INTO lanes;
     RETURN lanes;
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_by(name, bigint, geometry) IS
@@ -340,63 +341,62 @@ DECLARE
         'interconnection_override,turn_restriction,control_point,overpass_override,junction_override,'
         'controller_override,road_override,ramp_override,height_override,lane_adjacency_override}';
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.override_place WITH (security_invoker = true) AS
-SELECT 'transition_override' AS relation, transition_override_id AS override_id, 'axis_id' AS role, axis_id AS axis_id,
-    geom, (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') AS reach FROM %1$I.transition_override
-UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, (SELECT value::float8 FROM %1$I.setting
-    WHERE name = 'tolerance') FROM %1$I.lane_override
-UNION ALL SELECT 'lane_adjacency_override', lane_adjacency_override_id, 'axis_id', axis_id, geom,
-    (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.lane_adjacency_override
-UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.section_limit_override
-UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.road_override
-UNION ALL SELECT 'ramp_override', ramp_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.ramp_override
-UNION ALL SELECT 'height_override', height_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.height_override
-UNION ALL SELECT 'sidewalk_override', sidewalk_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.sidewalk_override
-UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom,
-    width / 2 + (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.kerb_point_override
-UNION ALL SELECT 'control_point', control_point_id, 'axis_id', axis_id, geom,
-    coalesce(axis_distance, 0) + (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance')
-    FROM %1$I.control_point
-UNION ALL SELECT 'junction_override', junction_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.junction_override
-UNION ALL SELECT 'controller_override', controller_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.controller_override
-UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
-UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.corner_override
-UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_in', axis_in, geom,
-    3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
-UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_out', axis_out, geom,
-    3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.interconnection_override
-UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'from_axis', from_axis, geom, 3 * (SELECT value::float8
-    FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
-UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, coalesce(to_geom, geom),
-    3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance') FROM %1$I.turn_restriction
-UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'via_axis ' || v.i, v.axis_id,
-    ST_GeometryN(via_geom, v.i::integer), 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance')
-    FROM %1$I.turn_restriction, unnest(via_axes) WITH ORDINALITY v(axis_id, i) WHERE via_axes IS NOT NULL
-UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_above', axis_above, geom, 20
-    FROM %1$I.overpass_override
-UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_below', axis_below, geom, 20
-    FROM %1$I.overpass_override
-$sql$, model);
-    EXECUTE format($sql$
-COMMENT ON VIEW %1$I.override_place IS
-    'Where each decision by hand lies, and the axes that it names, a row for each of them';
-COMMENT ON COLUMN %1$I.override_place.relation IS 'table of the override';
-COMMENT ON COLUMN %1$I.override_place.override_id IS 'its key there';
-COMMENT ON COLUMN %1$I.override_place.role IS 'column that names the axis';
-COMMENT ON COLUMN %1$I.override_place.axis_id IS 'the axis';
-COMMENT ON COLUMN %1$I.override_place.geom IS 'place on the axis or of the node; of a kerb point, beside the axis';
-COMMENT ON COLUMN %1$I.override_place.reach IS 'an axis within this distance lies at the place, metres'
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW override_place WITH (security_invoker = true) AS
+    SELECT 'transition_override' AS relation, transition_override_id AS override_id, 'axis_id' AS role, axis_id AS
+        axis_id,
+        geom, (SELECT value::float8 FROM setting WHERE name = 'tolerance') AS reach FROM transition_override
+    UNION ALL SELECT 'lane_override', lane_override_id, 'axis_id', axis_id, geom, (SELECT value::float8 FROM setting
+        WHERE name = 'tolerance') FROM lane_override
+    UNION ALL SELECT 'lane_adjacency_override', lane_adjacency_override_id, 'axis_id', axis_id, geom,
+        (SELECT value::float8 FROM setting WHERE name = 'tolerance') FROM lane_adjacency_override
+    UNION ALL SELECT 'section_limit_override', section_limit_override_id, 'axis_id', axis_id, geom, (SELECT
+        value::float8
+        FROM setting WHERE name = 'tolerance') FROM section_limit_override
+    UNION ALL SELECT 'road_override', road_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM road_override
+    UNION ALL SELECT 'ramp_override', ramp_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM ramp_override
+    UNION ALL SELECT 'height_override', height_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM height_override
+    UNION ALL SELECT 'sidewalk_override', sidewalk_override_id, 'axis_id', axis_id, geom, (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM sidewalk_override
+    UNION ALL SELECT 'kerb_point_override', kerb_point_override_id, 'axis_id', axis_id, geom,
+        width / 2 + (SELECT value::float8 FROM setting WHERE name = 'tolerance') FROM kerb_point_override
+    UNION ALL SELECT 'control_point', control_point_id, 'axis_id', axis_id, geom,
+        coalesce(axis_distance, 0) + (SELECT value::float8 FROM setting WHERE name = 'tolerance')
+        FROM control_point
+    UNION ALL SELECT 'junction_override', junction_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM junction_override
+    UNION ALL SELECT 'controller_override', controller_override_id, 'axis_id', axis_id, geom, 3 * (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM controller_override
+    UNION ALL SELECT 'corner_override', corner_override_id, 'axis_a', axis_a, geom, 3 * (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM corner_override
+    UNION ALL SELECT 'corner_override', corner_override_id, 'axis_b', axis_b, geom, 3 * (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM corner_override
+    UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_in', axis_in, geom,
+        3 * (SELECT value::float8 FROM setting WHERE name = 'tolerance') FROM interconnection_override
+    UNION ALL SELECT 'interconnection_override', interconnection_override_id, 'axis_out', axis_out, geom,
+        3 * (SELECT value::float8 FROM setting WHERE name = 'tolerance') FROM interconnection_override
+    UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'from_axis', from_axis, geom, 3 * (SELECT value::float8
+        FROM setting WHERE name = 'tolerance') FROM turn_restriction
+    UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'to_axis', to_axis, coalesce(to_geom, geom),
+        3 * (SELECT value::float8 FROM setting WHERE name = 'tolerance') FROM turn_restriction
+    UNION ALL SELECT 'turn_restriction', turn_restriction_id, 'via_axis ' || v.i, v.axis_id,
+        ST_GeometryN(via_geom, v.i::integer), 3 * (SELECT value::float8 FROM setting WHERE name = 'tolerance')
+        FROM turn_restriction, unnest(via_axes) WITH ORDINALITY v(axis_id, i) WHERE via_axes IS NOT NULL
+    UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_above', axis_above, geom, 20
+        FROM overpass_override
+    UNION ALL SELECT 'overpass_override', overpass_override_id, 'axis_below', axis_below, geom, 20
+        FROM overpass_override;
+    COMMENT ON VIEW override_place IS
+        'Where each decision by hand lies, and the axes that it names, a row for each of them';
+    COMMENT ON COLUMN override_place.relation IS 'table of the override';
+    COMMENT ON COLUMN override_place.override_id IS 'its key there';
+    COMMENT ON COLUMN override_place.role IS 'column that names the axis';
+    COMMENT ON COLUMN override_place.axis_id IS 'the axis';
+    COMMENT ON COLUMN override_place.geom IS 'place on the axis or of the node; of a kerb point, beside the axis';
+    COMMENT ON COLUMN override_place.reach IS 'an axis within this distance lies at the place, metres';
     -- Static SQL, whose plans a session keeps: most models have few overrides, most edits none near.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._remap(bigint[], geometry[], geometry[]) RETURNS void
@@ -434,7 +434,7 @@ BEGIN
         END;
     END LOOP;
     IF concerned <> '{}' THEN
-        -- What the statements below change is followed with the axes, and not on its own.
+        -- Streets follow the changes below with the axes, and not on their own.
         PERFORM streetgen._note_remapped(%3$L, coalesce(streetgen._remapped(%3$L), '{}'));
     END IF;
     %4$s

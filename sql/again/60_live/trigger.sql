@@ -63,6 +63,7 @@ CREATE OR REPLACE FUNCTION streetgen._drop_results(model name, gone bigint[]) RE
 DECLARE
     locked record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF gone IS NULL OR gone = '{}' THEN
         RETURN;
     END IF;
@@ -71,14 +72,12 @@ BEGIN
     IF to_regclass(format('%I.road', model)) IS NOT NULL THEN
         PERFORM streetgen._drop_roads(model, gone);
     END IF;
-    EXECUTE format($sql$
-WITH gone AS (DELETE FROM %1$I.edge WHERE axis_id = ANY ($1) RETURNING edge_id, from_node, to_node),
-     report AS (DELETE FROM %1$I.report WHERE axis_a = ANY ($1) OR axis_b = ANY ($1)),
-     stale AS (UPDATE %1$I.edge SET input_hash = 0 WHERE axis_id = ANY ($2) AND axis_id <> ALL ($1))
-DELETE FROM %1$I.node WHERE node_id IN (SELECT from_node FROM gone UNION SELECT to_node FROM gone)
-    AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.from_node = node_id AND e.axis_id <> ALL ($1))
-        AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.to_node = node_id AND e.axis_id <> ALL ($1))
-$sql$, model) USING gone, locked.written;
+    WITH gone AS (DELETE FROM edge WHERE axis_id = ANY (gone) RETURNING edge_id, from_node, to_node),
+         report AS (DELETE FROM report WHERE axis_a = ANY (gone) OR axis_b = ANY (gone)),
+         stale AS (UPDATE edge SET input_hash = 0 WHERE axis_id = ANY (locked.written) AND axis_id <> ALL (gone))
+    DELETE FROM node WHERE node_id IN (SELECT from_node FROM gone UNION SELECT to_node FROM gone)
+        AND NOT EXISTS (SELECT FROM edge e WHERE e.from_node = node_id AND e.axis_id <> ALL (gone))
+            AND NOT EXISTS (SELECT FROM edge e WHERE e.to_node = node_id AND e.axis_id <> ALL (gone));
 END $$;
 COMMENT ON FUNCTION streetgen._drop_results(name, bigint[]) IS
     'Removes the results of axes that are gone and marks what is around them as stale.';
@@ -87,9 +86,10 @@ CREATE OR REPLACE FUNCTION streetgen._mark_stale(model name, axes bigint[]) RETU
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
 DECLARE
-    -- Of more axes finding the places takes longer than all places are worth.
+    -- Finding the places of more axes takes longer than all places are worth.
     most_locked constant integer := 64;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF axes = '{}' THEN
         RETURN;
     END IF;
@@ -100,7 +100,7 @@ BEGIN
     ELSE
         PERFORM FROM streetgen._lock_places(model, axes, wait => true);
     END IF;
-    EXECUTE format('UPDATE %I.edge SET input_hash = 0 WHERE axis_id = ANY ($1)', model) USING axes;
+    UPDATE edge SET input_hash = 0 WHERE axis_id = ANY (axes);
 END $$;
 COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS
     'Marks axes as stale, for what their input_hash does not see: turn restrictions and overrides of interconnections '
@@ -111,12 +111,13 @@ CREATE OR REPLACE FUNCTION streetgen._begin_edit(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF current_setting('lock_timeout') = '0' THEN
-        EXECUTE format($sql$SELECT set_config('lock_timeout', value || 's', true) FROM %I.setting
-            WHERE name = 'lock_timeout'$sql$, model);
+        PERFORM set_config('lock_timeout', value || 's', true) FROM setting
+            WHERE name = 'lock_timeout';
     END IF;
     -- TRUNCATE takes its table before it enters: who entered must not wait for it.
-    EXECUTE format('LOCK TABLE %I.override_place IN ACCESS SHARE MODE', model);
+    LOCK TABLE override_place IN ACCESS SHARE MODE;
     PERFORM streetgen._lock_model(model, wait => true, alone => false);
 END $$;
 COMMENT ON FUNCTION streetgen._begin_edit(name) IS
@@ -129,22 +130,24 @@ DECLARE
     relation name;
     event text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- In the model's schema and with its owner's rights: an editor writes axes and overrides, nothing else.
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._begin_edit() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    PERFORM streetgen._require_one_build();
-    -- A schema of another name, a copy or one that came back, that nobody adopted yet.
-    IF TG_TABLE_SCHEMA <> %2$L OR NOT EXISTS (SELECT FROM streetgen.model WHERE name = %2$L) THEN
-        PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
-    END IF;
-    IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR streetgen._keys_are_missing(%2$L) THEN
-        PERFORM streetgen._begin_edit(%2$L);
-    END IF;
-    RETURN NULL;
-END $body$ $sql$, model, model);
+    CREATE OR REPLACE FUNCTION _begin_edit() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    BEGIN
+        PERFORM streetgen._require_one_build();
+        -- A schema of another name, a copy or one that came back, that nobody adopted yet.
+        IF TG_TABLE_SCHEMA <> current_schema() OR NOT EXISTS (SELECT FROM streetgen.model
+            WHERE name = current_schema()) THEN
+            PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
+        END IF;
+        IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR
+            streetgen._keys_are_missing(current_schema()) THEN
+            PERFORM streetgen._begin_edit(current_schema());
+        END IF;
+        RETURN NULL;
+    END $body$;
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._follow_axis() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET plan_cache_mode = force_generic_plan
@@ -203,48 +206,48 @@ BEGIN
     RETURN NULL;
 END $body$ $sql$, model, model, (SELECT string_agg(format('%I.%I', model, r), ', ' ORDER BY n)
         FROM unnest(streetgen._computed_tables(model)) WITH ORDINALITY t(r, n)));
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._follow_override() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    live constant boolean := streetgen._live(%2$L);
-    remapped constant bigint[] := streetgen._remapped(%2$L);
-    changed jsonb[];
-    named bigint[];
-BEGIN
-    IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override')
-        THEN
+    CREATE OR REPLACE FUNCTION _follow_override() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        live constant boolean := streetgen._live(current_schema());
+        remapped constant bigint[] := streetgen._remapped(current_schema());
+        changed jsonb[];
+        named bigint[];
+    BEGIN
+        IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override')
+            THEN
+            RETURN NULL;
+        ELSIF TG_OP = 'TRUNCATE' THEN
+            -- Rows that go are known only before: as if deleted.
+            EXECUTE format('DELETE FROM %I.%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
+            RETURN NULL;
+        ELSIF TG_OP = 'INSERT' THEN
+            changed := ARRAY(SELECT to_jsonb(n) FROM new_override n);
+        ELSIF TG_OP = 'DELETE' THEN
+            changed := ARRAY(SELECT to_jsonb(o) FROM old_override o);
+        ELSE
+            changed := ARRAY(SELECT to_jsonb(o) FROM (SELECT * FROM old_override EXCEPT SELECT * FROM new_override) o
+                UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
+        END IF;
+        named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c
+            CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis',
+                'axis_above', 'axis_below']) role
+            JOIN axis a ON a.axis_id = (c ->> role)::bigint)
+            || CASE TG_TABLE_NAME WHEN 'roundabout_override' THEN streetgen._axes_of_rings(current_schema(), changed)
+                ELSE '{}' END;
+        IF TG_TABLE_NAME = 'block_override' THEN
+            named := streetgen._axes_at_blocks(current_schema(), changed);
+        END IF;
+        IF live AND remapped IS NOT NULL THEN
+            PERFORM streetgen._note_remapped(current_schema(), remapped || named);
+        ELSIF live THEN
+            PERFORM streetgen._update_streets(current_schema(), named);
+        ELSE
+            PERFORM streetgen._mark_stale(current_schema(), named);
+        END IF;
         RETURN NULL;
-    ELSIF TG_OP = 'TRUNCATE' THEN
-        -- What goes is known only before: as if deleted.
-        EXECUTE format('DELETE FROM %%I.%%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
-        RETURN NULL;
-    ELSIF TG_OP = 'INSERT' THEN
-        changed := ARRAY(SELECT to_jsonb(n) FROM new_override n);
-    ELSIF TG_OP = 'DELETE' THEN
-        changed := ARRAY(SELECT to_jsonb(o) FROM old_override o);
-    ELSE
-        changed := ARRAY(SELECT to_jsonb(o) FROM (SELECT * FROM old_override EXCEPT SELECT * FROM new_override) o
-            UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
-    END IF;
-    named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c
-        CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis',
-            'axis_above', 'axis_below']) role
-        JOIN %1$I.axis a ON a.axis_id = (c ->> role)::bigint)
-        || CASE TG_TABLE_NAME WHEN 'roundabout_override' THEN streetgen._axes_of_rings(%2$L, changed) ELSE '{}' END;
-    IF TG_TABLE_NAME = 'block_override' THEN
-        named := streetgen._axes_at_blocks(%2$L, changed);
-    END IF;
-    IF live AND remapped IS NOT NULL THEN
-        PERFORM streetgen._note_remapped(%2$L, remapped || named);
-    ELSIF live THEN
-        PERFORM streetgen._update_streets(%2$L, named);
-    ELSE
-        PERFORM streetgen._mark_stale(%2$L, named);
-    END IF;
-    RETURN NULL;
-END $body$ $sql$, model, model);
+    END $body$;
     PERFORM streetgen._own_function(model, '_begin_edit()', 'Before an edit: locks the model beside other editors'),
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
@@ -295,13 +298,13 @@ CREATE OR REPLACE FUNCTION streetgen._stale_axes(model name) RETURNS bigint
 DECLARE
     stale bigint;
 BEGIN
-    EXECUTE format($sql$
-WITH generated AS (SELECT axis_id, bool_or(e.input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS changed
-    FROM %1$I.edge e JOIN %1$I.axis_used u USING (axis_id) GROUP BY axis_id)
-SELECT count(*) FROM %1$I.axis a LEFT JOIN generated g USING (axis_id)
-WHERE g.changed OR g.axis_id IS NULL AND NOT EXISTS (SELECT FROM %1$I.report r WHERE r.axis_a = a.axis_id
-    AND r.issue = 'collapsed_axis')
-$sql$, model) INTO stale;
+    PERFORM streetgen._use_model(model);
+    WITH generated AS (SELECT axis_id, bool_or(e.input_hash <> u.input_hash OR e.setting_hash <> u.setting_hash) AS
+        changed
+        FROM edge e JOIN axis_used u USING (axis_id) GROUP BY axis_id)
+    SELECT count(*) FROM axis a LEFT JOIN generated g USING (axis_id)
+    WHERE g.changed OR g.axis_id IS NULL AND NOT EXISTS (SELECT FROM report r WHERE r.axis_a = a.axis_id
+        AND r.issue = 'collapsed_axis') INTO stale;
     RETURN stale;
 END $$;
 COMMENT ON FUNCTION streetgen._stale_axes(name) IS
@@ -317,7 +320,7 @@ BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('live', live::text);
     FOR trigger IN SELECT tgrelid::regclass AS relation, tgname AS name FROM pg_trigger
         JOIN pg_class c ON c.oid = tgrelid
-        -- What deletes the results of an axis with it, or marks axes as stale, stays on.
+        -- Triggers that delete the results of an axis with it, or mark axes as stale, stay on.
         WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%'
             AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
             AND (relname NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override') OR live)

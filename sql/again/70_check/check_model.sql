@@ -24,7 +24,7 @@ CREATE OR REPLACE FUNCTION streetgen._tell_check(step integer, subject text) RET
     AS $$
 BEGIN
     PERFORM set_config('application_name', format('streetgen: check, %s, step %s of 5', subject, step), true);
-    -- Of what is over at once nothing is told.
+    -- A check that is over at once tells nothing.
     IF clock_timestamp() > statement_timestamp() + interval '1 second' THEN
         RAISE NOTICE 'check: %, step % of 5', subject, step;
     END IF;

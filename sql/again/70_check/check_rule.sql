@@ -97,7 +97,7 @@ decided AS MATERIALIZED (
         AND ST_DWithin(d.geom, n.geom, 3 * t.value)
     ORDER BY c.interconnection_id, d.interconnection_override_id DESC)$part$),
     (12, 'lane', 'with', $part$
--- What of a lane lies outside its section, where nothing was contested.
+-- Parts of lanes outside their sections, where nothing was contested.
 astray AS MATERIALIZED (
     SELECT l.lane_id, ST_Difference(l.geom, s.surface) AS outside FROM %1$I.lane l JOIN valid_section s USING (edge_id)
     WHERE s.contested_area = 0 AND s.method <> 'crossed_limits'

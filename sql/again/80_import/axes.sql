@@ -14,7 +14,7 @@ DECLARE
 BEGIN
     -- Without the source's type modifier: heights come and go below.
     ALTER TABLE pg_temp._import ALTER COLUMN geom TYPE geometry;
-    -- What a source does not mention it does not change.
+    -- A source changes no column that it does not mention.
     SELECT string_agg(format('%s AS %I', streetgen._taken_value(name, 'i'), name), ', ') FILTER (WHERE there),
         string_agg(format('ADD %I %s', name, type), ', ') FILTER (WHERE NOT there) INTO mentioned, silent
         FROM (SELECT c.name, c.type, EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass
@@ -163,7 +163,7 @@ BEGIN
         number := streetgen._clean_parts(model, source);
     END IF;
     PERFORM streetgen._merge_delivery(model, 'axis', source);
-    -- What a mapping does not mention is at its default.
+    -- A column that a mapping does not mention is at its default.
     EXECUTE format($sql$
 WITH written AS (
 INSERT INTO %1$I.axis (geom, %2$s, source, source_ref, source_geom, source_hash)
@@ -190,7 +190,7 @@ DECLARE
     written bigint[];
 BEGIN
     PERFORM streetgen._check_settings(model);
-    -- What fails within it shows the name of a view, and not all of the query.
+    -- An error within it shows the name of a view, and not all of the query.
     EXECUTE format('CREATE TEMPORARY VIEW _import_query AS %s', query);
     CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM pg_temp._import_query;
     DROP VIEW pg_temp._import_query;

@@ -1,4 +1,4 @@
--- What sources said last of each row, beside the rows as they are, and the conflicts that wait for somebody.
+-- The last words of sources on each row, beside the rows as they are, and the conflicts that wait for somebody.
 
 CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS text[]
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

@@ -1,4 +1,4 @@
--- Which side of the road one drives on, told by the network: one-way rings and one-way pairs.
+-- The side of the road that one drives on, told by the network: one-way rings and one-way pairs.
 
 CREATE OR REPLACE FUNCTION streetgen._driving_side(model name) RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

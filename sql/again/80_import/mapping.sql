@@ -68,7 +68,7 @@ BEGIN
         entry := mapping -> target.name;
         IF target.name = 'geom' AND entry IS NULL THEN entry := '"geom"'; END IF;
         IF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN
-            -- What the mapping does not mention no import changes.
+            -- No import changes a column that the mapping does not mention.
             IF target.name = 'source_ref' THEN expressions := expressions || 'NULL::text AS source_ref'::text; END IF;
             CONTINUE;
         END IF;

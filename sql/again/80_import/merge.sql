@@ -121,7 +121,7 @@ BEGIN
 DELETE FROM %I.open_conflict c USING pg_temp._import_merge m
 WHERE (c.relation, c.row_id, c.column_name) = ($1, m.id, m.column_name) AND c.stands = 'hand'
     AND m.fate IN ('alike', 'taken back') $sql$, model) USING relation;
-    -- Who lost to the source before still sees what it says now.
+    -- An editor who lost to the source before still sees what it says now.
     EXECUTE format($sql$
 UPDATE %I.open_conflict c SET source_new = m.source_new FROM pg_temp._import_merge m
 WHERE (c.relation, c.row_id, c.column_name) = ($1, m.id, m.column_name) AND m.fate <> 'in conflict' $sql$, model)

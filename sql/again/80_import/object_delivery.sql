@@ -54,7 +54,7 @@ CREATE OR REPLACE FUNCTION streetgen._write_merged_objects(model name, source te
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    -- What is not by hand follows its source, also to the axis of another name.
+    -- An object that is not by hand follows its source, also to the axis of another name.
     EXECUTE format($sql$
 WITH taken AS (
     SELECT id, array_agg(column_name) AS columns FROM pg_temp._import_merge
@@ -117,7 +117,7 @@ BEGIN
     EXECUTE format('SELECT $2 = ANY (by_hand) FROM %I.street_object WHERE street_object_id = $1', model)
         INTO now_by_hand USING object, column_name;
     IF holds = 'hand' AND now_by_hand THEN
-        -- It stands, or was edited once more since.
+        -- The object stands, or was edited once more since.
         RETURN;
     ELSIF column_name = 'type' THEN
         EXECUTE format('UPDATE %I.street_object SET type = $2 WHERE street_object_id = $1', model) USING object, value;

@@ -86,7 +86,7 @@ lanelet AS MATERIALIZED (
         UNION ALL SELECT c.road_id, 1, NULL, c.type, c.speed, true, a.id, NULL, c.node_id, c.lane_in, c.in_end
         FROM way_road c JOIN bound a ON (a.source, a.key, a.number) = (2, c.road_id, 1)) l
         JOIN streetgen._lanelet2_lane_class() k USING (type)),
--- Who comes over a line gives way to those who come over none.
+-- Traffic that comes over a line gives way to that which comes over none.
 obeying AS MATERIALIZED (
     SELECT w.id, n.place_id, p.id AS line_id FROM lanelet w JOIN joined_node n USING (node_id)
         JOIN %1$I.lane l ON l.lane_id = w.lane_in

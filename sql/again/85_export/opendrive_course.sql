@@ -15,7 +15,7 @@ COMMENT ON FUNCTION streetgen._arc_road_elements(geometry) IS
     'The pieces of an arc road as elements of an alignment, seven numbers each.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_courses(model name) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$ SELECT CASE WHEN streetgen._has_design(model) THEN $part$,
 -- A carriageway of two lies beside the alignment.
 designed AS MATERIALIZED (

@@ -103,15 +103,14 @@ CREATE OR REPLACE FUNCTION streetgen.create_virtual_city(model name, srid intege
 DECLARE
     drawn bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_one_build(), streetgen._check_given('model', model);
     PERFORM streetgen._check_city(srid, x, y, width, height, seed);
     PERFORM streetgen.create_model(model, srid);
     PERFORM streetgen._pause();
-    EXECUTE format('INSERT INTO %I.axis (geom, width, lane_count, importance, name, direction, speed, source, '
-        'source_ref)
-        SELECT geom, width, lane_count, importance, name, direction, speed, ''virtual city'', ordinality
-        FROM streetgen.virtual_city($1, $2, $3, $4, $5, $6, $7) WITH ORDINALITY', model)
-        USING srid, x, y, width, height, seed, options;
+    INSERT INTO axis (geom, width, lane_count, importance, name, direction, speed, source, source_ref)
+        SELECT c.geom, c.width, c.lane_count, c.importance, c.name, c.direction, c.speed, 'virtual city', ordinality
+        FROM streetgen.virtual_city(srid, x, y, width, height, seed, options) WITH ORDINALITY c;
     GET DIAGNOSTICS drawn = ROW_COUNT;
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model));
     EXECUTE format('ANALYZE %I.axis', model);

@@ -19,7 +19,8 @@ extern "C" {
 namespace streetgen::pg {
 namespace {
 
-// For whom it was proved last, and how often the catalogue has changed by then.
+// For whom and which model it was proved last, and how often the catalogue has changed by then.
+NameData proved_model;
 Oid proved_owner = InvalidOid, proved_caller = InvalidOid;
 uint64 catalogue_changes = 0, proved_at = 0;
 
@@ -48,19 +49,22 @@ Oid owner_of(const char* model) {
 STREETGEN_FUNCTION(streetgen_only_own_functions) {
   using namespace streetgen::pg;
   watch_catalogue();
-  const Oid owner = owner_of(NameStr(*PG_GETARG_NAME(0)));
+  const Name model = PG_GETARG_NAME(0);
+  const Oid owner = owner_of(NameStr(*model));
   // Who borrows the rights of the owner; whoever calls with his own borrows none.
   const Oid caller = GetUserId() == GetOuterUserId() ? owner : GetOuterUserId();
-  if (owner == proved_owner && caller == proved_caller && catalogue_changes == proved_at)
+  if (owner == proved_owner && caller == proved_caller && catalogue_changes == proved_at &&
+      strcmp(NameStr(*model), NameStr(proved_model)) == 0)
     PG_RETURN_BOOL(true);
   const uint64 before = catalogue_changes;
-  Oid types[] = {OIDOID, OIDOID};
+  Oid types[] = {NAMEOID, OIDOID, OIDOID};
   List* rule =
       list_make2(makeString(pstrdup("streetgen")), makeString(pstrdup("_check_functions_beside")));
-  OidFunctionCall2(LookupFuncName(rule, 2, types, false), ObjectIdGetDatum(owner),
-                   ObjectIdGetDatum(caller));
+  OidFunctionCall3(LookupFuncName(rule, 3, types, false), NameGetDatum(model),
+                   ObjectIdGetDatum(owner), ObjectIdGetDatum(caller));
   // A snapshot of the whole transaction may not show what changed since: that proves nothing later.
   if (IsolationUsesXactSnapshot()) PG_RETURN_BOOL(true);
+  namestrcpy(&proved_model, NameStr(*model));
   proved_owner = owner;
   proved_caller = caller;
   proved_at = before;
