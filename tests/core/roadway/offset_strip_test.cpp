@@ -78,5 +78,10 @@ TEST(OffsetStrip, TakesNoDirectionFromAPieceOfAMicrometre) {
   }
 }
 
+TEST(OffsetStrip, LiesBehindALineOfNothingButMicrometres) {
+  const MultiPolygon strip = offset_strip(Line{{0, 0, 0}, {2e-6, 0, 0}, {0, 0, 0}}, 0.3, 0.3);
+  EXPECT_TRUE(Geos().valid(strip));
+}
+
 }  // namespace offset_strip_test
 }  // namespace streetgen
