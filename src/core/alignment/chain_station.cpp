@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "alignment/chain_element.hpp"
 #include "alignment/road_piece.hpp"
 #include "geometry/polyline.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/plan_view.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -53,7 +53,7 @@ double nearest_on_clothoid(const PlanPiece& piece, const Point& p) {
 ChainStation station_of(const std::vector<PlanPiece>& chain, const Point& point) {
   if (chain.empty()) throw Error(ErrorKind::degenerate, "a chain without a piece has no station");
   const Point place = planar(point);
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   ChainStation found;
   for (const PlanPiece& piece : chain) {
     // No place of the piece is as near.

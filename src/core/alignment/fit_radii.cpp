@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <queue>
 
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -72,7 +72,7 @@ class Growth {
     };
     if (i > 0) take(i - 1);
     if (i < bends_.size()) take(i);
-    return tangents > 0 ? std::max(room, 0.0) / tangents : std::numeric_limits<double>::infinity();
+    return tangents > 0 ? std::max(room, 0.0) / tangents : infinite;
   }
   void settle(std::size_t bend, double radius, std::priority_queue<Stop>& next) {
     radii_[bend] = radius;

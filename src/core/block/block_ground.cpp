@@ -1,7 +1,6 @@
 #include "block/block_ground.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -22,7 +22,7 @@ namespace {
 // Whether a place on no ring lies on ground: left of the first side of a ring to the east of it, or
 // beyond all roadway.
 bool on_ground(const Point& place, const std::vector<KerbLoop>& loops) {
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = infinite;
   bool ground = true;
   for (const KerbLoop& loop : loops) {
     const Box& box = loop.box;

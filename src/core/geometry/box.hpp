@@ -2,15 +2,15 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 
 #include "streetgen/geometry.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
 // A box starts empty and holds no point until one is added.
 struct Box {
-  double min_x = std::numeric_limits<double>::infinity(), min_y = min_x;
+  double min_x = infinite, min_y = min_x;
   double max_x = -min_x, max_y = -min_x;
   void add(const Point& p) {
     min_x = std::min(min_x, p.x);

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "geometry/box.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -65,7 +65,7 @@ class BoxHierarchy {
   static constexpr std::size_t run = 8;
 
   struct Nearest {
-    double square = std::numeric_limits<double>::infinity();
+    double square = infinite;
     int index = -1;
   };
 

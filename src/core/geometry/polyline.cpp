@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -96,7 +96,7 @@ double distance_to_line(const Point& p, const Line& line) {
 }
 
 double nearest_abscissa(const Point& p, const Line& line) {
-  double before = 0, best = 0, least = std::numeric_limits<double>::infinity();
+  double before = 0, best = 0, least = infinite;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const double apart = distance_to_segment(p, line[i - 1], line[i]);
     const double size = distance(line[i - 1], line[i]);

@@ -1,10 +1,10 @@
 #include "mesh/axis_height.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "geometry/space.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -39,7 +39,7 @@ AxisHeight::Sight AxisHeight::nearest(const Point& place, int level) const {
   const auto known = levels_.find(level);
   if (known == levels_.end()) return {};
   const std::vector<Segment>& segments = known->second.segments;
-  Sight best{std::numeric_limits<double>::infinity(), 0};
+  Sight best{infinite, 0};
   const auto ask = [&](int index) {
     const Sight own = sight(segments[index], place);
     if (own.distance > best.distance ||

@@ -1,15 +1,13 @@
 #include "mesh/kerb_face.hpp"
+#include "support/infinite.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace streetgen {
 
 KerbFaces::KerbFaces(const BorderNet& net, const std::vector<const MeshedSurface*>& surfaces)
-    : net_(net),
-      surfaces_(surfaces),
-      foot_(net.side_count(), std::numeric_limits<double>::infinity()) {
+    : net_(net), surfaces_(surfaces), foot_(net.side_count(), infinite) {
   for (std::size_t i = 0; i < surfaces.size(); ++i)
     for (const int side : net.sides(i)) foot_[side] = std::min(foot_[side], surfaces[i]->raised);
 }

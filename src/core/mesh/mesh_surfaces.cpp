@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -17,6 +16,7 @@
 #include "mesh/texture_place.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/surface_mesh.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -143,7 +143,7 @@ class LevelMesh {
 
   // Whether the heights of a surface differ so little that no breakline is worth it.
   bool lies_level(std::size_t surface, const std::vector<int>& near) {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
+    double least = infinite, most = -least;
     const auto see = [&](double z) {
       least = std::min(least, z);
       most = std::max(most, z);

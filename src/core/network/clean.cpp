@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "geometry/box.hpp"
@@ -10,6 +9,7 @@
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -66,8 +66,8 @@ class Collinear {
 
   Point last_, axis_;  // turns are counted from axis_
   double reach_ = 0;
-  double low_ = -std::numeric_limits<double>::infinity();
-  double high_ = std::numeric_limits<double>::infinity();
+  double low_ = -infinite;
+  double high_ = infinite;
 };
 
 class TightTurn {

@@ -14,6 +14,7 @@
 #include "geometry/tolerance.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/disjoint_sets.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -295,7 +296,7 @@ class NetworkBuilder {
       // A node that one of the two already has there is the node of the crossing; other crossings
       // are joined with it later.
       int group = -1;
-      double least = std::numeric_limits<double>::infinity();
+      double least = infinite;
       for (const auto& [axis, at] : {std::pair(f.a, f.at_a), std::pair(f.b, f.at_b)}) {
         const Cut* cut = cuts_[axis].near(
             at, tolerance_, [&](const Cut& other) { return crossings_.count(other.group) == 0; });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/box_hierarchy.hpp"
 #include "geometry/polyline.hpp"
@@ -10,6 +9,7 @@
 #include "geometry/voronoi_border.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -131,8 +131,7 @@ void each_sample_place(const Stretch& stretch, Use use) {
 
 // Those near the box: a section lies within half its width of its axis, an intersection may not.
 void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>& sites) {
-  const double margin = claim.skeleton.size() > 1 ? std::numeric_limits<double>::infinity()
-                                                  : claim.width / 2 + 2 * sample_spacing;
+  const double margin = claim.skeleton.size() > 1 ? infinite : claim.width / 2 + 2 * sample_spacing;
   for (const Stretch& stretch : claim.skeleton)
     each_sample_place(stretch, [&](const Point& place) {
       const Point p = planar(place);

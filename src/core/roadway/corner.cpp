@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "roadway/course.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -257,7 +257,7 @@ std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& str
              borders_b = borders_of(street_b, radius, -1);
   const Point node = planar(street_a.front().line().front());
   std::optional<Meeting> best;
-  double best_distance = std::numeric_limits<double>::infinity();
+  double best_distance = infinite;
   const auto too_near = [](const std::vector<Border>& borders, const Point& p) {
     return std::any_of(borders.begin(), borders.end(),
                        [&](const Border& border) { return border.too_near(p); });

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/box.hpp"
 #include "geometry/closed_ring.hpp"
@@ -11,6 +10,7 @@
 #include "geometry/tolerance.hpp"
 #include "roadway/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -208,7 +208,7 @@ class Faces {
   double clearance(const std::vector<FaceSide>& face, const Polygon& ground,
                    const std::vector<Polygon>& paved, const Point& p) const {
     if (!inside(p, ground)) return -distance_to_line(p, ground.front());
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinite;
     for (const FaceSide& side : face)
       least = std::min(least, distance_to_line(p, layout_.arm(side.end).line) - half_of(side));
     for (const Polygon& fillet : paved) {

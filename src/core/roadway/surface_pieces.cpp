@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/closed_ring.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -31,7 +31,7 @@ Polygon disc(const Point& centre, double radius) {
 // the ring comes nowhere near.
 bool pass_through(Ring& ring, const Point& p) {
   std::size_t vertex = 0, segment = 0;
-  double to_vertex = distance(ring[0], p), to_segment = std::numeric_limits<double>::infinity();
+  double to_vertex = distance(ring[0], p), to_segment = infinite;
   for (std::size_t i = 1; i < ring.size(); ++i) {
     if (const double off = distance(ring[i], p); off < to_vertex) {
       to_vertex = off;

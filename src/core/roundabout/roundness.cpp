@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 
 #include "geometry/fit_circle.hpp"
 #include "geometry/polyline.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -95,7 +95,7 @@ std::optional<Roundness> less_round_half(const Ring& line) {
   const Line places = places_on(line, waist_places);
   const std::size_t third = waist_places / 3;
   std::size_t from = 0, to = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (std::size_t i = 0; i < waist_places; ++i)
     for (std::size_t j = i + third; j <= i + 2 * third && j < waist_places; ++j) {
       // Of places nearly alike the one that parts equal halves.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "geometry/border_stretches.hpp"
@@ -11,6 +10,7 @@
 #include "geometry/tolerance.hpp"
 #include "sidewalk/kerb_sites.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -136,7 +136,7 @@ bool SharedGround::left_of(const Point& place, const Side& side) const {
 // The same of two sides that meet in the nearest place tells, whatever kerbs are given.
 bool SharedGround::on_roadway(const Point& place, int kerb) const {
   const Side* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   side_index_.each_near(box_of(place, place), strips_[kerb].widest + same_width, [&](int i) {
     const Side& side = sides_[i];
     const Line& line = kerbs_[side.kerb].line;

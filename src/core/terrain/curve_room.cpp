@@ -1,8 +1,8 @@
 #include "terrain/curve_room.hpp"
+#include "support/infinite.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace streetgen {
 namespace {
@@ -20,7 +20,7 @@ CurveRoom::CurveRoom(const DesignRules& rules) {
 
 double CurveRoom::tangent(double turn) const {
   turn = std::abs(turn);
-  if (!(turn <= sharpest)) return std::numeric_limits<double>::infinity();
+  if (!(turn <= sharpest)) return infinite;
   if (turn < 1e-9) return 0;
   return tangents_[std::min(steps, static_cast<int>(turn / sharpest * steps) + 1)];
 }

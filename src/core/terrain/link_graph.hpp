@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
+#include "support/infinite.hpp"
 #include "terrain/town_grid.hpp"
 
 namespace streetgen {
 
 // Towns from one to another, ends included; without a way none, and the length is infinite.
 struct TownWay {
-  double length = std::numeric_limits<double>::infinity();
+  double length = infinite;
   std::vector<std::size_t> towns;
 };
 

@@ -1,11 +1,11 @@
 // The heights of a road: stations, a first profile within the greatest grade, and its improvement.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/road_design.hpp"
+#include "support/infinite.hpp"
 #include "terrain/profile_band.hpp"
 
 namespace streetgen {
@@ -154,7 +154,7 @@ double miss_of(const std::vector<GradePiece>& pieces, const HeightLimit& limit) 
 std::vector<GradePoint> meet_limits(const DesignRules& rules, std::vector<ProfileStation> stations,
                                     const ProfileWish& wish) {
   std::vector<GradePoint> best = with_radii(rules, stations, wish.fixed), points = best;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (int pass = 0; pass < 40; ++pass) {
     const std::vector<GradePiece> pieces = vertical_alignment(points);
     double missed = 0;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "geometry/polyline.hpp"
+#include "support/infinite.hpp"
 #include "traffic/mirrored_legs.hpp"
 #include "traffic/movement_angle.hpp"
 #include "traffic/turn.hpp"
@@ -322,7 +322,7 @@ class Plausibility {
     }
     const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());
     int best = low;
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinite;
     for (int shift = low; shift <= high; ++shift) {
       double moved = 0;
       for (int i = 0; i < n; ++i) {

@@ -1,10 +1,10 @@
 #include "traffic/taut_path.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 #include "traffic/guided_path.hpp"
 #include "traffic/path_choice.hpp"
 
@@ -36,7 +36,7 @@ class Search {
     if (bulges_.size() > most_places) return std::nullopt;
     std::vector<Point> places{start, goal};
     places.insert(places.end(), bulges_.begin(), bulges_.end());
-    constexpr double far = std::numeric_limits<double>::infinity();
+    constexpr double far = infinite;
     std::vector<double> way(places.size(), far);
     std::vector<std::size_t> before(places.size(), 0);
     std::vector<bool> done(places.size(), false);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "geometry/polyline.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -156,7 +156,7 @@ Trajectory widened(const Passage& way, const Trajectory& path, double least_radi
 double circumradius(const Point& a, const Point& b, const Point& c) {
   const double twice_area = std::abs(cross(b - a, c - a));
   const double sides = distance(a, b) * distance(b, c) * distance(c, a);
-  return twice_area > 0 ? sides / (2 * twice_area) : std::numeric_limits<double>::infinity();
+  return twice_area > 0 ? sides / (2 * twice_area) : infinite;
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ double sharpest_turn(const Line& path) {
 
 double quarter_radius(const Line& path) {
   const double quarter = length(path) / 4;
-  if (!(quarter > 0)) return std::numeric_limits<double>::infinity();
+  if (!(quarter > 0)) return infinite;
   Point points[5];
   std::size_t segment = 0;
   double before = 0, size = distance(path[0], path[1]);
@@ -211,7 +211,7 @@ double quarter_radius(const Line& path) {
     points[i] =
         t == 1 ? path[segment + 1] : path[segment] + (path[segment + 1] - path[segment]) * t;
   }
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinite;
   for (int i = 0; i < 3; ++i)
     least = std::min(least, circumradius(points[i], points[i + 1], points[i + 2]));
   return least;

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "support/infinite.hpp"
 #include "virtual_city/portable_math.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double never = infinite;
 // Points on a whole millimetre lie off the line between others by less.
 constexpr double on_line = 0.002;
 // Boxes of longer pieces would hold much that is far from them.
