@@ -127,6 +127,16 @@ SELECT 'and nobody edits where such a function stands in the model', (r).state =
   FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
 RESET ROLE;
 DROP FUNCTION town.concat_ws(text, name);
+GRANT USAGE, CREATE ON SCHEMA town TO rights_nobody;
+SET ROLE rights_nobody;
+CREATE FUNCTION town._reach(integer[]) RETURNS bigint LANGUAGE plpgsql AS $$ BEGIN PERFORM public.gain(); RETURN 1; END $$;
+RESET ROLE;
+REVOKE USAGE, CREATE ON SCHEMA town FROM rights_nobody;
+SET ROLE rights_owner;
+SELECT 'nor where one stands by the name of a function of the model', (r).state = '42501' AND (r).said LIKE '% in schema "town": town._reach(integer[]) of role rights_nobody'
+  FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
+RESET ROLE;
+DROP FUNCTION town._reach(integer[]);
 GRANT CREATE ON SCHEMA public TO rights_nobody;
 SET ROLE rights_owner;
 SELECT 'where others may make some, the owner edits', pg_temp.edit() = 'none' AND pg_temp.place() = 'none';

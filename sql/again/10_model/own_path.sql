@@ -24,7 +24,7 @@ BEGIN
             SELECT p.oid::regprocedure || ' of role ' || proowner::regrole AS planted FROM pg_proc p
             WHERE pronamespace = searched.oid AND proowner <> ALL (trusted) AND EXISTS (SELECT FROM pg_proc o
                 WHERE o.proname = p.proname AND (o.pronamespace = 'pg_catalog'::regnamespace
-                    OR o.pronamespace = postgis.oid AND o.proowner = ANY (trusted)))
+                    OR o.pronamespace IN (postgis.oid, searched.oid) AND o.proowner = ANY (trusted)))
             UNION ALL SELECT 'operator ' || p.oid::regoperator || ' of role ' || oprowner::regrole FROM pg_operator p
             WHERE oprnamespace = searched.oid AND oprowner <> ALL (trusted)) p;
         IF planted IS NOT NULL THEN
@@ -48,7 +48,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_functions_beside(name, oid, oid) IS
     'Raises 42501 where the schema of PostGIS or of a model holds functions or operators of others by names of the '
-    'system or of PostGIS, or where somebody edits with the rights of the owner while others may make such. Others: '
+    'system, of PostGIS or of functions that the model has, or where somebody edits with the rights of the owner while others may make such. Others: '
     'roles that have neither the rights of the owner nor own PostGIS or its schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._only_own_functions(model name) RETURNS boolean

@@ -158,9 +158,9 @@ BEGIN
         NEW.by_hand := decided IS NOT NULL;
     END IF;
     PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.junction_id]);
-    SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), '{}')
-        FROM junction_override o WHERE o.kind IS NOT NULL AND o.junction_override_id = ANY
-        (streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id)) INTO known;
+    known := streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'junction_override', OLD.junction_id);
+    known := ARRAY(SELECT o.junction_override_id FROM junction_override o
+        WHERE o.kind IS NOT NULL AND o.junction_override_id = ANY (known) ORDER BY o.junction_override_id DESC);
     nodes := streetgen._nodes_to_decide(TG_TABLE_SCHEMA, OLD.junction_id);
     IF nodes.axes IS NULL THEN
         PERFORM streetgen._refuse('22023', format('junction %s is gone', OLD.junction_id),
