@@ -48,8 +48,9 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_functions_beside(name, oid, oid) IS
     'Raises 42501 where the schema of PostGIS or of a model holds functions or operators of others by names of the '
-    'system, of PostGIS or of functions that the model has, or where somebody edits with the rights of the owner while others may make such. Others: '
-    'roles that have neither the rights of the owner nor own PostGIS or its schema.';
+    'system, of PostGIS or of functions that the model has. So it does where somebody edits with the rights of the '
+    'owner while others may make such. Others: roles that have neither the rights of the owner nor own PostGIS or its '
+    'schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._only_own_functions(model name) RETURNS boolean
     LANGUAGE c STABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_only_own_functions';
