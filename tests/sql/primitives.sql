@@ -72,6 +72,7 @@ SELECT 'every function has a comment: ' || coalesce(string_agg(p.oid::regprocedu
 SELECT 'every function pins its search_path or is bound when made: ' || coalesce(string_agg(p.oid::regprocedure::text, ', '), 'all'), count(*) = 0
     FROM pg_proc p JOIN pg_language l ON l.oid = p.prolang
     WHERE pronamespace = 'streetgen'::regnamespace AND lanname IN ('plpgsql', 'sql') AND prosqlbody IS NULL AND NOT coalesce(array_to_string(proconfig, ',') ~ 'search_path', false)
+      AND p.oid <> 'streetgen._use_model'::regproc -- which sets that of its caller
       AND NOT (prokind = 'p' AND prosrc ~ 'COMMIT'); -- which PostgreSQL refuses under a pinned one: all that it names is qualified
 SELECT 'of which the temporary schema is last: ' || coalesce(string_agg(p.oid::regprocedure::text, ', '), 'all'), count(*) = 0
   FROM pg_proc p, unnest(proconfig) said WHERE pronamespace = 'streetgen'::regnamespace AND said LIKE 'search_path=%' AND said NOT LIKE '%, pg_temp';

@@ -34,8 +34,11 @@ CREATE OR REPLACE FUNCTION streetgen._nearest_height(model name, place geometry,
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    -- The twenty nearest boxes bound how far the twenty nearest axes lie.
     SELECT ST_Z(d.geom), ST_Distance(d.geom, place) FROM (SELECT geom FROM axis
-            WHERE ST_DWithin(geom, place, 500) ORDER BY geom <-> place, axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
+            WHERE ST_DWithin(geom, place, least(500, (SELECT max(ST_Distance(b.geom, place))
+                FROM (SELECT geom FROM axis ORDER BY geom <#> place LIMIT 20) b)))
+            ORDER BY ST_Distance(geom, place), axis_id LIMIT 20) a, ST_DumpPoints(a.geom) d
         WHERE streetgen._known_height(ST_Z(d.geom)) IS NOT NULL ORDER BY 2, 1 LIMIT 1 INTO z, distance;
 END $$;
 COMMENT ON FUNCTION streetgen._nearest_height(name, geometry) IS
