@@ -57,11 +57,14 @@ DO $$
 DECLARE
   t record;
 BEGIN
-  FOR t IN SELECT tgname, tgrelid::regclass AS input FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'older'::regnamespace AND tgname LIKE 'refuse\_%' LOOP
+  FOR t IN SELECT tgname, tgrelid::regclass AS input FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'older'::regnamespace AND tgfoid = 'streetgen._refuse_row()'::regprocedure LOOP
     EXECUTE format('DROP TRIGGER %I ON %s', t.tgname, t.input);
   END LOOP;
+  CREATE TRIGGER refuse_width BEFORE INSERT OR UPDATE OF width ON older.axis FOR EACH ROW WHEN (NOT NEW.width > 0) EXECUTE FUNCTION streetgen._refuse_row();
   PERFORM streetgen.adopt_model('older');
 END $$;
+SELECT 'an adopted model has one trigger a table that refuses', array_agg(DISTINCT tgname::text) = '{refuse}' AND count(*) > 15 AND count(*) = count(DISTINCT tgrelid)
+  FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'older'::regnamespace AND tgfoid = 'streetgen._refuse_row()'::regprocedure;
 SELECT 'an adopted model says it too', hint <> '' FROM test.refusal('INSERT INTO older.axis (geom, width) VALUES (''SRID=2154;LINESTRING(1 1,2 2)'', 0)');
 ALTER TABLE older.axis DROP CONSTRAINT axis_radius_check;
 SET streetgen.live = 'off';

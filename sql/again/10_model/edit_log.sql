@@ -30,13 +30,9 @@ CREATE OR REPLACE FUNCTION streetgen._make_edit_log(model name) RETURNS void
     AS $$
 DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    wanted boolean;
-    relation text;
-    event name;
-    tables text;
+    relation name;
+    event record;
 BEGIN
-    PERFORM streetgen._use_model(model);
-    SELECT EXISTS (SELECT FROM setting WHERE (name, value) = ('log', 'on')) INTO wanted;
     -- With its owner's rights: an editor cannot write the log by hand.
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._log_edit() RETURNS trigger
@@ -64,22 +60,15 @@ BEGIN
     RETURN NULL;
 END $body$ $sql$, model, srid);
     PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log where setting log is on');
-    FOR relation, event IN SELECT tgrelid::regclass, tgname FROM pg_trigger WHERE NOT wanted
-        AND tgfoid = format('%I._log_edit()', model)::regprocedure
-    LOOP
-        EXECUTE format('DROP TRIGGER %I ON %s', event, relation);
-    END LOOP;
-    FOR relation, event, tables IN SELECT format('%I.%I', model, input), e.* FROM unnest(streetgen._street_input(model))
-        input, (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
-        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
-        ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e WHERE wanted
-    LOOP
-        EXECUTE format('CREATE OR REPLACE TRIGGER log_%1$s AFTER %1$s ON %2$s %3$s FOR EACH STATEMENT EXECUTE FUNCTION '
-            '%4$I._log_edit()', event, relation, tables, model);
-        EXECUTE format('COMMENT ON TRIGGER log_%s ON %s IS %L', event, relation,
-            'Writes the log while setting log is on');
+    FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
+        FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
+            ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
+            ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP
+            EXECUTE format('CREATE OR REPLACE TRIGGER log_%3$s AFTER %3$s ON %1$I.%2$I %4$s FOR EACH STATEMENT '
+                'EXECUTE FUNCTION %1$I._log_edit()', model, relation, event.name, event.tables);
+            EXECUTE format('COMMENT ON TRIGGER log_%3$s ON %1$I.%2$I IS %4$L', model, relation, event.name,
+                'Writes the log where setting log is on');
+        END LOOP;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._make_edit_log(name) IS
-    'Makes the triggers that write edit_log where setting log is on, and drops them where it is off: no edit pays for '
-    'a log that nobody keeps.';
+COMMENT ON FUNCTION streetgen._make_edit_log(name) IS 'Makes the triggers that write edit_log while setting log is on.';

@@ -136,7 +136,7 @@ BEGIN
     FOR broken IN SELECT c.*, atttypid, attidentity, (SELECT k.attname FROM pg_attribute k WHERE k.attrelid = TG_RELID
         AND k.attnum = 1) AS key
         FROM streetgen._conditions(TG_RELID) c JOIN pg_attribute ON attrelid = TG_RELID AND attname = attribute
-        -- The place first: what is left out follows from it.
+        -- The place comes first: columns that are left out follow from it.
         ORDER BY atttypid <> 'geometry'::regtype, attnum
     LOOP
         EXECUTE format('SELECT %s, %I::text, %s FROM (SELECT ($1).*) r', broken.condition, broken.key,
@@ -168,7 +168,15 @@ CREATE OR REPLACE FUNCTION streetgen._make_refusals(model name) RETURNS void
     AS $$
 DECLARE
     ruled record;
+    former record;
 BEGIN
+    -- Models of older builds have a trigger a column.
+    FOR former IN SELECT tgname AS name, tgrelid::regclass AS input FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid
+        WHERE relnamespace = quote_ident(model)::regnamespace AND tgname <> 'refuse'
+            AND tgfoid = 'streetgen._refuse_row()'::regprocedure
+    LOOP
+        EXECUTE format('DROP TRIGGER %I ON %s', former.name, former.input);
+    END LOOP;
     FOR ruled IN
         SELECT c.oid::regclass AS input, string_agg(DISTINCT quote_ident(attribute), ', ') AS attributes,
             string_agg(regexp_replace(condition, format('\m%s\M', attribute), format('NEW.%I', attribute), 'g'),
