@@ -89,7 +89,11 @@ SELECT count(*) FROM streetgen.generate('town', wait => true) \g /dev/null
 
 -- Switched off and on.
 CREATE TABLE kept AS SELECT street_object_id, geom FROM town.street_object;
+CREATE FUNCTION town.free_places(text) RETURNS text LANGUAGE sql AS 'SELECT $1';
+CREATE VIEW town.theirs AS SELECT town.free_places('theirs') AS said;
 SELECT count(*) FROM streetgen.switch_subject('town', 'object', false) \g /dev/null
+SELECT 'a function of others by a name of ours stays, with what stands on it', said = 'theirs' FROM town.theirs;
+DROP FUNCTION town.free_places(text) CASCADE;
 SELECT 'switched off, objects stay', (SELECT count(*) FROM town.street_object) = count(*) AND to_regclass('town.object_edge') IS NULL AND to_regclass('town.street_object_editing') IS NULL FROM kept;
 SELECT count(*) FROM streetgen.switch_subject('town', 'object', true) \g /dev/null
 SELECT 'switched on again, they stand where they did', bool_and(ST_DWithin(k.geom, o.geom, 1e-6)) FROM kept k JOIN town.street_object o USING (street_object_id);

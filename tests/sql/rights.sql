@@ -118,25 +118,20 @@ GRANT USAGE, CREATE ON SCHEMA town TO rights_nobody;
 SET ROLE rights_editor;
 SELECT 'an editor lends no rights of the owner to who may make functions in the model', (r).state = '42501' AND (r).said = 'schema "town" is open to functions of rights_nobody' AND (r).hint LIKE 'REVOKE CREATE ON SCHEMA town FROM rights_nobody%'
   FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
+-- By a name of the system, of a function of the model and of a type of PostGIS.
 SET ROLE rights_nobody;
 CREATE FUNCTION town.concat_ws(text, name) RETURNS text LANGUAGE plpgsql AS $$ BEGIN PERFORM public.gain(); RETURN $2; END $$;
-RESET ROLE;
-REVOKE USAGE, CREATE ON SCHEMA town FROM rights_nobody;
-SET ROLE rights_owner;
-SELECT 'and nobody edits where such a function stands in the model', (r).state = '42501' AND (r).said LIKE '% in schema "town": town.concat_ws(text,name) of role rights_nobody'
-  FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
-RESET ROLE;
-DROP FUNCTION town.concat_ws(text, name);
-GRANT USAGE, CREATE ON SCHEMA town TO rights_nobody;
-SET ROLE rights_nobody;
 CREATE FUNCTION town._reach(integer[]) RETURNS bigint LANGUAGE plpgsql AS $$ BEGIN PERFORM public.gain(); RETURN 1; END $$;
+CREATE DOMAIN town.geometry AS public.geometry CHECK (public.gain() IS NULL);
 RESET ROLE;
 REVOKE USAGE, CREATE ON SCHEMA town FROM rights_nobody;
 SET ROLE rights_owner;
-SELECT 'nor where one stands by the name of a function of the model', (r).state = '42501' AND (r).said LIKE '% in schema "town": town._reach(integer[]) of role rights_nobody'
+SELECT 'and nobody edits where functions or types of others stand in the model', (r).state = '42501'
+    AND (r).said LIKE '% in schema "town": town._reach(integer[]) of role rights_nobody, town.concat_ws(text,name) of role rights_nobody, type town.geometry of role rights_nobody'
   FROM (SELECT test.refusal('UPDATE town.axis SET width = 6 WHERE axis_id = 1') AS r) t;
 RESET ROLE;
-DROP FUNCTION town._reach(integer[]);
+DROP FUNCTION town.concat_ws(text, name), town._reach(integer[]);
+DROP DOMAIN town.geometry;
 GRANT CREATE ON SCHEMA public TO rights_nobody;
 SET ROLE rights_owner;
 SELECT 'where others may make some, the owner edits', pg_temp.edit() = 'none' AND pg_temp.place() = 'none';

@@ -30,8 +30,8 @@ COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
     'runs with the rights of the owner first looks for functions of others, and nobody else may call it; any other '
     'one may be called by who may use the schema.';
 
-CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name, names name[] DEFAULT NULL) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     part text;
@@ -39,7 +39,8 @@ BEGIN
     FOR part IN
         WITH own AS (SELECT p.oid FROM pg_proc p JOIN pg_depend d ON d.objid = p.oid AND d.classid = 'pg_proc'::regclass
                 JOIN pg_extension e ON e.oid = d.refobjid AND d.refclassid = 'pg_extension'::regclass
-            WHERE p.pronamespace = quote_ident(model)::regnamespace AND d.deptype = 'x' AND e.extname = 'streetgen')
+            WHERE p.pronamespace = quote_ident(model)::regnamespace AND d.deptype = 'x' AND e.extname = 'streetgen'
+                AND (names IS NULL OR p.proname = ANY (names)))
         SELECT drop FROM (
             SELECT 1 AS turn, format('DROP TRIGGER %I ON %s', tgname, tgrelid::regclass) AS drop
             FROM pg_trigger JOIN own ON own.oid = tgfoid JOIN pg_class c ON c.oid = tgrelid
@@ -49,21 +50,6 @@ BEGIN
         EXECUTE part;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._drop_own_functions(name) IS
-    'Drops the functions of a model that go with the extension, and the triggers of its tables that call them: an '
-    'earlier build may have made them with other names and arguments.';
-
-CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name, names name[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog SET client_min_messages = warning
-    AS $$
-DECLARE
-    part text;
-BEGIN
-    FOR part IN SELECT format('DROP FUNCTION %s CASCADE', oid::regprocedure) FROM pg_proc
-        WHERE pronamespace = to_regnamespace(quote_ident(model)) AND proname = ANY (names)
-    LOOP
-        EXECUTE part;
-    END LOOP;
-END $$;
 COMMENT ON FUNCTION streetgen._drop_own_functions(name, name[]) IS
-    'Drops those of these functions that stand in the schema of a model, with the triggers that call them.';
+    'Drops the functions of a model that go with the extension, all or those of these names, and the triggers of its '
+    'tables that call them: an earlier build may have made them with other names and arguments.';

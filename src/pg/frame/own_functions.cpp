@@ -30,7 +30,8 @@ void watch_catalogue() {
   static bool watched = false;
   if (watched) return;
   watched = true;
-  for (const int cache : {PROCOID, OPEROID, NAMESPACEOID, AUTHOID, AUTHMEMMEMROLE, DATABASEOID})
+  for (const int cache :
+       {PROCOID, OPEROID, TYPEOID, NAMESPACEOID, AUTHOID, AUTHMEMMEMROLE, DATABASEOID})
     CacheRegisterSyscacheCallback(cache, note_change, Datum{0});
 }
 
