@@ -1,10 +1,10 @@
 // Overpasses: where two edges cross without a node.  Wilkie, Sewall, Lin, section 5.
 //
 // Every crossing counts once, also one at a vertex.  One within the tolerance of a node that both
-// edges share is that node, and edges that run along each other do not cross.  Who is above, in
+// edges share is that node, and edges that run along each other do not cross.  The upper one is, in
 // this order: what a user decides, the higher level, the more important axis, the longer axis (by
 // the millimetre), the greater axis_id; of one axis what is nearer to its middle, then the later.
-// So the relation has no cycle but by hand, and two edges and the lengths of their axes decide.
+// The relation has no cycle but by hand: two edges and the lengths of their axes decide.
 #pragma once
 
 #include <cstdint>

@@ -64,7 +64,7 @@ struct Profiles {
 };
 
 // Each edge has the heights of those that it hangs together with alone: by lifts and by tied nodes.
-// What else is solved in the same call says nothing of them.  So some edges alone have the heights
+// Others that are solved in the same call say nothing of them.  Some edges alone have the heights
 // that they have among all, if no lift and no node that is tied, by any of the two, leads from them
 // to others.
 //

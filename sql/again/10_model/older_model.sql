@@ -183,7 +183,7 @@ BEGIN
     END IF;
     EXECUTE format('ALTER TABLE %I.profile ADD tied_from boolean NOT NULL DEFAULT false,
         ADD tied_to boolean NOT NULL DEFAULT false', model);
-    -- As far as heights in the end tell; the next run knows more.
+    -- Heights in the end tell this for the most part; the next run knows more.
     EXECUTE format('UPDATE %I.profile SET tied_from = true, tied_to = true WHERE method <> ''ground''', model);
     EXECUTE format('ALTER TABLE %I.profile ALTER tied_from DROP DEFAULT, ALTER tied_to DROP DEFAULT', model);
     EXECUTE format('DROP INDEX IF EXISTS %I.profile_off_ground', model);

@@ -176,7 +176,7 @@ BEGIN
               WHERE greatest(abs(ST_X(r.point)), abs(ST_Y(r.point))) > far ORDER BY 3 DESC NULLS LAST, 1 LIMIT 1) f
         WHERE f.metres > far;
 EXCEPTION WHEN internal_error THEN
-    -- _check_scale tells where the projection is not defined.
+    -- The projection is not defined here: _check_scale says so.
     RETURN;
 END $$;
 COMMENT ON FUNCTION streetgen._misplaced(text) IS

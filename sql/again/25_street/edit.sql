@@ -71,8 +71,11 @@ CREATE OR REPLACE FUNCTION streetgen._edit_corner() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
     subject text;
     place record;
+    -- The direction in the middle of both, counter-clockwise from the first, in radians.
+    middle float8;
     known bigint[];
     -- The youngest that speaks of this corner alone.
     own bigint;
@@ -108,8 +111,7 @@ BEGIN
     END IF;
     SELECT coalesce(array_agg(corner_override_id), '{}'), max(corner_override_id) FILTER (WHERE NOT place.twin
         OR ST_Distance(geom, place.node) > 0.001) FROM corner_override
-        WHERE (axis_a, axis_b) = (place.axis_a, place.axis_b) AND ST_DWithin(geom, place.node, 3 *
-            streetgen._tolerance(TG_TABLE_SCHEMA))
+        WHERE (axis_a, axis_b) = (place.axis_a, place.axis_b) AND ST_DWithin(geom, place.node, 3 * tolerance)
             AND (NOT place.twin OR streetgen._on_side(geom, place.node, place.of_a, place.of_b)) INTO known, own;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
         DELETE FROM corner_override WHERE corner_override_id = ANY (known);
@@ -124,10 +126,9 @@ BEGIN
     PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 200, 'm',
         '0 for no arc; delete the row to take back what was decided by hand.');
     IF own IS NULL THEN
-        INSERT INTO corner_override (geom, axis_a, axis_b, radius) VALUES (CASE WHEN place.twin THEN
-            ST_Translate(place.node, streetgen._tolerance(TG_TABLE_SCHEMA) * cos(place.of_a + (place.of_b - place.of_a -
-            2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2), streetgen._tolerance(TG_TABLE_SCHEMA) *
-            sin(place.of_a + (place.of_b - place.of_a - 2 * pi() * floor((place.of_b - place.of_a) / (2 * pi()))) / 2))
+        middle := (place.of_a + place.of_b) / 2 - pi() * floor((place.of_b - place.of_a) / (2 * pi()));
+        INSERT INTO corner_override (geom, axis_a, axis_b, radius) VALUES (
+            CASE WHEN place.twin THEN ST_Translate(place.node, tolerance * cos(middle), tolerance * sin(middle))
             ELSE place.node END, place.axis_a, place.axis_b, NEW.radius);
     ELSE
         UPDATE corner_override SET radius = NEW.radius WHERE corner_override_id = own;

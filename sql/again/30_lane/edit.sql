@@ -146,6 +146,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_interconnection() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
     subject text;
     place record;
     known bigint[];
@@ -184,8 +185,8 @@ BEGIN
         ORDER BY interconnection_override_id DESC), '{}') FROM interconnection_override
         WHERE (axis_in, lane_in, axis_out, lane_out) = (place.axis_in, place.lane_in, place.axis_out, place.lane_out)
             AND (along_in = place.along_in) IS NOT FALSE
-            AND (along_out = place.along_out) IS NOT FALSE AND ST_DWithin(geom, place.node, 3 *
-                streetgen._tolerance(TG_TABLE_SCHEMA)) INTO known;
+            AND (along_out = place.along_out) IS NOT FALSE
+            AND ST_DWithin(geom, place.node, 3 * tolerance) INTO known;
     IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
         DELETE FROM interconnection_override WHERE interconnection_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;

@@ -51,6 +51,7 @@ CREATE OR REPLACE FUNCTION streetgen._decide_junction(model name, known bigint[]
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    tolerance constant float8 := streetgen._tolerance(model);
     kept bigint[];
     missing integer[];
 BEGIN
@@ -61,7 +62,7 @@ BEGIN
     FROM unnest(places) WITH ORDINALITY p(geom, i) LEFT JOIN LATERAL (
         SELECT junction_override_id AS id FROM junction_override v JOIN unnest(known) WITH ORDINALITY k(id, turn)
             ON v.junction_override_id = k.id
-        WHERE cardinality(places) = 1 OR ST_DWithin(v.geom, p.geom, 3 * streetgen._tolerance(model))
+        WHERE cardinality(places) = 1 OR ST_DWithin(v.geom, p.geom, 3 * tolerance)
             ORDER BY turn LIMIT 1) o ON true
     WHERE num_nonnulls(inside, kind) = 1 INTO kept, missing;
     DELETE FROM junction_override WHERE junction_override_id = ANY (known) AND junction_override_id <> ALL (kept);

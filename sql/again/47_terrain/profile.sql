@@ -151,23 +151,20 @@ CREATE OR REPLACE FUNCTION streetgen._broken_rules(model name, link bigint) RETU
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    rules jsonb;
+    rules constant jsonb := streetgen._link_rules(model, link);
+    grades constant float8[] := streetgen._link_grades(model, link);
     broken text;
 BEGIN
     PERFORM streetgen._use_model(model);
-    rules := streetgen._link_rules(model, link);
     SELECT string_agg(word, ', ' ORDER BY place) FROM (
         SELECT 1 AS place, 'radius' AS word WHERE EXISTS (SELECT FROM alignment_element WHERE design_link_id = link
             AND NOT rejected AND greatest(abs(curvature_start), abs(curvature_end)) > 1.001 / ((rules ->>
                 'radius')::float8))
-        UNION ALL SELECT 2, 'grade' WHERE EXISTS (SELECT FROM
-            streetgen._vertical_alignment(streetgen._link_grades(model, link))
+        UNION ALL SELECT 2, 'grade' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment(grades)
             WHERE greatest(abs(grade_start), abs(grade_end)) > 1.005 * ((rules ->> 'grade')::float8))
-        UNION ALL SELECT 3, 'crest' WHERE EXISTS (SELECT FROM
-            streetgen._vertical_alignment(streetgen._link_grades(model, link))
+        UNION ALL SELECT 3, 'crest' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment(grades)
             WHERE kind = 'crest' AND radius < 0.995 * ((rules ->> 'crest')::float8))
-        UNION ALL SELECT 4, 'sag' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment(streetgen._link_grades(model,
-            link))
+        UNION ALL SELECT 4, 'sag' WHERE EXISTS (SELECT FROM streetgen._vertical_alignment(grades)
             WHERE kind = 'sag' AND radius < 0.995 * ((rules ->> 'sag')::float8))) w INTO broken;
     RETURN 'breaks ' || broken;
 END $$;
@@ -181,6 +178,8 @@ DECLARE
     elements constant float8[] := streetgen._link_elements(model, link);
     grades constant float8[] := streetgen._link_grades(model, link);
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    -- The last element begins at an abscissa and has a length.
+    road_end constant float8 := elements[cardinality(elements) - 6] + elements[cardinality(elements) - 2];
     written bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -204,10 +203,8 @@ BEGIN
     SELECT link, kind, low, high, streetgen._alignment_line(elements, grades, srid, low, high, 0.01)::geometry FROM free
     WHERE high > low;
     GET DIAGNOSTICS written = ROW_COUNT;
-    UPDATE structure SET geom = CASE WHEN start_abscissa < (elements[cardinality(elements) - 6] +
-        elements[cardinality(elements) - 2]) THEN streetgen._alignment_line(
-        elements, grades, srid, start_abscissa, least(end_abscissa, elements[cardinality(elements) - 6] +
-            elements[cardinality(elements) - 2]), 0.01)::geometry END
+    UPDATE structure SET geom = CASE WHEN start_abscissa < road_end THEN streetgen._alignment_line(elements, grades,
+            srid, start_abscissa, least(end_abscissa, road_end), 0.01)::geometry END
         WHERE design_link_id = link AND by_hand;
     UPDATE design_link SET method = streetgen._broken_rules(model, link) WHERE design_link_id = link
         AND method IS DISTINCT FROM streetgen._broken_rules(model, link);

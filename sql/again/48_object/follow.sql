@@ -23,7 +23,8 @@ BEGIN
         RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
             bigint)
         LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
-        -- Of all axes or of some: each has a plan of its own. With less memory the joins of a city have too many parts.
+        -- A run over all axes and one over some have plans of their own.  The joins of a city have too many parts with
+        -- less memory.
         SET plan_cache_mode = force_custom_plan SET work_mem = '16MB'
         AS $body$
     #variable_conflict use_column
@@ -152,7 +153,7 @@ BEGIN
     DECLARE
         tolerance constant float8 := streetgen._tolerance(current_schema());
     BEGIN
-        -- Those of changed axes, with the place of the old axis at which they stood.
+        -- Objects of changed axes are taken with the place of the old axis at which they stood.
         WITH changed AS MATERIALIZED (
             SELECT c.axis_id, ST_Force2D(c.was) AS was, ST_Force2D(c.now) AS now,
                 c.was IS NOT NULL AND c.now IS NOT NULL AND NOT streetgen._remap_is_cut_back(ST_Force2D(c.was),

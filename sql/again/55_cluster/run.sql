@@ -51,8 +51,9 @@ COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS
 CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT requested bigint[],
     OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
-    -- Nothing is known of how many lie around: what is not looked up by place is joined on equal keys.
-    SET enable_nestloop = off
+    -- Nothing is known of how many lie around: what is not looked up by place is joined on equal keys. A plan for all
+    -- calls would not know the reach either.
+    SET enable_nestloop = off SET plan_cache_mode = force_custom_plan
     AS $$
 DECLARE
     reach float8;
@@ -60,12 +61,14 @@ DECLARE
     near float8;
     -- No roadway is wider.
     widest constant float8 := 200;
+    merging_reach constant float8 := CASE WHEN 'ramp' = ANY (streetgen._subjects(model))
+        THEN streetgen._merging_reach(model) END;
 BEGIN
     PERFORM streetgen._use_model(model);
     EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8)
         FILTER (WHERE name = 'tolerance') FROM %1$I.setting WHERE name IN (%3$s, 'tolerance')$sql$, model,
         streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, near;
-    -- Fewer axes lie around than inside: the query begins with those.
+    -- Fewer axes lie around than inside: the query begins with those around.
     WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM axis
         WHERE axis_id = ANY (axes)),
     around AS MATERIALIZED (
@@ -95,14 +98,12 @@ BEGIN
     beside AS MATERIALIZED (
         SELECT axis_id, geom FROM near
         UNION ALL SELECT a.axis_id, a.geom FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull
-            FROM axis WHERE axis_id = ANY (written)) h JOIN axis a ON ST_DWithin(a.geom, hull, CASE WHEN 'ramp' = ANY
-                (streetgen._subjects(model)) THEN streetgen._merging_reach(model) END)
+            FROM axis WHERE axis_id = ANY (written)) h JOIN axis a ON ST_DWithin(a.geom, hull, merging_reach)
             LEFT JOIN axis_class c ON c.class = a.kind
         WHERE streetgen._may_be_highway(a.kind, c.highway_role) AND a.axis_id <> ALL (written)
             AND a.axis_id NOT IN (SELECT axis_id FROM near)),
-    -- With what meets it farther on, and again: that bounds its edges, and corners follow an axis to the next. What
-    -- meets
-    -- those inside lies beside them.
+    -- Axes that meet these farther on bound their edges, and corners follow an axis to the next. So do those that
+    -- meet them again. Axes that meet those inside lie beside them.
     met AS MATERIALIZED (
         SELECT DISTINCT ON (m.axis_id) m.axis_id, m.geom FROM beside b, LATERAL (SELECT axis_id, geom FROM axis a
             WHERE ST_DWithin(a.geom, b.geom, near) OFFSET 0) m
@@ -213,9 +214,8 @@ BEGIN
                  sum(cardinality(k.axes))
                      FILTER (WHERE k.ended IS NOT NULL) / nullif(sum(extract(epoch FROM k.ended - k.began)),
                      0)::float8 AS rate_of_one FROM cluster k) c,
-         -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute. A
-         -- large
-         -- edit holds districts, too, but no row of a cluster.
+         -- Keys of districts and clusters are negative, that of the door is the least; who waits does not compute.
+         -- A large edit holds districts, too, but no row of a cluster.
          (SELECT count(*)::integer AS sessions FROM (SELECT
               FROM (SELECT *, database = (SELECT oid FROM pg_database WHERE datname = current_database()) AS here
                   FROM pg_locks) p
