@@ -29,7 +29,10 @@ BEGIN
             UNION ALL SELECT 'operator ' || p.oid::regoperator || ' of role ' || oprowner::regrole FROM pg_operator p
             WHERE oprnamespace = searched.oid AND oprowner <> ALL (trusted)
             UNION ALL SELECT 'type ' || p.oid::regtype || ' of role ' || typowner::regrole FROM pg_type p
-            WHERE typnamespace = searched.oid AND typowner <> ALL (trusted) AND EXISTS (SELECT FROM pg_depend
+            -- An array type goes with its element.
+            WHERE typnamespace = searched.oid AND typowner <> ALL (trusted)
+                AND NOT EXISTS (SELECT FROM pg_type e WHERE e.oid = p.typelem AND e.typarray = p.oid)
+                AND EXISTS (SELECT FROM pg_depend
                 JOIN pg_type o ON o.oid = objid WHERE (classid, refobjid, deptype) = ('pg_type'::regclass,
                     postgis.extension, 'e') AND o.typname = p.typname)) p;
         IF planted IS NOT NULL THEN

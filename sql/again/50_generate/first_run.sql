@@ -59,6 +59,7 @@ COMMENT ON FUNCTION streetgen._validate(regclass, name, text) IS
 CREATE OR REPLACE FUNCTION streetgen._drop_keys(model name, relations name[], by_cluster boolean DEFAULT false)
     RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
+    SET lock_timeout = '5s'
     AS $$
 DECLARE
     off text[];
@@ -66,8 +67,11 @@ DECLARE
     tables name[];
     statements text[];
 BEGIN
-    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, name), ', ')
-        || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(relations) name);
+    -- Autovacuum gives way to who waits longer than deadlock_timeout; nobody waits for a reader.
+    EXECUTE (SELECT format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE %s', string_agg(name::text, ', '),
+        CASE WHEN NOT EXISTS (SELECT FROM pg_locks l WHERE l.relation = ANY (array_agg(name))
+            AND mode = 'ShareUpdateExclusiveLock' AND pid <> pg_backend_pid()) THEN 'NOWAIT' END)
+        FROM (SELECT format('%I.%I', model, name)::regclass AS name FROM unnest(relations) name) r);
     WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c
         WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (relations)),
     -- Foreign keys between them.
