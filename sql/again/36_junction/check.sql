@@ -27,7 +27,7 @@ SELECT 'notice', 'turn restriction via axes outside a junction, not obeyed', 'tu
     cardinality(r.via_axes), r.geom FROM %1$I.turn_restriction r
     WHERE r.via_axes IS NOT NULL AND 1 <> (SELECT count(DISTINCT coalesce(j.junction_id, -1))
             + count(*) FILTER (WHERE j.junction_id IS NULL)
-        FROM ($part$ || streetgen._fill_template(streetgen._via_edges(), '{"model": "%1$I"}') || $part$) e
+        FROM streetgen._via_edges(%1$L, r.via_axes, r.via_geom) e
             LEFT JOIN %1$I.junction_edge j USING (edge_id))$part$),
     (73, 'junction', 'rule', $part$
 SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom

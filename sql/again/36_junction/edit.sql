@@ -83,12 +83,12 @@ DECLARE
     found record;
     hint text;
 BEGIN
-    EXECUTE format($sql$
-SELECT count(*) FILTER (WHERE i.edge_id IS NULL) AS arms, coalesce(bool_or(%2$s), false) AS on_ring
-FROM (SELECT *, from_node AS node_id FROM %1$I.edge WHERE from_node = ANY ($1)
-        UNION ALL SELECT *, to_node FROM %1$I.edge WHERE to_node = ANY ($1)) e
-    LEFT JOIN %1$I.axis a USING (axis_id) LEFT JOIN %1$I.junction_edge i ON i.edge_id = e.edge_id
-$sql$, model, streetgen._on_ring(model)) INTO found USING nodes;
+    PERFORM streetgen._use_model(model);
+    SELECT count(*) FILTER (WHERE i.edge_id IS NULL) AS arms,
+        streetgen._ring_edges(model, array_agg(e.edge_id)) <> '{}' AS on_ring
+    FROM (SELECT edge_id FROM edge WHERE from_node = ANY (nodes)
+            UNION ALL SELECT edge_id FROM edge WHERE to_node = ANY (nodes)) e
+        LEFT JOIN junction_edge i ON i.edge_id = e.edge_id INTO found;
     hint := CASE WHEN kind = 'end' AND found.arms <> 1 THEN 'An end has one arm.'
         WHEN kind = 'continuation' AND found.arms <> 2 THEN 'A continuation has two arms.'
         WHEN kind = 'roundabout' AND NOT found.on_ring THEN
@@ -183,6 +183,7 @@ DECLARE
     edge record;
     decided boolean;
 BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Edges come from axes: draw these in axis_editing.');
     ELSIF TG_OP = 'UPDATE' AND (NEW.edge_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.edge_id, OLD.geom::bytea) THEN
@@ -198,10 +199,9 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
         TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, format('edge %s', OLD.edge_id), OLD.edge_id);
-    EXECUTE format('SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), ''{}'') '
-        'FROM %1$I.junction_override o WHERE o.axis_id = $1 AND o.inside IS NOT NULL AND %2$s = $2', TG_TABLE_SCHEMA,
-        streetgen._fill_template(streetgen._edge_of_override(), jsonb_build_object('model',
-        quote_ident(TG_TABLE_SCHEMA)))) INTO known USING edge.axis_id, OLD.edge_id;
+    SELECT coalesce(array_agg(o.junction_override_id ORDER BY o.junction_override_id DESC), '{}')
+        FROM junction_override o WHERE o.axis_id = edge.axis_id AND o.inside IS NOT NULL
+            AND streetgen._edge_at(TG_TABLE_SCHEMA, o.axis_id, o.geom) = OLD.edge_id INTO known;
     PERFORM streetgen._decide_junction(TG_TABLE_SCHEMA, known,
         ARRAY[edge.axis_id], ARRAY[ST_LineInterpolatePoint(ST_Force2D(edge.geom), 0.5)], decided, NULL);
     RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;

@@ -52,368 +52,378 @@ COMMENT ON FUNCTION streetgen._rule_takes(bigint, bigint, integer, float8) IS
 CREATE OR REPLACE FUNCTION streetgen._make_rule_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    followed record;
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._has_rules() RETURNS boolean
-    LANGUAGE sql STABLE SET search_path FROM CURRENT
-    AS $body$
-    SELECT EXISTS (SELECT FROM %1$I.placement_rule WHERE active)
-        OR EXISTS (SELECT FROM %1$I.setting WHERE name = 'placement_function' AND value <> 'none') $body$;
-CREATE OR REPLACE FUNCTION %1$I._arms_at(node bigint) RETURNS bigint
-    LANGUAGE sql STABLE SET search_path FROM CURRENT
-    AS $body$
-    SELECT count(*) FROM (SELECT FROM %1$I.edge WHERE from_node = node
-        UNION ALL SELECT FROM %1$I.edge WHERE to_node = node) e $body$;
-CREATE OR REPLACE FUNCTION %1$I._renew_rule_objects(axes bigint[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
-    SET plan_cache_mode = force_custom_plan
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    bays constant text[] := %1$I._types_below('parking_bay');
-    crossings constant text[] := %1$I._types_below('crossing');
-    any_free constant boolean := EXISTS (SELECT FROM %1$I.free_place);
-    any_former constant boolean := EXISTS (SELECT FROM %1$I.street_object WHERE placed_by <> 'rule'
-        AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes)));
-BEGIN
-    -- A rule that places something else now places it anew: rows of the former type go with their objects.
-    DELETE FROM %1$I.street_object o USING %1$I.placement_rule r WHERE o.rule_id = r.rule_id
-        AND o.placed_by = 'rule' AND o.type <> r.type AND (axes IS NULL OR o.axis_id = ANY (axes));
-    WITH rule AS MATERIALIZED (SELECT r.*, t.distance_least FROM %1$I.placement_rule r
-        JOIN %1$I.object_type t USING (type) WHERE r.active),
-    street AS MATERIALIZED (
-        SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.importance,
-            a.kind, coalesce(c.crossed_on_foot, true) AS crossed, a.turn_forward, a.turn_backward,
-            %3$s AS on_ring,
-            ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
-            e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
-        FROM %1$I.edge e JOIN %1$I.axis a USING (axis_id) JOIN %1$I.axis_used u USING (axis_id)
-            LEFT JOIN %1$I.axis_class c ON c.class = a.kind
-            LEFT JOIN streetgen._axis_borders(%2$L, axes) b USING (axis_id)
-            JOIN %1$I.section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
-            JOIN %1$I.section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
-        WHERE axes IS NULL OR e.axis_id = ANY (axes)),
-    ruled AS (
-        SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
-            AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
-            AND CASE WHEN r.kind IS NOT NULL THEN s.kind = ANY (r.kind) WHEN r.type = ANY (crossings)
-                THEN s.crossed AND NOT s.on_ring ELSE true END),
-    place AS (
-        SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
-            (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
-            r.axis_offset AS aside
-        FROM ruled r, LATERAL generate_series(greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
-                floor((high - distance_from_limit - phase) / every)::bigint) k,
-            LATERAL (VALUES ('left'), ('right')) v(side)
-        WHERE r.along IN ('axis', 'border') AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
-            WHEN r.side = 'alternating' THEN v.side = CASE k %% 2 WHEN 0 THEN 'left' ELSE 'right' END
-            ELSE r.side IN (v.side, 'both') END
-        UNION ALL
-        -- An arm is seen as one comes to its node. Its places have negative numbers, by decimetres along the axis.
-        -- Where two arms of an edge have no room, they share its middle; an arm of one end alone goes to the other end,
-        -- if the street goes on there, and else has none.
-        SELECT r.*, CASE WHEN v.side <> 'middle' THEN CASE WHEN w.at_start THEN CASE v.side WHEN 'left' THEN 'right'
-                ELSE 'left' END ELSE v.side END END,
-            CASE WHEN w.at_start THEN low + within ELSE high - within END,
-            (-1 - 2 * (2 * round(10 * CASE WHEN w.at_start THEN start_abscissa ELSE end_abscissa END)
-                + w.at_start::integer) - (v.side = 'right')::integer)::integer,
-            r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
-            CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END
-        FROM ruled r, LATERAL (SELECT %1$I._arms_at(r.from_node) AS of_start, %1$I._arms_at(r.to_node) AS of_end) n,
-            LATERAL (SELECT of_start >= 3 AS at_start, of_end >= 3 AS at_end, 2 IN (of_start, of_end) AS goes_on,
-                -- Two crossings leave the length of one between them.
-                high - low > 2 * distance_from_limit + CASE WHEN r.type = ANY (crossings)
-                    AND least(of_start, of_end) > 2 THEN 2 * (streetgen._usual_crossing()).width ELSE 0 END AS roomy) j,
-            LATERAL (SELECT CASE WHEN j.roomy OR NOT (j.at_start AND j.at_end)
-                THEN least(distance_from_limit, CASE WHEN j.goes_on THEN high - low ELSE (high - low) / 2 END)
-                ELSE (high - low) / 2 END AS within) l,
-            LATERAL (VALUES (true, j.at_start),
-                (false, j.at_end AND (j.roomy OR NOT j.at_start OR r.side IN ('left', 'right')))) w(at_start, meets),
-            LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
-        WHERE r.along = 'arm' AND w.meets
-            AND (j.roomy OR r.turn IS NULL AND (high > low AND j.at_start AND j.at_end OR j.goes_on))
-            AND coalesce(r.turn = ANY (regexp_split_to_array(CASE WHEN w.at_start THEN r.turn_backward
-                ELSE r.turn_forward END, '[|;]')), r.turn IS NULL)
-            -- A crossing goes from kerb to kerb.
-            AND CASE WHEN r.side = 'alternating' OR r.type = ANY (crossings) THEN v.side = 'middle'
-                WHEN r.side = 'both' THEN v.side <> 'middle' ELSE v.side = r.side END
-        UNION ALL
-        -- Along the arc of a corner, behind its kerb: each half of it belongs to the street beside it, and is numbered
-        -- by the place of the node there.
-        SELECT r.*, NULL, at[1], (100000000 * (1 + (c.at_end = 'start')::integer + 2 * c.half) + n
-            + 50 * (round(10 * CASE c.at_end WHEN 'start' THEN start_abscissa ELSE end_abscissa END)::bigint
-                %% 1000000))::integer, r.orientation, at[2]
-        FROM ruled r, LATERAL (SELECT 0 AS half, arc, centre, radius, end_a AS at_end FROM %1$I.corner
-                WHERE edge_a = r.edge_id
-                UNION ALL SELECT 1, arc, centre, radius, end_b FROM %1$I.corner WHERE edge_b = r.edge_id) c,
-            LATERAL (SELECT ST_CurveToLine(ST_Force2D(c.arc), 64) AS kerb) k,
-            LATERAL (SELECT ST_Length(kerb) AS size, floor(ST_Length(kerb) / r.every)::integer AS last) s,
-            LATERAL generate_series(0, least(last, 49)) n,
-            LATERAL (SELECT (n * r.every + (size - last * r.every) / 2) / size AS share) h,
-            LATERAL (SELECT ST_LineInterpolatePoint(kerb, greatest(0, least(1, share))) AS foot) f,
-            LATERAL (SELECT streetgen._locate_on(r.line::bytea, ST_Translate(foot,
-                (ST_X(c.centre) - ST_X(foot)) / c.radius * r.axis_offset,
-                (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at) l
-        WHERE r.along = 'corner' AND c.radius > 0 AND (share > 0.5) = (c.half = 1)
-        UNION ALL
-        -- By a function of the user, as rule 0, numbered by what it places and where.
-        SELECT (own.rule).*, t.distance_least, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type, p.side,
-            p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset
-        FROM (SELECT DISTINCT ON (type, axis_id, side, abscissa, axis_offset) * FROM streetgen._own_placements(%2$L,
-                ARRAY(SELECT edge_id FROM street ORDER BY edge_id))
-                ORDER BY type, axis_id, side, abscissa, axis_offset, orientation) p
-            JOIN %1$I.object_type t USING (type)
-            JOIN LATERAL (SELECT * FROM street x WHERE x.axis_id = p.axis_id
-                AND p.abscissa BETWEEN x.start_abscissa AND x.end_abscissa ORDER BY x.start_abscissa LIMIT 1) s ON true,
-            LATERAL (SELECT jsonb_populate_record(NULL::%1$I.placement_rule, jsonb_build_object('rule_id', 0,
-                'type', p.type, 'density', 1)) AS rule) own),
-    taken AS MATERIALIZED (
-        SELECT rule_id, type, every, distance_least, axis_id, level, edge_id, at_side, abscissa, rule_place, turned,
-            aside, streetgen._object_geometry(line, width, width_end, roadway_offset, borders, abscissa, NULL, at_side,
-            aside) AS geom,
-            streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
-        FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
-    bay AS MATERIALIZED (
-        SELECT rule_id, t.axis_id, rule_place, t.level, streetgen._bay_ground(line, streetgen._border_offset(
-                streetgen._to_border(s.width, width_end, ST_Length2D(line), roadway_offset, borders, abscissa,
-                    at_side), aside, at_side), at_side,
-            abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
-            streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
-        FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE type = ANY (bays)),
-    -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
-    former AS MATERIALIZED (
-        SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
-            JOIN %1$I.street_object o USING (rule_id, axis_id, rule_place) WHERE any_former AND o.placed_by <> 'rule'),
-    left_free AS (
-        INSERT INTO %1$I.free_place (rule_id, geom)
-        SELECT rule_id, geom FROM former ORDER BY rule_id, axis_id, rule_place),
-    -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
-    in_the_way AS MATERIALIZED (
-        SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)
-            WHERE t.distance_least > 0 AND b.rule_id < t.rule_id AND b.at_side IS NOT DISTINCT FROM t.at_side
-                AND abs(b.abscissa - t.abscissa) < t.distance_least
-        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t WHERE t.distance_least > 0
-            AND EXISTS (SELECT FROM %1$I.street_object o WHERE o.placed_by <> 'rule'
-                AND ST_DWithin(o.geom, t.geom, t.distance_least))
-        -- By difference, since a hash join of all places of a rule would pass over the spatial index.
-        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN %1$I.free_place f
-            ON f.rule_id - t.rule_id = 0 AND ST_DWithin(f.geom, t.geom, least(3, coalesce(t.every, 2) / 2))
-            WHERE any_free
-        UNION SELECT rule_id, axis_id, rule_place FROM former
-        -- Three metres: half of a crossing, and one for who looks along the street.
-        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN taken c USING (axis_id)
-            WHERE c.type = ANY (crossings) AND abs(c.abscissa - b.abscissa) < b.reach + 3
-        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN bay c USING (axis_id)
-            WHERE c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
-                AND c.ground && b.ground AND streetgen._takes_ground(c.ground, b.ground)
-        UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
-        -- By difference, since a hash join of a whole level would pass over the spatial index.
-        UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN %1$I.intersection i ON i.surface && b.ground
-            AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
-        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN %1$I.pedestrian_crossing c
-            ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
-            JOIN %1$I.street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'
-        UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN %1$I.parking_bay c
-            ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
-            JOIN %1$I.street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'),
-    free AS MATERIALIZED (
-        SELECT * FROM taken t WHERE NOT EXISTS (SELECT FROM in_the_way w
-            WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
-    held AS MATERIALIZED (
-        SELECT street_object_id, type, geom, angle, axis_id, abscissa, side, axis_offset, orientation, rule_id,
-            rule_place, method
-        FROM %1$I.street_object WHERE placed_by = 'rule' AND (axes IS NULL OR axis_id = ANY (axes))),
-    compared AS MATERIALIZED (
-        SELECT f.type, f.geom, f.angle, CASE WHEN f.at_side IS NULL THEN 'axis' ELSE 'border' END AS placement,
-            f.axis_id, f.abscissa, f.at_side, f.aside, f.turned, f.rule_id, f.rule_place, h.street_object_id AS held,
-            (f.type, f.geom::bytea, f.angle, f.abscissa, f.at_side, f.aside, f.turned, 'relative')
-                IS DISTINCT FROM (h.type, h.geom::bytea, h.angle, h.abscissa, h.side, h.axis_offset, h.orientation,
-                h.method) AS differs
-        FROM free f FULL JOIN held h USING (rule_id, axis_id, rule_place)),
-    gone AS (
-        DELETE FROM %1$I.street_object o USING compared c
-        WHERE c.type IS NULL AND o.street_object_id = c.held),
-    moved AS (
-        UPDATE %1$I.street_object o SET type = c.type, geom = c.geom, angle = c.angle, placement = c.placement,
-            abscissa = c.abscissa, side = c.at_side, axis_offset = c.aside, orientation = c.turned,
-            method = 'relative'
-        FROM compared c WHERE c.type IS NOT NULL AND c.differs AND o.street_object_id = c.held)
-    INSERT INTO %1$I.street_object (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
-        placed_by, rule_id, rule_place, method)
-    SELECT type, geom, angle, placement, axis_id, abscissa, at_side, aside, turned, 'rule', rule_id, rule_place,
-        'relative'
-    FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place;
-    IF any_former THEN
-        UPDATE %1$I.street_object SET rule_id = NULL, rule_place = NULL WHERE placed_by <> 'rule'
-            AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes));
-    END IF;
-    INSERT INTO %1$I.pedestrian_crossing (street_object_id)
-        SELECT o.street_object_id FROM %1$I.street_object o WHERE o.placed_by = 'rule'
-            AND o.type = ANY (crossings) AND (axes IS NULL OR o.axis_id = ANY (axes))
-        ON CONFLICT DO NOTHING;
-    -- A rule's orientation is the angle of its bays.
-    INSERT INTO %1$I.parking_bay AS b (street_object_id, angle)
-        SELECT o.street_object_id, streetgen._bay_angle(o.orientation) FROM %1$I.street_object o
-        WHERE o.placed_by = 'rule' AND o.type = ANY (bays) AND (axes IS NULL OR o.axis_id = ANY (axes))
-        ON CONFLICT (street_object_id) DO UPDATE SET angle = excluded.angle WHERE b.angle <> excluded.angle;
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I._take_from_rules(objects bigint[]) RETURNS void
-    LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
-    AS $body$
-    INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM %1$I.street_object
-        WHERE street_object_id = ANY (objects) AND placed_by = 'rule' ORDER BY street_object_id;
-    UPDATE %1$I.street_object SET placed_by = 'user', rule_id = NULL, rule_place = NULL
-        WHERE street_object_id = ANY (objects) AND placed_by = 'rule' $body$;
-CREATE OR REPLACE FUNCTION %1$I._begin_ruled_edit() RETURNS boolean
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    ruled constant boolean := %1$I._has_rules();
-BEGIN
-    IF ruled THEN
-        PERFORM streetgen._begin_edit(%2$L);
-    END IF;
-    RETURN ruled;
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I._lock_beside(places geometry[], holding boolean) RETURNS bigint[]
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
-        JOIN %1$I.axis a ON ST_DWithin(a.geom, place, 100));
-    timeout constant text := current_setting('lock_timeout');
-BEGIN
-    -- A session that holds places may wait for an object that this one has written.
-    IF holding THEN
-        PERFORM set_config('lock_timeout', '100ms', true);
-    END IF;
-    PERFORM streetgen._lock_places(%2$L, beside, wait => true);
-    PERFORM set_config('lock_timeout', timeout, true);
-    RETURN beside;
-EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
-    IF holding THEN
-        PERFORM streetgen._refuse('55P03', 'another session works beside the objects of this edit',
-            detail => streetgen._holders(%2$L), hint => streetgen._object_edit_waits());
-    END IF;
-    RAISE;
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I._renew_rules_beside(places geometry[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
-    AS $body$
-DECLARE
-    beside bigint[];
-BEGIN
-    IF %1$I._has_rules() THEN
-        IF places IS NOT NULL THEN
-            beside := %1$I._lock_beside(places, holding => true);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _has_rules() RETURNS boolean
+        LANGUAGE sql STABLE SET search_path FROM CURRENT
+        AS $body$
+        SELECT EXISTS (SELECT FROM placement_rule WHERE active)
+            OR EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none') $body$;
+    CREATE OR REPLACE FUNCTION _arms_at(node bigint) RETURNS bigint
+        LANGUAGE sql STABLE SET search_path FROM CURRENT
+        AS $body$
+        SELECT count(*) FROM (SELECT FROM edge WHERE from_node = node
+            UNION ALL SELECT FROM edge WHERE to_node = node) e $body$;
+    CREATE OR REPLACE FUNCTION _renew_rule_objects(axes bigint[]) RETURNS void
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        SET streetgen.computes = 'on' SET plan_cache_mode = force_custom_plan
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        bays constant text[] := _types_below('parking_bay');
+        crossings constant text[] := _types_below('crossing');
+        rings constant bigint[] := streetgen._ring_edges(current_schema(), CASE WHEN axes IS NOT NULL
+            THEN ARRAY(SELECT edge_id FROM edge WHERE axis_id = ANY (axes)) END);
+        any_free constant boolean := EXISTS (SELECT FROM free_place);
+        any_former constant boolean := EXISTS (SELECT FROM street_object WHERE placed_by <> 'rule'
+            AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes)));
+    BEGIN
+        -- A rule that places something else now places it anew: rows of the former type go with their objects.
+        DELETE FROM street_object o USING placement_rule r WHERE o.rule_id = r.rule_id
+            AND o.placed_by = 'rule' AND o.type <> r.type AND (axes IS NULL OR o.axis_id = ANY (axes));
+        WITH rule AS MATERIALIZED (SELECT r.*, t.distance_least FROM placement_rule r
+            JOIN object_type t USING (type) WHERE r.active),
+        street AS MATERIALIZED (
+            SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa,
+                e.importance, a.kind, coalesce(c.crossed_on_foot, true) AS crossed, a.turn_forward, a.turn_backward,
+                e.edge_id IN (SELECT unnest(rings)) AS on_ring,
+                ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
+                e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
+            FROM edge e JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id)
+                LEFT JOIN axis_class c ON c.class = a.kind
+                LEFT JOIN streetgen._axis_borders(current_schema(), axes) b USING (axis_id)
+                JOIN section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
+                JOIN section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
+            WHERE axes IS NULL OR e.axis_id = ANY (axes)),
+        ruled AS (
+            SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
+                AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
+                AND CASE WHEN r.kind IS NOT NULL THEN s.kind = ANY (r.kind) WHEN r.type = ANY (crossings)
+                    THEN s.crossed AND NOT s.on_ring ELSE true END),
+        place AS (
+            SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
+                (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
+                r.axis_offset AS aside
+            FROM ruled r, LATERAL generate_series(
+                    greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
+                    floor((high - distance_from_limit - phase) / every)::bigint) k,
+                LATERAL (VALUES ('left'), ('right')) v(side)
+            WHERE r.along IN ('axis', 'border') AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
+                WHEN r.side = 'alternating' THEN v.side = CASE k % 2 WHEN 0 THEN 'left' ELSE 'right' END
+                ELSE r.side IN (v.side, 'both') END
+            UNION ALL
+            -- An arm is seen as one comes to its node. Its places have negative numbers, by decimetres along the axis.
+            -- Two arms of an edge share its middle where they have no room; an arm of one end alone goes to the other
+            -- end, if the street goes on there, and else has none.
+            SELECT r.*, CASE WHEN v.side <> 'middle' THEN CASE WHEN w.at_start THEN CASE v.side WHEN 'left' THEN 'right'
+                    ELSE 'left' END ELSE v.side END END,
+                CASE WHEN w.at_start THEN low + within ELSE high - within END,
+                (-1 - 2 * (2 * round(10 * CASE WHEN w.at_start THEN start_abscissa ELSE end_abscissa END)
+                    + w.at_start::integer) - (v.side = 'right')::integer)::integer,
+                r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
+                CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END
+            FROM ruled r, LATERAL (SELECT _arms_at(r.from_node) AS of_start, _arms_at(r.to_node) AS of_end) n,
+                LATERAL (SELECT of_start >= 3 AS at_start, of_end >= 3 AS at_end, 2 IN (of_start, of_end) AS goes_on,
+                    -- Two crossings leave the length of one between them.
+                    high - low > 2 * distance_from_limit + CASE WHEN r.type = ANY (crossings)
+                        AND least(of_start, of_end) > 2 THEN 2 * (streetgen._usual_crossing()).width ELSE 0 END
+                    AS roomy) j,
+                LATERAL (SELECT CASE WHEN j.roomy OR NOT (j.at_start AND j.at_end)
+                    THEN least(distance_from_limit, CASE WHEN j.goes_on THEN high - low ELSE (high - low) / 2 END)
+                    ELSE (high - low) / 2 END AS within) l,
+                LATERAL (VALUES (true, j.at_start),
+                    (false, j.at_end AND (j.roomy OR NOT j.at_start OR r.side IN ('left', 'right'))))
+                    w(at_start, meets),
+                LATERAL (VALUES ('left'), ('right'), ('middle')) v(side)
+            WHERE r.along = 'arm' AND w.meets
+                AND (j.roomy OR r.turn IS NULL AND (high > low AND j.at_start AND j.at_end OR j.goes_on))
+                AND coalesce(r.turn = ANY (regexp_split_to_array(CASE WHEN w.at_start THEN r.turn_backward
+                    ELSE r.turn_forward END, '[|;]')), r.turn IS NULL)
+                -- A crossing goes from kerb to kerb.
+                AND CASE WHEN r.side = 'alternating' OR r.type = ANY (crossings) THEN v.side = 'middle'
+                    WHEN r.side = 'both' THEN v.side <> 'middle' ELSE v.side = r.side END
+            UNION ALL
+            -- Along the arc of a corner, behind its kerb: each half of it belongs to the street beside it, and is
+            -- numbered by the place of the node there.
+            SELECT r.*, NULL, at[1], (100000000 * (1 + (c.at_end = 'start')::integer + 2 * c.half) + n
+                + 50 * (round(10 * CASE c.at_end WHEN 'start' THEN start_abscissa ELSE end_abscissa END)::bigint
+                    % 1000000))::integer, r.orientation, at[2]
+            FROM ruled r, LATERAL (SELECT 0 AS half, arc, centre, radius, end_a AS at_end FROM corner
+                    WHERE edge_a = r.edge_id
+                    UNION ALL SELECT 1, arc, centre, radius, end_b FROM corner WHERE edge_b = r.edge_id) c,
+                LATERAL (SELECT ST_CurveToLine(ST_Force2D(c.arc), 64) AS kerb) k,
+                LATERAL (SELECT ST_Length(kerb) AS size, floor(ST_Length(kerb) / r.every)::integer AS last) s,
+                LATERAL generate_series(0, least(last, 49)) n,
+                LATERAL (SELECT (n * r.every + (size - last * r.every) / 2) / size AS share) h,
+                LATERAL (SELECT ST_LineInterpolatePoint(kerb, greatest(0, least(1, share))) AS foot) f,
+                LATERAL (SELECT streetgen._locate_on(r.line::bytea, ST_Translate(foot,
+                    (ST_X(c.centre) - ST_X(foot)) / c.radius * r.axis_offset,
+                    (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at) l
+            WHERE r.along = 'corner' AND c.radius > 0 AND (share > 0.5) = (c.half = 1)
+            UNION ALL
+            -- By a function of the user, as rule 0, numbered by what it places and where.
+            SELECT (own.rule).*, t.distance_least, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type, p.side,
+                p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset
+            FROM (SELECT DISTINCT ON (type, axis_id, side, abscissa, axis_offset) *
+                    FROM streetgen._own_placements(current_schema(), ARRAY(SELECT edge_id FROM street ORDER BY edge_id))
+                    ORDER BY type, axis_id, side, abscissa, axis_offset, orientation) p
+                JOIN object_type t USING (type)
+                JOIN LATERAL (SELECT * FROM street x WHERE x.axis_id = p.axis_id
+                    AND p.abscissa BETWEEN x.start_abscissa AND x.end_abscissa ORDER BY x.start_abscissa LIMIT 1) s
+                    ON true,
+                LATERAL (SELECT jsonb_populate_record(NULL::placement_rule, jsonb_build_object('rule_id', 0,
+                    'type', p.type, 'density', 1)) AS rule) own),
+        taken AS MATERIALIZED (
+            SELECT rule_id, type, every, distance_least, axis_id, level, edge_id, at_side, abscissa, rule_place, turned,
+                aside, streetgen._object_geometry(line, width, width_end, roadway_offset, borders, abscissa, NULL,
+                at_side, aside) AS geom,
+                streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
+            FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
+        bay AS MATERIALIZED (
+            SELECT rule_id, t.axis_id, rule_place, t.level, streetgen._bay_ground(line, streetgen._border_offset(
+                    streetgen._to_border(s.width, width_end, ST_Length2D(line), roadway_offset, borders, abscissa,
+                        at_side), aside, at_side), at_side,
+                abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
+                streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
+            FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE type = ANY (bays)),
+        -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
+        former AS MATERIALIZED (
+            SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
+                JOIN street_object o USING (rule_id, axis_id, rule_place) WHERE any_former AND o.placed_by <> 'rule'),
+        left_free AS (
+            INSERT INTO free_place (rule_id, geom)
+            SELECT rule_id, geom FROM former ORDER BY rule_id, axis_id, rule_place),
+        -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
+        in_the_way AS MATERIALIZED (
+            SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)
+                WHERE t.distance_least > 0 AND b.rule_id < t.rule_id AND b.at_side IS NOT DISTINCT FROM t.at_side
+                    AND abs(b.abscissa - t.abscissa) < t.distance_least
+            UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t WHERE t.distance_least > 0
+                AND EXISTS (SELECT FROM street_object o WHERE o.placed_by <> 'rule'
+                    AND ST_DWithin(o.geom, t.geom, t.distance_least))
+            -- By difference, since a hash join of all places of a rule would pass over the spatial index.
+            UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN free_place f
+                ON f.rule_id - t.rule_id = 0 AND ST_DWithin(f.geom, t.geom, least(3, coalesce(t.every, 2) / 2))
+                WHERE any_free
+            UNION SELECT rule_id, axis_id, rule_place FROM former
+            -- Three metres: half of a crossing, and one for who looks along the street.
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN taken c USING (axis_id)
+                WHERE c.type = ANY (crossings) AND abs(c.abscissa - b.abscissa) < b.reach + 3
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN bay c USING (axis_id)
+                WHERE c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
+                    AND c.ground && b.ground AND streetgen._takes_ground(c.ground, b.ground)
+            UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
+            -- By difference, since a hash join of a whole level would pass over the spatial index.
+            UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
+                AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN pedestrian_crossing c
+                ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
+                JOIN street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN parking_bay c
+                ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
+                JOIN street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'),
+        free AS MATERIALIZED (
+            SELECT * FROM taken t WHERE NOT EXISTS (SELECT FROM in_the_way w
+                WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
+        held AS MATERIALIZED (
+            SELECT street_object_id, type, geom, angle, axis_id, abscissa, side, axis_offset, orientation, rule_id,
+                rule_place, method
+            FROM street_object WHERE placed_by = 'rule' AND (axes IS NULL OR axis_id = ANY (axes))),
+        compared AS MATERIALIZED (
+            SELECT f.type, f.geom, f.angle, CASE WHEN f.at_side IS NULL THEN 'axis' ELSE 'border' END AS placement,
+                f.axis_id, f.abscissa, f.at_side, f.aside, f.turned, f.rule_id, f.rule_place,
+                h.street_object_id AS held,
+                (f.type, f.geom::bytea, f.angle, f.abscissa, f.at_side, f.aside, f.turned, 'relative')
+                    IS DISTINCT FROM (h.type, h.geom::bytea, h.angle, h.abscissa, h.side, h.axis_offset, h.orientation,
+                    h.method) AS differs
+            FROM free f FULL JOIN held h USING (rule_id, axis_id, rule_place)),
+        gone AS (
+            DELETE FROM street_object o USING compared c
+            WHERE c.type IS NULL AND o.street_object_id = c.held),
+        moved AS (
+            UPDATE street_object o SET type = c.type, geom = c.geom, angle = c.angle, placement = c.placement,
+                abscissa = c.abscissa, side = c.at_side, axis_offset = c.aside, orientation = c.turned,
+                method = 'relative'
+            FROM compared c WHERE c.type IS NOT NULL AND c.differs AND o.street_object_id = c.held)
+        INSERT INTO street_object (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
+            placed_by, rule_id, rule_place, method)
+        SELECT type, geom, angle, placement, axis_id, abscissa, at_side, aside, turned, 'rule', rule_id, rule_place,
+            'relative'
+        FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place;
+        IF any_former THEN
+            UPDATE street_object SET rule_id = NULL, rule_place = NULL WHERE placed_by <> 'rule'
+                AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes));
         END IF;
-        PERFORM FROM %1$I._place_objects(beside);
-    END IF;
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I.enter_rules() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    PERFORM streetgen._require_one_build();
-    IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
-        PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
-    ELSIF TG_OP <> 'TRUNCATE' THEN
-        PERFORM %1$I._begin_ruled_edit();
-    ELSIF %1$I._has_rules() THEN
-        PERFORM streetgen._lock_model(%2$L, wait => true, alone => true);
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.placement_rule
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
-CREATE OR REPLACE TRIGGER enter_rules BEFORE UPDATE OF distance_least ON %1$I.object_type
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.enter_rules();
-CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.street_object
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.enter_rules();
-CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.free_place
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.enter_rules();
-COMMENT ON TRIGGER enter_rules ON %1$I.placement_rule IS 'Locks the model: all its objects may follow';
-COMMENT ON TRIGGER enter_rules ON %1$I.object_type IS 'Locks the model: all its objects may follow';
-COMMENT ON TRIGGER enter_rules ON %1$I.street_object IS 'Locks the model beside other editors, where rules place';
-COMMENT ON TRIGGER enter_rules ON %1$I.free_place IS 'Locks the model beside other editors, where rules place';
-CREATE OR REPLACE FUNCTION %1$I.apply_rules() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
-    AS $body$
-BEGIN
-    DELETE FROM %1$I.free_place f WHERE f.rule_id <> 0 AND NOT EXISTS (SELECT FROM %1$I.placement_rule r
-        WHERE r.rule_id = f.rule_id);
-    IF streetgen._live(%2$L) THEN
-        PERFORM FROM %1$I._place_objects(NULL);
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER apply_rules AFTER INSERT OR UPDATE OR DELETE OR TRUNCATE ON %1$I.placement_rule
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.apply_rules();
-CREATE OR REPLACE TRIGGER apply_rules AFTER UPDATE OF distance_least ON %1$I.object_type
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.apply_rules();
-COMMENT ON TRIGGER apply_rules ON %1$I.placement_rule IS 'The objects follow their rules';
-COMMENT ON TRIGGER apply_rules ON %1$I.object_type IS 'The objects of rules keep their distance';
-CREATE OR REPLACE FUNCTION %1$I.free_places() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
-    AS $body$
-BEGIN
-    IF TG_OP = 'DELETE' THEN
-        INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM old_object WHERE placed_by = 'rule'
-            ORDER BY street_object_id;
-        PERFORM %1$I._renew_rules_beside(ARRAY(SELECT geom FROM old_object));
-    ELSIF TG_WHEN = 'BEFORE' THEN
-        -- TRUNCATE: what goes is known only before.
-        INSERT INTO %1$I.free_place (rule_id, geom) SELECT rule_id, geom FROM %1$I.street_object
-            WHERE placed_by = 'rule' ORDER BY street_object_id;
-    ELSE
-        PERFORM %1$I._renew_rules_beside(NULL);
-    END IF;
-    RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER free_places AFTER DELETE ON %1$I.street_object REFERENCING OLD TABLE AS old_object
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.free_places();
-CREATE OR REPLACE TRIGGER free_places_before BEFORE TRUNCATE ON %1$I.street_object
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.free_places();
-CREATE OR REPLACE TRIGGER free_places_truncate AFTER TRUNCATE ON %1$I.street_object
-    FOR EACH STATEMENT EXECUTE FUNCTION %1$I.free_places();
-COMMENT ON TRIGGER free_places ON %1$I.street_object
-    IS 'Rules take the places of objects that are gone, and leave those of their own objects free';
-COMMENT ON TRIGGER free_places_before ON %1$I.street_object IS 'Rules leave the places of their own objects free';
-COMMENT ON TRIGGER free_places_truncate ON %1$I.street_object IS 'Rules take the places of objects that are gone';
-CREATE OR REPLACE FUNCTION %1$I.fill_places() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    -- TRUNCATE: all.
-    changed geometry[];
-BEGIN
-    IF TG_OP = 'INSERT' THEN
-        changed := ARRAY(SELECT geom FROM new_place);
-    ELSIF TG_OP = 'DELETE' THEN
-        changed := ARRAY(SELECT geom FROM old_place);
-    ELSIF TG_OP = 'UPDATE' THEN
-        changed := ARRAY(SELECT geom FROM old_place UNION ALL SELECT geom FROM new_place);
-    END IF;
-    PERFORM %1$I._renew_rules_beside(changed);
-    RETURN NULL;
-END $body$;
-$sql$, model, model, streetgen._on_ring(model));
-    FOR followed IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS new_place'),
-        ('delete', 'REFERENCING OLD TABLE AS old_place'),
-        ('update', 'REFERENCING OLD TABLE AS old_place NEW TABLE AS new_place'), ('truncate', '')) f(event, tables)
-    LOOP
-        EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER fill_places_%2$s AFTER %2$s ON %1$I.free_place %3$s
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.fill_places();
-COMMENT ON TRIGGER fill_places_%2$s ON %1$I.free_place IS 'Rules place objects where they may again'
-$sql$, model, followed.event, followed.tables);
-    END LOOP;
+        INSERT INTO pedestrian_crossing (street_object_id)
+            SELECT o.street_object_id FROM street_object o WHERE o.placed_by = 'rule'
+                AND o.type = ANY (crossings) AND (axes IS NULL OR o.axis_id = ANY (axes))
+            ON CONFLICT DO NOTHING;
+        -- A rule's orientation is the angle of its bays.
+        INSERT INTO parking_bay AS b (street_object_id, angle)
+            SELECT o.street_object_id, streetgen._bay_angle(o.orientation) FROM street_object o
+            WHERE o.placed_by = 'rule' AND o.type = ANY (bays) AND (axes IS NULL OR o.axis_id = ANY (axes))
+            ON CONFLICT (street_object_id) DO UPDATE SET angle = excluded.angle WHERE b.angle <> excluded.angle;
+    END $body$;
+    CREATE OR REPLACE FUNCTION _take_from_rules(objects bigint[]) RETURNS void
+        LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+        AS $body$
+        INSERT INTO free_place (rule_id, geom) SELECT rule_id, geom FROM street_object
+            WHERE street_object_id = ANY (objects) AND placed_by = 'rule' ORDER BY street_object_id;
+        UPDATE street_object SET placed_by = 'user', rule_id = NULL, rule_place = NULL
+            WHERE street_object_id = ANY (objects) AND placed_by = 'rule' $body$;
+    CREATE OR REPLACE FUNCTION _begin_ruled_edit() RETURNS boolean
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        ruled constant boolean := _has_rules();
+    BEGIN
+        IF ruled THEN
+            PERFORM streetgen._begin_edit(current_schema());
+        END IF;
+        RETURN ruled;
+    END $body$;
+    CREATE OR REPLACE FUNCTION _lock_beside(places geometry[], holding boolean) RETURNS bigint[]
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
+            JOIN axis a ON ST_DWithin(a.geom, place, 100));
+        timeout constant text := current_setting('lock_timeout');
+    BEGIN
+        -- A session that holds places may wait for an object that this one has written.
+        IF holding THEN
+            PERFORM set_config('lock_timeout', '100ms', true);
+        END IF;
+        PERFORM streetgen._lock_places(current_schema(), beside, wait => true);
+        PERFORM set_config('lock_timeout', timeout, true);
+        RETURN beside;
+    EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
+        IF holding THEN
+            PERFORM streetgen._refuse('55P03', 'another session works beside the objects of this edit',
+                detail => streetgen._holders(current_schema()), hint => streetgen._object_edit_waits());
+        END IF;
+        RAISE;
+    END $body$;
+    CREATE OR REPLACE FUNCTION _renew_rules_beside(places geometry[]) RETURNS void
+        LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
+        AS $body$
+    DECLARE
+        beside bigint[];
+    BEGIN
+        IF _has_rules() THEN
+            IF places IS NOT NULL THEN
+                beside := _lock_beside(places, holding => true);
+            END IF;
+            PERFORM FROM _place_objects(beside);
+        END IF;
+    END $body$;
+    CREATE OR REPLACE FUNCTION enter_rules() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    BEGIN
+        PERFORM streetgen._require_one_build();
+        IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
+            PERFORM streetgen._lock_model(current_schema(), wait => true, alone => true);
+        ELSIF TG_OP <> 'TRUNCATE' THEN
+            PERFORM _begin_ruled_edit();
+        ELSIF _has_rules() THEN
+            PERFORM streetgen._lock_model(current_schema(), wait => true, alone => true);
+        END IF;
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON placement_rule
+        FOR EACH STATEMENT EXECUTE FUNCTION enter_rules();
+    CREATE OR REPLACE TRIGGER enter_rules BEFORE UPDATE OF distance_least ON object_type
+        FOR EACH STATEMENT EXECUTE FUNCTION enter_rules();
+    CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON street_object
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION enter_rules();
+    CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON free_place
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION enter_rules();
+    COMMENT ON TRIGGER enter_rules ON placement_rule IS 'Locks the model: all its objects may follow';
+    COMMENT ON TRIGGER enter_rules ON object_type IS 'Locks the model: all its objects may follow';
+    COMMENT ON TRIGGER enter_rules ON street_object IS 'Locks the model beside other editors, where rules place';
+    COMMENT ON TRIGGER enter_rules ON free_place IS 'Locks the model beside other editors, where rules place';
+    CREATE OR REPLACE FUNCTION apply_rules() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+        AS $body$
+    BEGIN
+        DELETE FROM free_place f WHERE f.rule_id <> 0 AND NOT EXISTS (SELECT FROM placement_rule r
+            WHERE r.rule_id = f.rule_id);
+        IF streetgen._live(current_schema()) THEN
+            PERFORM FROM _place_objects(NULL);
+        END IF;
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER apply_rules AFTER INSERT OR UPDATE OR DELETE OR TRUNCATE ON placement_rule
+        FOR EACH STATEMENT EXECUTE FUNCTION apply_rules();
+    CREATE OR REPLACE TRIGGER apply_rules AFTER UPDATE OF distance_least ON object_type
+        FOR EACH STATEMENT EXECUTE FUNCTION apply_rules();
+    COMMENT ON TRIGGER apply_rules ON placement_rule IS 'The objects follow their rules';
+    COMMENT ON TRIGGER apply_rules ON object_type IS 'The objects of rules keep their distance';
+    CREATE OR REPLACE FUNCTION free_places() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
+        AS $body$
+    BEGIN
+        IF TG_OP = 'DELETE' THEN
+            INSERT INTO free_place (rule_id, geom) SELECT rule_id, geom FROM old_object WHERE placed_by = 'rule'
+                ORDER BY street_object_id;
+            PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM old_object));
+        ELSIF TG_WHEN = 'BEFORE' THEN
+            -- TRUNCATE: what goes is known only before.
+            INSERT INTO free_place (rule_id, geom) SELECT rule_id, geom FROM street_object
+                WHERE placed_by = 'rule' ORDER BY street_object_id;
+        ELSE
+            PERFORM _renew_rules_beside(NULL);
+        END IF;
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER free_places AFTER DELETE ON street_object REFERENCING OLD TABLE AS old_object
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION free_places();
+    CREATE OR REPLACE TRIGGER free_places_before BEFORE TRUNCATE ON street_object
+        FOR EACH STATEMENT EXECUTE FUNCTION free_places();
+    CREATE OR REPLACE TRIGGER free_places_truncate AFTER TRUNCATE ON street_object
+        FOR EACH STATEMENT EXECUTE FUNCTION free_places();
+    COMMENT ON TRIGGER free_places ON street_object
+        IS 'Rules take the places of objects that are gone, and leave those of their own objects free';
+    COMMENT ON TRIGGER free_places_before ON street_object IS 'Rules leave the places of their own objects free';
+    COMMENT ON TRIGGER free_places_truncate ON street_object IS 'Rules take the places of objects that are gone';
+    CREATE OR REPLACE FUNCTION fill_places() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        -- TRUNCATE: all.
+        changed geometry[];
+    BEGIN
+        IF TG_OP = 'INSERT' THEN
+            changed := ARRAY(SELECT geom FROM new_place);
+        ELSIF TG_OP = 'DELETE' THEN
+            changed := ARRAY(SELECT geom FROM old_place);
+        ELSIF TG_OP = 'UPDATE' THEN
+            changed := ARRAY(SELECT geom FROM old_place UNION ALL SELECT geom FROM new_place);
+        END IF;
+        PERFORM _renew_rules_beside(changed);
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER fill_places_insert AFTER INSERT ON free_place REFERENCING NEW TABLE AS new_place
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION fill_places();
+    CREATE OR REPLACE TRIGGER fill_places_delete AFTER DELETE ON free_place REFERENCING OLD TABLE AS old_place
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION fill_places();
+    CREATE OR REPLACE TRIGGER fill_places_update AFTER UPDATE ON free_place
+        REFERENCING OLD TABLE AS old_place NEW TABLE AS new_place
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION fill_places();
+    CREATE OR REPLACE TRIGGER fill_places_truncate AFTER TRUNCATE ON free_place
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION fill_places();
+    COMMENT ON TRIGGER fill_places_insert ON free_place IS 'Rules place objects where they may again';
+    COMMENT ON TRIGGER fill_places_delete ON free_place IS 'Rules place objects where they may again';
+    COMMENT ON TRIGGER fill_places_update ON free_place IS 'Rules place objects where they may again';
+    COMMENT ON TRIGGER fill_places_truncate ON free_place IS 'Rules place objects where they may again';
     PERFORM streetgen._own_function(model, '_has_rules()', 'Whether any rule places objects'),
         streetgen._own_function(model, '_arms_at(bigint)', 'How many ends of edges meet at a node'),
         streetgen._own_function(model, '_renew_rule_objects(bigint[])',

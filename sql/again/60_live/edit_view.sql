@@ -95,8 +95,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         ARRAY['key', 'does it lie inside a junction', 'decided by hand; false takes it back', 'the edge'],
         $sql$SELECT e.edge_id, EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
             EXISTS (SELECT FROM %1$I.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
-                AND $sql$ || streetgen._fill_template(streetgen._edge_of_override(), '{"model": "%1$I"}') || $sql$
-                    = e.edge_id) AS by_hand, e.geom
+                AND streetgen._edge_at(%1$L, o.axis_id, o.geom) = e.edge_id) AS by_hand, e.geom
         FROM %1$I.edge e$sql$, 'junction'),
     ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
         'was decided by hand',
