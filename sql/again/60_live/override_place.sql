@@ -83,33 +83,3 @@ CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geome
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
     'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_by_place() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $sql$,
-new AS (
-    -- With its vertex, where that moved.
-    SELECT f.override_id AS id, f.axis_id, at.geom
-    FROM found f JOIN %1$I.%2$I o ON o.%2$I_id = f.override_id LEFT JOIN changed c ON c.axis_id = f.axis_id
-        CROSS JOIN LATERAL (SELECT streetgen._moved_vertex(c.before, c.after, f.geom,
-            3 * (SELECT value FROM tolerance)) AS vertex) v
-        CROSS JOIN LATERAL streetgen._projected(f.line, coalesce(v.vertex, f.geom), f.redrawn OR v.vertex IS NOT NULL,
-            0) at
-    WHERE f.relation = %2$L)
-UPDATE %1$I.%2$I o SET axis_id = n.axis_id, geom = n.geom FROM new n
-WHERE o.%2$I_id = n.id AND (o.axis_id, o.geom) IS DISTINCT FROM (n.axis_id, n.geom)$sql$ $$;
-COMMENT ON FUNCTION streetgen._remap_by_place() IS
-    'The end of the statements of _remap_statement for overrides that name an edge or a node by an axis and a place.';
-
-CREATE OR REPLACE FUNCTION streetgen._remap_by_abscissa() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $sql$,
-new AS (
-    SELECT f.override_id AS id, f.axis_id, at.abscissa, at.geom
-    FROM found f JOIN %1$I.%2$I o ON o.%2$I_id = f.override_id
-        CROSS JOIN LATERAL streetgen._projected(f.line, f.geom, f.redrawn, o.abscissa) at
-    WHERE f.relation = %2$L)
-UPDATE %1$I.%2$I o SET axis_id = n.axis_id, abscissa = n.abscissa, geom = n.geom FROM new n
-WHERE o.%2$I_id = n.id AND (o.axis_id, o.abscissa, o.geom) IS DISTINCT FROM (n.axis_id, n.abscissa, n.geom)$sql$ $$;
-COMMENT ON FUNCTION streetgen._remap_by_abscissa() IS
-    'The end of the statements of _remap_statement for overrides that name no more than an axis and a place along it.';
