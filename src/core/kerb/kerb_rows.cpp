@@ -11,19 +11,15 @@ namespace streetgen {
 
 namespace {
 
-// The arc of the corner, from the first point of the line to its last.
+// The arc of the corner, from the first point of the line to its last. A kerb goes
+// counter-clockwise about the centre, and vertices say nothing of its middle: crumbs are among them.
 Arc curve_of(const Corner& corner, const Line& line) {
-  const Arc& arc = *corner.arc;
-  Arc curve{line.front(), arc.middle, line.back()};
-  if (distance(line.front(), arc.end) <= same_place &&
-      distance(line.back(), arc.start) <= same_place)
-    return curve;
   const Point& centre = *corner.centre;
-  const Point &before = line[(line.size() - 1) / 2], &after = line[line.size() / 2];
-  curve.middle = line.size() % 2 == 1
-                     ? before
-                     : centre + unit(before + after - centre * 2) * corner.radius;
-  return curve;
+  const Point start = unit(line.front() - centre), end = unit(line.back() - centre);
+  double sweep = std::atan2(cross(start, end), dot(start, end));
+  if (sweep < -M_PI_2) sweep += 2 * M_PI;
+  const Point middle = start * std::cos(sweep / 2) + left_normal(start) * std::sin(sweep / 2);
+  return {line.front(), centre + middle * corner.radius, line.back()};
 }
 
 }  // namespace

@@ -16,9 +16,10 @@ namespace streetgen {
 namespace {
 
 constexpr double fastest = 1e8;        // of the corner between two sides that face each other
-constexpr double square_cosine = 0.5;  // sharper bends to a kerb without strip end square
 constexpr double beyond = 250;         // metres from kerbs: farther than any strip goes
 constexpr double uneven = 1e-9;        // metres between two widths
+// About sharper bends a strip ends square: to a kerb without strip, or from a short side of its own.
+const double square_cosine = std::cos(M_PI / 3 + same_angle);
 
 // A corner of the front. Times are distances from the kerbs.
 struct Joint {
@@ -242,7 +243,7 @@ class Front {
   // Along the end of the chain.
   Point go_on(const Point& speed, int side, double time) {
     const double away = dot(speed, sides_[side].normal);
-    if (away * fastest > norm(speed)) return speed * (1 / away);
+    if (away > square_cosine * norm(speed)) return speed * (1 / away);
     cannot_tell(side, time);
     return sides_[side].normal;
   }

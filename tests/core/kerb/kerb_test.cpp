@@ -197,8 +197,8 @@ TEST(Kerb, AboutADeadEndIsCutInTheAxis) {
   }
 }
 
-// Also where another street takes the end of an arc.
-TEST(Kerb, CurveIsTheSameInTheMirror) {
+// Also where another street takes the end of an arc, whatever vertices are left of it.
+TEST(Kerb, CurveHasItsMiddleHalfWayAndIsTheSameInTheMirror) {
   const auto axes = random_town(4, 30);
   const Streets town = with_kerbs(axes), mirrored = with_kerbs(moved(axes, 0, true, {0, 0, 0}));
   int curves = 0;
@@ -206,6 +206,7 @@ TEST(Kerb, CurveIsTheSameInTheMirror) {
     if (!kerb.curve) continue;
     ++curves;
     const Arc& arc = *kerb.curve;
+    EXPECT_NEAR(distance(arc.start, arc.middle), distance(arc.middle, arc.end), 2e-6);
     const Point start{arc.start.x, -arc.start.y, 0}, middle{arc.middle.x, -arc.middle.y, 0},
         end{arc.end.x, -arc.end.y, 0};
     for (const Kerb& other : mirrored.kerbs)

@@ -78,6 +78,17 @@ TEST(OffsetStrip, TakesNoDirectionFromAPieceOfAMicrometre) {
   }
 }
 
+// A kerb that begins with a centimetre square to it: no strip of a centimetre lies along all of it.
+TEST(OffsetStrip, LiesAlongAKerbBehindASquareStep) {
+  for (const double off : {-1e-4, -1e-6, -1e-9, 0.0, 1e-9, 1e-6, 1e-4}) {
+    const double step = 0.012;
+    const Line kerb{{step * std::sin(off), step * std::cos(off), 0}, {0, 0, 0}, {4, 0, 0}};
+    EXPECT_NEAR(area(offset_strip(kerb, 0.3, 0.3)), 4 * 0.3, 1e-4) << off;
+    const Line end{{-4, 0, 0}, {0, 0, 0}, {step * std::sin(off), step * std::cos(off), 0}};
+    EXPECT_NEAR(area(offset_strip(end, 0.3, 0.3)), 4 * 0.3, 1e-4) << off;
+  }
+}
+
 TEST(OffsetStrip, LiesBehindALineOfNothingButMicrometres) {
   const MultiPolygon strip = offset_strip(Line{{0, 0, 0}, {2e-6, 0, 0}, {0, 0, 0}}, 0.3, 0.3);
   EXPECT_TRUE(Geos().valid(strip));
