@@ -37,6 +37,6 @@ struct Sidewalk {
 
 // The wanted kerbs with a sidewalk, in their order. A change of width takes `transition`
 // metres of kerb. Kerbs follow each other where one ends as the next one starts.
-std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, double transition);
+std::vector<Sidewalk> find_sidewalks(std::vector<SidewalkKerb> kerbs, double transition);
 
 }  // namespace streetgen

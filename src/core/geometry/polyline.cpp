@@ -31,6 +31,15 @@ Line distinct(Line line) {
   return line;
 }
 
+Line without_noise(const Line& line) {
+  Line out{line.front()};
+  for (const Point& place : line)
+    if (distance(place, out.back()) > least_piece) out.push_back(place);
+  if (out.size() > 1 && distance(out.back(), line.back()) <= least_piece) out.pop_back();
+  out.push_back(line.back());
+  return out.size() > 2 || distance(line.front(), line.back()) > least_piece ? out : line;
+}
+
 LinePosition position_at(const Line& line, double abscissa) {
   double before = 0;
   const std::size_t last = line.size() - 2;

@@ -40,6 +40,9 @@ Line reversed(Line line);
 Line planar(Line line);
 // Without repeated consecutive points.
 Line distinct(Line line);
+// Without pieces that have no direction, from the first place to the last; a line that has no
+// others as it is.
+Line without_noise(const Line& line);
 
 // The segment that holds `abscissa` (clamped), and where in it.
 struct LinePosition {

@@ -31,6 +31,9 @@ constexpr double same_place = 1e-6;
 // Metres.  Sites of two axes that are nearer are one site of a Voronoi border.
 constexpr double same_site = 1e-5;
 
+// Metres.  A piece of a line that is shorter has no direction but the noise of its ends.
+constexpr double least_piece = 1e-5;
+
 // Metres.  Places are looked at this far beyond the geometry that they belong to, so that
 // coordinates computed in two ways lie within.
 constexpr double coordinate_margin = 1e-3;
@@ -48,7 +51,7 @@ constexpr double least_part = 1e-6;
 static_assert(rounding < beside_border && beside_border < sides_touch);
 static_assert(border_slack < same_place && sides_touch < same_place);
 // One place belongs to one site, and a margin covers the noise of both.
-static_assert(same_place < same_site && same_site < coordinate_margin);
+static_assert(same_place < least_piece && same_place < same_site && same_site < coordinate_margin);
 // A street that keeps its width is not told from another by a margin.
 static_assert(coordinate_margin < same_width);
 static_assert(least_hole < least_part);

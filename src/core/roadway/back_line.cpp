@@ -175,9 +175,19 @@ std::optional<BackLine::Place> BackLine::meeting(const Line& way, int segment) c
   }
 }
 
+// A place at a vertex lies on both sides there, and rounding tells which of them a way meets.
 bool BackLine::faces(const Place& place, const Point& along) const {
-  const Point behind = line_[(place.before + 1) % count()] - line_[place.before];
-  return dot(behind, along) < facing_cosine * norm(behind) * norm(along);
+  const auto goes_back = [&](int vertex) {
+    const Point behind = line_[(vertex + 1) % count()] - line_[(vertex + count()) % count()];
+    return dot(behind, along) < facing_cosine * norm(behind) * norm(along);
+  };
+  const auto lies_at = [&](int vertex) {
+    return distance(place.point, line_[vertex % count()]) == 0 &&
+           (is_closed_ || (vertex > 0 && vertex + 1 < count()));
+  };
+  const int before = place.before;
+  return goes_back(before) && (!lies_at(before) || goes_back(before - 1)) &&
+         (!lies_at(before + 1) || goes_back(before + 1));
 }
 
 Line BackLine::between(const Place& from, const Place& to) const {

@@ -18,8 +18,10 @@ namespace {
 constexpr double fastest = 1e8;        // of the corner between two sides that face each other
 constexpr double beyond = 250;         // metres from kerbs: farther than any strip goes
 constexpr double uneven = 1e-9;        // metres between two widths
-// About sharper bends a strip ends square: to a kerb without strip, or from a short side of its own.
+// Sharper bends to a kerb without strip end square.
 const double square_cosine = std::cos(M_PI / 3 + same_angle);
+// The end of a chain bounds no side that it leads along, within 10 degrees.
+const double nearly_along_sine = std::sin(M_PI / 18 + same_angle);
 
 // A corner of the front. Times are distances from the kerbs.
 struct Joint {
@@ -187,10 +189,12 @@ class Front {
     passed_.bounds_back[i] = time >= width_at(i, at);
     if (l >= 0 && r >= 0) {
       met_all_ = l == sides_[r].next && !goes_round(l);
-      for (const int last : {l, r}) {
-        if (!met_all_) break;
-        passed_.bounds_back[last] = time >= width_at(last, at);
-        if (time < strip(last).reach) --strip(last).sides;
+      if (met_all_) {  // Which of the last three is looked at means nothing.
+        for (const int last : {l, r}) {
+          passed_.bounds_back[last] = time >= width_at(last, at);
+          if (time < strip(last).reach) --strip(last).sides;
+        }
+        return;
       }
       join(l, r, at, time);
     } else if (l >= 0) {
@@ -243,7 +247,7 @@ class Front {
   // Along the end of the chain.
   Point go_on(const Point& speed, int side, double time) {
     const double away = dot(speed, sides_[side].normal);
-    if (away > square_cosine * norm(speed)) return speed * (1 / away);
+    if (away > nearly_along_sine * norm(speed)) return speed * (1 / away);
     cannot_tell(side, time);
     return sides_[side].normal;
   }

@@ -12,18 +12,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr double least_piece = 1e-5;  // metres: pieces that are shorter have no direction but noise
-
-// Without shorter pieces, from the first place to the last; a line that has no others as it is.
-Line without_noise(const Line& line) {
-  Line out{line.front()};
-  for (const Point& place : line)
-    if (distance(place, out.back()) > least_piece) out.push_back(place);
-  if (out.size() > 1 && distance(out.back(), line.back()) <= least_piece) out.pop_back();
-  out.push_back(line.back());
-  return out.size() > 2 || distance(line.front(), line.back()) > least_piece ? out : line;
-}
-
 std::vector<double> widths_along(const Line& kerb, double width_start, double width_end) {
   const double total = length(kerb);
   std::vector<double> widths;

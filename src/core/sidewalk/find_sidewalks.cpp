@@ -19,7 +19,8 @@ double middle_width(const std::vector<WidthKnot>& widths) {
 
 }  // namespace
 
-std::vector<Sidewalk> find_sidewalks(const std::vector<SidewalkKerb>& kerbs, double transition) {
+std::vector<Sidewalk> find_sidewalks(std::vector<SidewalkKerb> kerbs, double transition) {
+  for (SidewalkKerb& kerb : kerbs) kerb.line = without_noise(kerb.line);
   const KerbChains chains(kerbs, transition);
   std::vector<Strip> strips = strips_behind(kerbs, chains);
   std::vector<Sidewalk> sidewalks;
