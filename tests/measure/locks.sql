@@ -2,8 +2,8 @@
 \pset fieldsep ' | '
 SET client_min_messages = error;
 CREATE EXTENSION IF NOT EXISTS dblink;
-SELECT format('CREATE TEMPORARY TABLE measured AS SELECT %L::name AS model, %s AS turns, %s AS others, max(value::float8) FILTER (WHERE name = ''cell_size'') + 2 * max(%s) FILTER (WHERE name IN (%s)) AS off FROM %I.setting',
-  :'model', :turns, :others, streetgen._reach_value(), streetgen._reach_names(:'model'), :'model') \gexec
+SELECT format('CREATE TEMPORARY TABLE measured AS SELECT %1$L::name AS model, %2$s AS turns, %3$s AS others, value::float8 + 2 * streetgen._change_reach(%1$L) AS off FROM %1$I.setting WHERE name = ''cell_size''',
+  :'model', :turns, :others) \gexec
 SELECT format('CREATE TEMPORARY TABLE line AS SELECT axis_id, geom FROM %I.axis', :'model') \gexec
 CREATE TEMPORARY TABLE asked (axis_id bigint, edit text, in_common integer[], alone integer[], shared integer[]);
 CREATE TEMPORARY TABLE tried (axis_id bigint, skipped bigint, refused bigint, refused_in_common bigint);

@@ -29,36 +29,36 @@ CREATE OR REPLACE FUNCTION streetgen._make_edit_log(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
     relation name;
     event record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- With its owner's rights: an editor cannot write the log by hand.
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._log_edit() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    edited bigint := 1;
-    box box2d;
-BEGIN
-    IF (SELECT value FROM %1$I.setting WHERE name = 'log') IS DISTINCT FROM 'on' THEN
+    CREATE OR REPLACE FUNCTION _log_edit() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        edited bigint := 1;
+        box box2d;
+    BEGIN
+        IF (SELECT value FROM setting WHERE name = 'log') IS DISTINCT FROM 'on' THEN
+            RETURN NULL;
+        ELSIF TG_OP = 'INSERT' THEN
+            SELECT count(*), ST_Extent(geom) INTO edited, box FROM after;
+        ELSIF TG_OP = 'DELETE' THEN
+            SELECT count(*), ST_Extent(geom) INTO edited, box FROM before;
+        ELSIF TG_OP = 'UPDATE' THEN
+            SELECT count(*), ST_Extent(geom) INTO edited, box FROM (SELECT geom FROM before
+                UNION ALL SELECT geom FROM after) e;
+        END IF;
+        IF edited > 0 THEN
+            INSERT INTO edit_log (at, who, relation, action, extent)
+                VALUES (clock_timestamp(), coalesce(nullif(current_setting('role'), 'none'), session_user),
+                    TG_TABLE_NAME, lower(TG_OP), ST_SetSRID(ST_Expand(box::geometry, 1),
+                    (SELECT m.srid FROM streetgen.model m WHERE m.name = current_schema())));
+        END IF;
         RETURN NULL;
-    ELSIF TG_OP = 'INSERT' THEN
-        SELECT count(*), ST_Extent(geom) INTO edited, box FROM after;
-    ELSIF TG_OP = 'DELETE' THEN
-        SELECT count(*), ST_Extent(geom) INTO edited, box FROM before;
-    ELSIF TG_OP = 'UPDATE' THEN
-        SELECT count(*), ST_Extent(geom) INTO edited, box FROM (SELECT geom FROM before
-            UNION ALL SELECT geom FROM after) e;
-    END IF;
-    IF edited > 0 THEN
-        INSERT INTO %1$I.edit_log (at, who, relation, action, extent)
-            VALUES (clock_timestamp(), coalesce(nullif(current_setting('role'), 'none'), session_user), TG_TABLE_NAME,
-                lower(TG_OP), ST_SetSRID(ST_Expand(box::geometry, 1), %2$s));
-    END IF;
-    RETURN NULL;
-END $body$ $sql$, model, srid);
+    END $body$;
     PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log where setting log is on');
     FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
         FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),

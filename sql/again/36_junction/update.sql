@@ -125,87 +125,87 @@ BEGIN
     PERFORM streetgen._make_junction_members(model), streetgen._make_made_junctions(model),
         streetgen._make_put_junctions(model), streetgen._make_found_movements(model),
         streetgen._make_put_movements(model);
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._update_junctions(touched bigint[])
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    SET plan_cache_mode = auto
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    region bigint[];
-    members streetgen.junction_member[];
-    put record;
-    made streetgen.junction_made[];
-    former bigint[];
-    obsolete bigint[];
-    nodes record;
-    edges record;
-    movements record;
-BEGIN
-    IF touched IS NOT NULL THEN
-        -- Planning anew costs an edit more than the plans do.
-        PERFORM set_config('plan_cache_mode', 'force_generic_plan', true);
-    END IF;
-    SELECT m.region, m.members INTO region, members FROM %1$I._junction_members(touched) m;
-    made := %1$I._made_junctions(region, members);
-    former := CASE WHEN touched IS NULL THEN ARRAY(SELECT DISTINCT junction_id FROM %1$I.junction_node)
-        ELSE ARRAY(SELECT DISTINCT junction_id FROM %1$I.junction_node WHERE node_id = ANY (region)) END;
-    SELECT * INTO put FROM %1$I._put_junctions(region, members, made,
-        (SELECT value::float8 FROM %1$I.setting WHERE name = 'max_hole_area'));
-    WITH new AS MATERIALIZED (
-        -- Not joins: of many the planner would guess billions of rows.
-        SELECT n.node_id, n.junction_id FROM unnest(members) n WHERE n.node_id IN (SELECT unnest(region))
-            AND n.junction_id IN (SELECT m.junction_id FROM unnest(made) m)),
-    compared AS MATERIALIZED (
-        SELECT n.*, o.node_id IS NULL AS fresh, o.junction_id IS DISTINCT FROM n.junction_id AS changed
-        FROM new n LEFT JOIN %1$I.junction_node o USING (node_id)),
-    gone AS (
-        DELETE FROM %1$I.junction_node o WHERE o.node_id = ANY (ARRAY(SELECT r.node_id
-            FROM unnest(region) r(node_id) WHERE NOT EXISTS (SELECT FROM new n WHERE n.node_id = r.node_id)))
-        RETURNING 1),
-    put_node AS (
-        INSERT INTO %1$I.junction_node SELECT node_id, junction_id FROM compared WHERE changed ORDER BY node_id
-        ON CONFLICT (node_id) DO UPDATE SET junction_id = excluded.junction_id)
-    SELECT count(*) FILTER (WHERE fresh) AS inserted, count(*) FILTER (WHERE changed AND NOT fresh) AS updated,
-        (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
-        INTO nodes FROM compared;
-    WITH new AS MATERIALIZED (
-        SELECT e.edge_id, e.junction_id, e.role FROM unnest(members) e
-        WHERE e.role IS NOT NULL AND e.junction_id IN (SELECT m.junction_id FROM unnest(made) m)),
-    compared AS MATERIALIZED (
-        SELECT n.*, o.edge_id IS NULL AS fresh,
-            (o.junction_id, o.role) IS DISTINCT FROM (n.junction_id, n.role) AS changed
-        FROM new n LEFT JOIN %1$I.junction_edge o USING (edge_id)),
-    gone AS (
-        DELETE FROM %1$I.junction_edge o WHERE o.junction_id = ANY (former || put.inserted || put.updated || put.kept)
-            AND NOT EXISTS (SELECT FROM new n WHERE n.edge_id = o.edge_id) RETURNING 1),
-    put_edge AS (
-        INSERT INTO %1$I.junction_edge SELECT edge_id, junction_id, role FROM compared WHERE changed ORDER BY edge_id
-        ON CONFLICT (edge_id) DO UPDATE SET (junction_id, role) = ROW (excluded.junction_id, excluded.role))
-    SELECT count(*) FILTER (WHERE fresh) AS inserted, count(*) FILTER (WHERE changed AND NOT fresh) AS updated,
-        (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
-        INTO edges FROM compared;
-    IF touched IS NULL THEN
-        PERFORM streetgen._analyse(%3$L), streetgen._analyse(%4$L);
-    END IF;
-    SELECT * INTO movements FROM %1$I._put_movements(
-        ARRAY(SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1), former);
-    WITH gone AS (DELETE FROM %1$I.junction j WHERE j.junction_id = ANY (former)
-        AND NOT EXISTS (SELECT FROM unnest(made) m WHERE m.junction_id = j.junction_id) RETURNING j.junction_id)
-    SELECT ARRAY(SELECT junction_id FROM gone) INTO obsolete;
-    RETURN QUERY VALUES
-        ('junction', cardinality(put.inserted)::bigint, cardinality(put.updated)::bigint,
-            cardinality(obsolete)::bigint, cardinality(put.kept)::bigint,
-            (SELECT count(*) FROM unnest(made) m WHERE m.method <> 'hypothesis')),
-        ('junction_node', nodes.inserted, nodes.updated, nodes.deleted, nodes.unchanged, 0::bigint),
-        ('junction_edge', edges.inserted, edges.updated, edges.deleted, edges.unchanged, 0::bigint),
-        ('junction_movement', movements.inserted, movements.updated, movements.deleted, movements.unchanged,
-            0::bigint);
-    %2$s
-END $body$ $sql$, model, CASE WHEN 'signal' = ANY (streetgen._subjects(model)) THEN format('RETURN QUERY SELECT * '
-        'FROM %I._update_signals(ARRAY(SELECT m.junction_id FROM unnest(made) m), former);', model) END,
-        format('%I.junction_node', model), format('%I.junction_edge', model));
+    CREATE OR REPLACE FUNCTION _update_junctions(touched bigint[])
+        RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint,
+            fallbacks bigint)
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        SET plan_cache_mode = auto
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        region bigint[];
+        members streetgen.junction_member[];
+        put record;
+        made streetgen.junction_made[];
+        former bigint[];
+        obsolete bigint[];
+        nodes record;
+        edges record;
+        movements record;
+    BEGIN
+        IF touched IS NOT NULL THEN
+            -- Planning anew costs an edit more than the plans do.
+            PERFORM set_config('plan_cache_mode', 'force_generic_plan', true);
+        END IF;
+        SELECT m.region, m.members INTO region, members FROM _junction_members(touched) m;
+        made := _made_junctions(region, members);
+        former := CASE WHEN touched IS NULL THEN ARRAY(SELECT DISTINCT junction_id FROM junction_node)
+            ELSE ARRAY(SELECT DISTINCT junction_id FROM junction_node WHERE node_id = ANY (region)) END;
+        SELECT * INTO put FROM _put_junctions(region, members, made,
+            (SELECT value::float8 FROM setting WHERE name = 'max_hole_area'));
+        WITH new AS MATERIALIZED (
+            -- Not joins: of many the planner would guess billions of rows.
+            SELECT n.node_id, n.junction_id FROM unnest(members) n WHERE n.node_id IN (SELECT unnest(region))
+                AND n.junction_id IN (SELECT m.junction_id FROM unnest(made) m)),
+        compared AS MATERIALIZED (
+            SELECT n.*, o.node_id IS NULL AS fresh, o.junction_id IS DISTINCT FROM n.junction_id AS changed
+            FROM new n LEFT JOIN junction_node o USING (node_id)),
+        gone AS (
+            DELETE FROM junction_node o WHERE o.node_id = ANY (ARRAY(SELECT r.node_id
+                FROM unnest(region) r(node_id) WHERE NOT EXISTS (SELECT FROM new n WHERE n.node_id = r.node_id)))
+            RETURNING 1),
+        put_node AS (
+            INSERT INTO junction_node SELECT node_id, junction_id FROM compared WHERE changed ORDER BY node_id
+            ON CONFLICT (node_id) DO UPDATE SET junction_id = excluded.junction_id)
+        SELECT count(*) FILTER (WHERE fresh) AS inserted, count(*) FILTER (WHERE changed AND NOT fresh) AS updated,
+            (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
+            INTO nodes FROM compared;
+        WITH new AS MATERIALIZED (
+            SELECT e.edge_id, e.junction_id, e.role FROM unnest(members) e
+            WHERE e.role IS NOT NULL AND e.junction_id IN (SELECT m.junction_id FROM unnest(made) m)),
+        compared AS MATERIALIZED (
+            SELECT n.*, o.edge_id IS NULL AS fresh,
+                (o.junction_id, o.role) IS DISTINCT FROM (n.junction_id, n.role) AS changed
+            FROM new n LEFT JOIN junction_edge o USING (edge_id)),
+        gone AS (
+            DELETE FROM junction_edge o WHERE o.junction_id = ANY (former || put.inserted || put.updated || put.kept)
+                AND NOT EXISTS (SELECT FROM new n WHERE n.edge_id = o.edge_id) RETURNING 1),
+        put_edge AS (
+            INSERT INTO junction_edge SELECT edge_id, junction_id, role FROM compared WHERE changed ORDER BY edge_id
+            ON CONFLICT (edge_id) DO UPDATE SET (junction_id, role) = ROW (excluded.junction_id, excluded.role))
+        SELECT count(*) FILTER (WHERE fresh) AS inserted, count(*) FILTER (WHERE changed AND NOT fresh) AS updated,
+            (SELECT count(*) FROM gone) AS deleted, count(*) FILTER (WHERE NOT changed) AS unchanged
+            INTO edges FROM compared;
+        IF touched IS NULL THEN
+            PERFORM streetgen._analyse('junction_node'), streetgen._analyse('junction_edge');
+        END IF;
+        SELECT * INTO movements FROM _put_movements(
+            ARRAY(SELECT m.junction_id FROM unnest(made) m WHERE m.nodes > 1), former);
+        WITH gone AS (DELETE FROM junction j WHERE j.junction_id = ANY (former)
+            AND NOT EXISTS (SELECT FROM unnest(made) m WHERE m.junction_id = j.junction_id) RETURNING j.junction_id)
+        SELECT ARRAY(SELECT junction_id FROM gone) INTO obsolete;
+        RETURN QUERY VALUES
+            ('junction', cardinality(put.inserted)::bigint, cardinality(put.updated)::bigint,
+                cardinality(obsolete)::bigint, cardinality(put.kept)::bigint,
+                (SELECT count(*) FROM unnest(made) m WHERE m.method <> 'hypothesis')),
+            ('junction_node', nodes.inserted, nodes.updated, nodes.deleted, nodes.unchanged, 0::bigint),
+            ('junction_edge', edges.inserted, edges.updated, edges.deleted, edges.unchanged, 0::bigint),
+            ('junction_movement', movements.inserted, movements.updated, movements.deleted, movements.unchanged,
+                0::bigint);
+        IF 'signal' = ANY (streetgen._subjects(current_schema())) THEN
+            RETURN QUERY SELECT * FROM _update_signals(ARRAY(SELECT m.junction_id FROM unnest(made) m), former);
+        END IF;
+    END $body$;
     PERFORM streetgen._own_function(model, '_update_junctions(bigint[])',
         'Brings the junctions about nodes (NULL: all) up to date with the rows of the model; a row per table');
 END $$;

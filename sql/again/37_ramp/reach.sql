@@ -24,12 +24,6 @@ CREATE OR REPLACE FUNCTION streetgen._may_be_highway(kind text, highway_role tex
 COMMENT ON FUNCTION streetgen._may_be_highway(text, text) IS
     'May merging lanes lie on an axis of a class with such a role, whatever its speed?';
 
-CREATE OR REPLACE FUNCTION streetgen._no_merging_run() RETURNS TABLE(edge_id bigint, axis_id bigint, from_node bigint,
-        to_node bigint, geom geometry)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1
-    BEGIN ATOMIC SELECT NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint, NULL::geometry WHERE false; END;
-COMMENT ON FUNCTION streetgen._no_merging_run() IS 'The function _merging_run of a model without ramps: no rows.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_merging_run(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -42,8 +36,12 @@ BEGIN
         AS $body$
     #variable_conflict use_column
     DECLARE
-        reach float8 := streetgen._merging_reach(current_schema());
+        reach float8;
     BEGIN
+        IF 'ramp' <> ALL (streetgen._subjects(current_schema())) THEN
+            RETURN;
+        END IF;
+        reach := streetgen._merging_reach(current_schema());
         RETURN QUERY
         WITH RECURSIVE run(edge_id, node_id, metres) AS (
             SELECT e.edge_id, n.node_id, 0::float8 FROM edge e,
@@ -64,14 +62,7 @@ BEGIN
     END $body$;
     PERFORM streetgen._own_function(model, '_merging_run(bigint[])',
         'The edges of highways on which merging lanes may lie that have to do with the edges of some axes: along the '
-        'highway, over nodes of two edges; those of the axes that may be highways among them');
+        'highway, over nodes of two edges; those of the axes that may be highways among them. None without ramps');
 END $$;
 COMMENT ON FUNCTION streetgen._make_merging_run(name) IS
     'Makes the function of a model that tells how far merging lanes let a change reach.';
-
-CREATE OR REPLACE FUNCTION streetgen._merging_run_of(model name, axes text) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE
-    RETURN CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN format('%I._merging_run(%s)', model, axes)
-        ELSE 'streetgen._no_merging_run()' END;
-COMMENT ON FUNCTION streetgen._merging_run_of(name, text) IS
-    'A call of _merging_run for the axes of an expression, as SQL; no rows where the model computes no ramps.';

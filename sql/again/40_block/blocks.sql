@@ -168,36 +168,10 @@ CREATE OR REPLACE FUNCTION streetgen._make_block_functions(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    about text := 'SELECT 0::bigint, 0::bigint WHERE false';
     renewed text := '';
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'block' = ANY (streetgen._subjects(model)) THEN
-        -- The face about an axis that lies alone is the one at the nearest edge: at all edges of its nodes, since the
-        -- nearest place may be a node.
-        about := format($sql$
-WITH reach AS MATERIALIZED (SELECT value::float8 AS reach FROM %1$I.setting WHERE name = 'reach'),
-ground AS MATERIALIZED (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level'),
-street AS MATERIALIZED (
-    SELECT a.axis_id, o.from_node, o.to_node FROM reach, ground, %1$I.axis a
-    -- As _nearest_axis: the nearest box bounds the distance.
-    LEFT JOIN LATERAL (SELECT e.geom FROM %1$I.edge e WHERE e.axis_id <> a.axis_id AND e.level = ground.level
-        ORDER BY e.geom <#> a.geom LIMIT 1) b ON true
-    LEFT JOIN LATERAL (SELECT e.from_node, e.to_node FROM %1$I.edge e
-        WHERE e.axis_id <> a.axis_id AND e.level = ground.level
-            AND ST_DWithin(e.geom, a.geom, ST_Distance(b.geom, a.geom))
-        ORDER BY ST_Distance(e.geom, a.geom), e.edge_id LIMIT 1) o ON true
-    WHERE a.axis_id = ANY (axes) AND NOT EXISTS (SELECT FROM %1$I.edge e WHERE e.axis_id <> a.axis_id
-        AND e.geom && ST_Expand(a.geom, reach) AND ST_DWithin(e.geom, a.geom, reach))
-        -- Its own edges tell where it lies as it did.
-        AND NOT coalesce((SELECT ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
-                AND bool_and(streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
-            FROM %1$I.edge e WHERE e.axis_id = a.axis_id), false))
-SELECT DISTINCT s.axis_id, coalesce(b.block_id, 0) FROM street s LEFT JOIN LATERAL (
-        SELECT edge_id FROM %1$I.edge e WHERE e.from_node IN (s.from_node, s.to_node)
-        UNION ALL SELECT edge_id FROM %1$I.edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e ON true
-    LEFT JOIN LATERAL (SELECT block_id, true AS there FROM %1$I.block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
-        ON true
-WHERE b.there OR e.edge_id IS NULL$sql$, model);
         renewed := format($sql$
     IF blocks = '{}' THEN
         RETURN QUERY SELECT t::text, 0::bigint, 0::bigint, 0::bigint, 0::bigint, 0::bigint
@@ -230,15 +204,42 @@ WHERE b.there OR e.edge_id IS NULL$sql$, model);
             streetgen._block_statement(streetgen._upsert_places(model, 'part')),
             '\$1', 'blocks', 'g'), '\$2', 'axes', 'g'), '\$3', 'by_place', 'g'), model, model);
     END IF;
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._blocks_about(axes bigint[]) RETURNS TABLE(axis_id bigint, block_id bigint)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path FROM CURRENT SET jit = off
-    SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    RETURN QUERY %2$s;
-END $body$ $sql$, model, about);
+    CREATE OR REPLACE FUNCTION _blocks_about(axes bigint[]) RETURNS TABLE(axis_id bigint, block_id bigint)
+        LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path FROM CURRENT SET jit = off
+        SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        IF 'block' <> ALL (streetgen._subjects(current_schema())) THEN
+            RETURN;
+        END IF;
+        -- The face about an axis that lies alone is the one at the nearest edge: at all edges of its nodes, since the
+        -- nearest place may be a node.
+        RETURN QUERY
+        WITH reach AS MATERIALIZED (SELECT value::float8 AS reach FROM setting WHERE name = 'reach'),
+        ground AS MATERIALIZED (SELECT value::integer AS level FROM setting WHERE name = 'ground_level'),
+        street AS MATERIALIZED (
+            SELECT a.axis_id, o.from_node, o.to_node FROM reach, ground, axis a
+            -- As _nearest_axis: the nearest box bounds the distance.
+            LEFT JOIN LATERAL (SELECT e.geom FROM edge e WHERE e.axis_id <> a.axis_id AND e.level = ground.level
+                ORDER BY e.geom <#> a.geom LIMIT 1) b ON true
+            LEFT JOIN LATERAL (SELECT e.from_node, e.to_node FROM edge e
+                WHERE e.axis_id <> a.axis_id AND e.level = ground.level
+                    AND ST_DWithin(e.geom, a.geom, ST_Distance(b.geom, a.geom))
+                ORDER BY ST_Distance(e.geom, a.geom), e.edge_id LIMIT 1) o ON true
+            WHERE a.axis_id = ANY (axes) AND NOT EXISTS (SELECT FROM edge e WHERE e.axis_id <> a.axis_id
+                AND e.geom && ST_Expand(a.geom, reach) AND ST_DWithin(e.geom, a.geom, reach))
+                -- Its own edges tell where it lies as it did.
+                AND NOT coalesce((SELECT ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
+                        AND bool_and(streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
+                    FROM edge e WHERE e.axis_id = a.axis_id), false))
+        SELECT DISTINCT s.axis_id, coalesce(b.block_id, 0) FROM street s LEFT JOIN LATERAL (
+                SELECT edge_id FROM edge e WHERE e.from_node IN (s.from_node, s.to_node)
+                UNION ALL SELECT edge_id FROM edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e ON true
+            LEFT JOIN LATERAL (SELECT block_id, true AS there FROM block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
+                ON true
+        WHERE b.there OR e.edge_id IS NULL;
+    END $body$;
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._renew_blocks(blocks bigint[], axes bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)

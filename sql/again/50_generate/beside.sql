@@ -35,6 +35,9 @@ CREATE OR REPLACE FUNCTION streetgen._stale_beside(model name, axes bigint[], pl
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    size float8;
+    -- How far a change reaches from the middle of the widest axis.
+    far float8;
     beside bigint[];
     reach record;
 BEGIN
@@ -43,25 +46,20 @@ BEGIN
         RETURN '{}';
     END IF;
     -- This session does not see what others write: a changed axis may lie beside one that is new there.
-    EXECUTE format($sql$
-WITH size AS (SELECT value::float8 AS size FROM %1$I.setting WHERE name = 'cell_size'),
-far AS (
-    SELECT max(%2$s) + coalesce((SELECT max(greatest(width, width_end) + 2 * abs(roadway_offset))
-        FROM %1$I.axis_used), 0) AS far
-    FROM %1$I.setting WHERE name IN (%3$s)),
-stale AS MATERIALIZED (
-    SELECT axis_id, geom FROM %1$I.axis_used u
-    WHERE coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id), true)
-    UNION ALL SELECT axis_id, geom FROM %1$I.edge e WHERE NOT EXISTS (SELECT FROM %1$I.axis a
-        WHERE a.axis_id = e.axis_id)),
-line AS MATERIALIZED (
-    SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1) UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1))
-SELECT coalesce(array_agg(DISTINCT axis_id), '{}') FROM stale s
-WHERE axis_id <> ALL ($1) AND (EXISTS (SELECT FROM far, line l WHERE ST_DWithin(l.geom, s.geom, far))
-    OR -1 = ANY ($2)
-    OR EXISTS (SELECT FROM size, far, streetgen._cells(s.geom, far / 2, size) key WHERE key = ANY ($2))
-    OR EXISTS (SELECT FROM size, streetgen._districts_of(s.geom, size) key WHERE key = ANY ($2)))
-$sql$, model, streetgen._reach_value(), streetgen._reach_names(model)) INTO beside USING axes, places;
+    SELECT value::float8 FROM setting WHERE name = 'cell_size' INTO size;
+    SELECT streetgen._change_reach(model) + coalesce(max(greatest(width, width_end) + 2 * abs(roadway_offset)), 0)
+        FROM axis_used INTO far;
+    WITH stale AS MATERIALIZED (
+        SELECT axis_id, geom FROM axis_used u
+        WHERE coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM edge e WHERE e.axis_id = u.axis_id), true)
+        UNION ALL SELECT axis_id, geom FROM edge e WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = e.axis_id)),
+    line AS MATERIALIZED (
+        SELECT geom FROM axis WHERE axis_id = ANY (axes) UNION ALL SELECT geom FROM edge WHERE axis_id = ANY (axes))
+    SELECT coalesce(array_agg(DISTINCT axis_id), '{}') FROM stale s
+    WHERE axis_id <> ALL (axes) AND (EXISTS (SELECT FROM line l WHERE ST_DWithin(l.geom, s.geom, far))
+        OR -1 = ANY (places)
+        OR EXISTS (SELECT FROM streetgen._cells(s.geom, far / 2, size) key WHERE key = ANY (places))
+        OR EXISTS (SELECT FROM streetgen._districts_of(s.geom, size) key WHERE key = ANY (places))) INTO beside;
     -- Changed axes lead on from one to the next.
     LOOP
         SELECT * FROM _reach(axes || beside) INTO reach;

@@ -8,189 +8,187 @@ CREATE OR REPLACE FUNCTION streetgen._runs_along(edge geometry, axis geometry, s
 COMMENT ON FUNCTION streetgen._runs_along(geometry, geometry, float8, float8) IS
     'Does an edge still run between these abscissas of its axis, in its direction? A reversed axis lies where it did.';
 
-CREATE OR REPLACE FUNCTION streetgen._reach_value() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN 'CASE name WHEN ''roundabout_radius_greatest'' THEN 2 * value::float8 + 10 ELSE value::float8 END';
-COMMENT ON FUNCTION streetgen._reach_value() IS
-    'How far each of the settings of streetgen._reach_names lets a change reach, metres, as SQL: a ring that it '
-    'touches is as far as it is wide.';
-
-CREATE OR REPLACE FUNCTION streetgen._reach_names(model name) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE
-    RETURN $$'reach', 'max_arc_distance'$$ || CASE WHEN 'roundabout' = ANY (streetgen._subjects(model))
-        THEN $$, 'roundabout_radius_greatest'$$ ELSE '' END;
-COMMENT ON FUNCTION streetgen._reach_names(name) IS
-    'The settings that say how far a change of an axis reaches, as SQL.';
+CREATE OR REPLACE FUNCTION streetgen._change_reach(model name) RETURNS float8
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
+BEGIN
+    PERFORM streetgen._use_model(model);
+    -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut. A ring is
+    -- touched as far off as it is wide.
+    RETURN (SELECT max(CASE name WHEN 'roundabout_radius_greatest' THEN 2 * value::float8 + 10 ELSE value::float8 END)
+        FROM setting WHERE name IN ('reach', 'max_arc_distance')
+            OR with_rings AND name = 'roundabout_radius_greatest');
+END $$;
+COMMENT ON FUNCTION streetgen._change_reach(name) IS 'How far a change of an axis reaches by the settings, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._reach(requested bigint[], OUT stale bigint[], OUT written bigint[],
-    OUT gathered bigint[], OUT cells integer[], OUT districts integer[], OUT chains integer[])
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
-    AS $body$
-DECLARE
-    reach float8;
-    size float8;
-    tolerance float8;
-    -- No roadway is wider.
-    widest float8;
-    -- The requested axes that are there, and how wide they are.
-    present bigint[];
-    widths float8[];
-    -- The edges that the requested axes can change, and their axes: NULL where nothing but a surface can change.
-    edges bigint[];
-    turned bigint[];
-    -- Do the requested axes lie as their edges say? What changed is a width, or another value.
-    still boolean;
-BEGIN
-    -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut.
-    SELECT max(%2$s) FILTER (WHERE name IN (%3$s)), max(value::float8)
-        FILTER (WHERE name = 'cell_size'),
-           max(value::float8) FILTER (WHERE name = 'tolerance'),
-           greatest(max(value::float8) FILTER (WHERE name = 'width_default'),
-               (SELECT max(greatest(e.width, e.width_end) + 2 * abs(e.roadway_offset)) FROM %1$I.edge e),
-               (SELECT max(a.width) FROM %1$I.axis a),
-               (SELECT max(k.width) FROM %1$I.kerb_point_override k), (SELECT max(c.width) FROM %1$I.axis_class c))
-               + coalesce((SELECT 2 * greatest(max(roadway_offset), -min(roadway_offset)) FROM %1$I.axis
-                   WHERE roadway_offset <> 0), 0)
-        INTO reach, size, tolerance, widest FROM %1$I.setting
-            WHERE name IN ('reach', 'max_arc_distance', 'cell_size', 'tolerance', 'width_default',
-            %3$s);
-    SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)
-        + 2 * abs(u.roadway_offset)) INTO present, widths FROM %1$I.axis_used u
-        WHERE u.axis_id = ANY (requested);
-    -- Axes that the requested ones can change: along the network, and by their roadway.
-    WITH line AS MATERIALIZED (
-        SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
-        UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
-            WHERE axis_id = ANY (requested)
-        -- Too short for an edge, it joined others.
-        UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
-    near AS MATERIALIZED (
-        SELECT e.*, distance <= 3 * tolerance AS met
-        FROM line l, LATERAL (
-            SELECT edge_id, axis_id, from_node, to_node, e.geom,
-                greatest(e.width, width_end) + 2 * abs(roadway_offset) AS width,
-                ST_Distance(e.geom, l.geom) AS distance
-            FROM %1$I.edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
-                3 * tolerance)) OFFSET 0) e
-        WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
-    -- The far end of an edge moves too where limits cross, however far.
-    far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
-    -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
-    reaching AS MATERIALIZED (
-        SELECT DISTINCT ON (edge_id) geom, width FROM near n WHERE met AND EXISTS (
-            SELECT FROM %1$I.section_limit l WHERE l.edge_id = n.edge_id AND n.width / 2 + CASE which WHEN 'start'
-                THEN l.abscissa ELSE ST_Length(n.geom) - l.abscissa END > reach)),
-    part AS MATERIALIZED (
-        SELECT axis_id, edge_id, true AS turns FROM %1$I.edge
-            WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
-        UNION SELECT axis_id, edge_id, true FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
-        -- An axis put between others may turn those that lie nearest.
-        UNION SELECT axis_id, edge_id, cardinality(requested) > 1
-            OR NOT EXISTS (SELECT FROM near n WHERE n.met AND n.axis_id <> ALL (requested))
-            FROM near
-        UNION SELECT e.axis_id, e.edge_id, false FROM reaching l
-            JOIN %1$I.edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
-            AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2
-                + abs(e.roadway_offset)))
-    SELECT ARRAY(SELECT axis_id FROM part
-            -- An axis that joined its ends may part them.
-            UNION SELECT axis_a FROM %1$I.report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
-                WHERE issue = 'collapsed_axis'
-            UNION SELECT unnest(requested)),
-        e.edges, e.turned
-        INTO written, edges, turned
-        FROM (SELECT coalesce(array_agg(edge_id), '{}') AS edges,
-            coalesce(array_agg(CASE WHEN turns THEN axis_id END), '{}') AS turned FROM part) e;
-    stale := ARRAY(SELECT axis_id FROM %1$I.axis_used u WHERE axis_id = ANY (written)
-        AND axis_id NOT IN (SELECT unnest(requested))
-        AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM %1$I.edge e WHERE e.axis_id = u.axis_id),
-            true));
-    IF stale <> '{}' THEN
-        RETURN;
-    END IF;
-    WITH own AS MATERIALIZED (
-        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) + 2 * abs(roadway_offset) AS width,
-            box3d(geom) AS extent
-            FROM %1$I.edge WHERE axis_id = ANY (written)),
-    line AS MATERIALIZED (
-        SELECT axis_id, geom, floor(ST_XMin(extent) / size) AS x, floor(ST_YMin(extent) / size) AS y, extent,
-            reach + width / 2 AS margin, ST_Expand(geom, reach + (width + widest) / 2) AS box
-        FROM (SELECT axis_id, max(width) AS width FROM (SELECT axis_id, width FROM own
-            UNION ALL SELECT * FROM unnest(present, widths)) w(axis_id, width) GROUP BY axis_id OFFSET 0) w
-            JOIN (SELECT axis_id, geom, box3d(geom) AS extent FROM %1$I.axis WHERE axis_id = ANY (written) OFFSET 0) a
-                USING (axis_id)),
-    -- What that depends on. Axes are looked up once for all lines that begin in one cell.
-    around AS MATERIALIZED (
-        SELECT x, y, a.axis_id, a.geom FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b
-            JOIN %1$I.axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(written))),
-    edge_around AS MATERIALIZED (
-        SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) + 2 * abs(roadway_offset) AS width
-            FROM %1$I.edge WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM around))),
-    beside AS MATERIALIZED (
-        SELECT DISTINCT axis_id FROM around b LEFT JOIN (SELECT axis_id, max(width) AS width FROM edge_around
-            GROUP BY axis_id) e USING (axis_id)
-        WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box
-            AND ST_DWithin(b.geom, l.geom, l.margin + coalesce(e.width, widest) / 2))),
-    -- Merging lanes come along a highway from afar, from links that meet it.
-    run AS MATERIALIZED (SELECT axis_id, from_node, to_node, geom FROM %4$s),
-    run_node AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM run),
-    -- With what meets it farther on: that bounds its edges.
-    bounded AS MATERIALIZED (SELECT from_node, to_node, geom FROM own
-        UNION ALL SELECT from_node, to_node, geom FROM %1$I.edge
-            WHERE from_node = ANY ((SELECT ids FROM run_node)::bigint[])
-        UNION ALL SELECT from_node, to_node, geom FROM %1$I.edge
-            WHERE to_node = ANY ((SELECT ids FROM run_node)::bigint[])
-        UNION ALL SELECT from_node, to_node, geom FROM edge_around WHERE axis_id IN (SELECT axis_id FROM beside)),
-    met AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM bounded),
-    met_axis AS MATERIALIZED (
-        SELECT axis_id FROM %1$I.edge WHERE from_node = ANY ((SELECT ids FROM met)::bigint[])
-            UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY ((SELECT ids FROM met)::bigint[])
-        -- An axis too short for an edge has no node, but may place that of others.
-        UNION SELECT axis_a FROM %1$I.report r WHERE issue = 'collapsed_axis'
-            AND ST_Expand(geom, measure) && (SELECT ST_Expand(ST_Extent(geom)::geometry, 3 * tolerance) FROM bounded)
-            AND EXISTS (SELECT FROM %1$I.axis a JOIN %1$I.node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance)
-                WHERE a.axis_id = r.axis_a AND n.node_id = ANY ((SELECT ids FROM met)::bigint[]))
-        EXCEPT (SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside)),
-    -- A run writes every axis near the requested ones whole, ends included. Most lie in the same few districts.
-    box AS MATERIALIZED (
-        SELECT DISTINCT streetgen._district_of(ST_XMin(extent) - margin, size) AS west,
-            streetgen._district_of(ST_YMin(extent) - margin, size) AS south,
-            streetgen._district_of(ST_XMax(extent) + margin, size) AS east,
-            streetgen._district_of(ST_YMax(extent) + margin, size) AS north
-        FROM (SELECT extent, CASE WHEN axis_id IN (SELECT unnest(requested)) THEN reach + widest ELSE 10 END AS margin
-            FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own
-                UNION ALL SELECT NULL, box3d(geom) FROM run) l OFFSET 0) m)
-    SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
-        UNION ALL SELECT axis_id FROM met_axis JOIN %1$I.axis USING (axis_id)),
-           ARRAY(SELECT DISTINCT key FROM box, streetgen._districts(west, south, east, north) key),
-           ARRAY(SELECT streetgen._axis_key(axis_id) FROM (SELECT unnest(written) AS axis_id
-               UNION SELECT axis_id FROM run) a)
-        INTO gathered, districts, chains;
-    still := NOT EXISTS (SELECT FROM unnest(requested) r(axis_id) LEFT JOIN %1$I.axis a USING (axis_id)
-        WHERE NOT coalesce((SELECT bool_and(e.level = a.level AND e.input_hash <> 0
-                    AND streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
-                AND ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
-            FROM %1$I.edge e WHERE e.axis_id = r.axis_id), false));
-    -- Two sessions that change an axis each have half of the way each: both know the axes that are there.
-    cells := ARRAY(
-        SELECT DISTINCT key FROM (
-            SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN %1$I.axis USING (axis_id)
-            UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM %1$I.edge
-                WHERE axis_id = ANY (requested) AND NOT still
-            UNION ALL SELECT geom, 0 FROM %1$I.report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'
-                AND NOT still) l,
-            streetgen._cells(l.geom, greatest(reach + (l.width + widest) / 2, 3 * tolerance) / 2, size) key);
-    -- The outside changes with edges alone.
-    chains := chains || ARRAY(SELECT DISTINCT key FROM %1$I._chain_keys(requested, written, turned, edges)
-        WHERE NOT still AND axis_id IS NOT NULL OR key <> streetgen._chain_key('block', 0));
-END $body$ $sql$, model, streetgen._reach_value(), streetgen._reach_names(model),
-        streetgen._merging_run_of(model, 'written'));
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _reach(requested bigint[], OUT stale bigint[], OUT written bigint[],
+        OUT gathered bigint[], OUT cells integer[], OUT districts integer[], OUT chains integer[])
+        LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+        AS $body$
+    DECLARE
+        reach constant float8 := streetgen._change_reach(current_schema());
+        size float8;
+        tolerance float8;
+        -- No roadway is wider.
+        widest float8;
+        -- The requested axes that are there, and how wide they are.
+        present bigint[];
+        widths float8[];
+        -- The edges that the requested axes can change, and their axes: NULL where nothing but a surface can change.
+        edges bigint[];
+        turned bigint[];
+        -- Do the requested axes lie as their edges say? What changed is a width, or another value.
+        still boolean;
+    BEGIN
+        SELECT max(value::float8) FILTER (WHERE name = 'cell_size'),
+               max(value::float8) FILTER (WHERE name = 'tolerance'),
+               greatest(max(value::float8) FILTER (WHERE name = 'width_default'),
+                   (SELECT max(greatest(e.width, e.width_end) + 2 * abs(e.roadway_offset)) FROM edge e),
+                   (SELECT max(a.width) FROM axis a),
+                   (SELECT max(k.width) FROM kerb_point_override k), (SELECT max(c.width) FROM axis_class c))
+                   + coalesce((SELECT 2 * greatest(max(roadway_offset), -min(roadway_offset)) FROM axis
+                       WHERE roadway_offset <> 0), 0)
+            INTO size, tolerance, widest FROM setting WHERE name IN ('cell_size', 'tolerance', 'width_default');
+        SELECT array_agg(u.axis_id), array_agg(greatest(u.width, u.width_end)
+            + 2 * abs(u.roadway_offset)) INTO present, widths FROM axis_used u
+            WHERE u.axis_id = ANY (requested);
+        -- Axes that the requested ones can change: along the network, and by their roadway.
+        WITH line AS MATERIALIZED (
+            SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN axis USING (axis_id)
+            UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM edge
+                WHERE axis_id = ANY (requested)
+            -- Too short for an edge, it joined others.
+            UNION ALL SELECT geom, 0 FROM report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
+        near AS MATERIALIZED (
+            SELECT e.*, distance <= 3 * tolerance AS met
+            FROM line l, LATERAL (
+                SELECT edge_id, axis_id, from_node, to_node, e.geom,
+                    greatest(e.width, width_end) + 2 * abs(roadway_offset) AS width,
+                    ST_Distance(e.geom, l.geom) AS distance
+                FROM edge e WHERE e.geom && ST_Expand(l.geom, greatest(reach + (l.width + widest) / 2,
+                    3 * tolerance)) OFFSET 0) e
+            WHERE distance <= greatest(reach + (l.width + e.width) / 2, 3 * tolerance)),
+        -- The far end of an edge moves too where limits cross, however far.
+        far_end AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM near WHERE met),
+        -- An intersection that they meet claims ground farther off too, where a limit lies beyond the reach.
+        reaching AS MATERIALIZED (
+            SELECT DISTINCT ON (edge_id) geom, width FROM near n WHERE met AND EXISTS (
+                SELECT FROM section_limit l WHERE l.edge_id = n.edge_id AND n.width / 2 + CASE which WHEN 'start'
+                    THEN l.abscissa ELSE ST_Length(n.geom) - l.abscissa END > reach)),
+        part AS MATERIALIZED (
+            SELECT axis_id, edge_id, true AS turns FROM edge
+                WHERE from_node = ANY ((SELECT ids FROM far_end)::bigint[])
+            UNION SELECT axis_id, edge_id, true FROM edge WHERE to_node = ANY ((SELECT ids FROM far_end)::bigint[])
+            -- An axis put between others may turn those that lie nearest.
+            UNION SELECT axis_id, edge_id, cardinality(requested) > 1
+                OR NOT EXISTS (SELECT FROM near n WHERE n.met AND n.axis_id <> ALL (requested))
+                FROM near
+            UNION SELECT e.axis_id, e.edge_id, false FROM reaching l
+                JOIN edge e ON e.geom && ST_Expand(l.geom, reach + (l.width + widest) / 2)
+                AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2
+                    + abs(e.roadway_offset)))
+        SELECT ARRAY(SELECT axis_id FROM part
+                -- An axis that joined its ends may part them.
+                UNION SELECT axis_a FROM report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
+                    WHERE issue = 'collapsed_axis'
+                UNION SELECT unnest(requested)),
+            e.edges, e.turned
+            INTO written, edges, turned
+            FROM (SELECT coalesce(array_agg(edge_id), '{}') AS edges,
+                coalesce(array_agg(CASE WHEN turns THEN axis_id END), '{}') AS turned FROM part) e;
+        stale := ARRAY(SELECT axis_id FROM axis_used u WHERE axis_id = ANY (written)
+            AND axis_id NOT IN (SELECT unnest(requested))
+            AND coalesce((SELECT bool_or(e.input_hash <> u.input_hash) FROM edge e WHERE e.axis_id = u.axis_id),
+                true));
+        IF stale <> '{}' THEN
+            RETURN;
+        END IF;
+        WITH own AS MATERIALIZED (
+            SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) + 2 * abs(roadway_offset) AS width,
+                box3d(geom) AS extent
+                FROM edge WHERE axis_id = ANY (written)),
+        line AS MATERIALIZED (
+            SELECT axis_id, geom, floor(ST_XMin(extent) / size) AS x, floor(ST_YMin(extent) / size) AS y, extent,
+                reach + width / 2 AS margin, ST_Expand(geom, reach + (width + widest) / 2) AS box
+            FROM (SELECT axis_id, max(width) AS width FROM (SELECT axis_id, width FROM own
+                UNION ALL SELECT * FROM unnest(present, widths)) w(axis_id, width) GROUP BY axis_id OFFSET 0) w
+                JOIN (SELECT axis_id, geom, box3d(geom) AS extent FROM axis WHERE axis_id = ANY (written) OFFSET 0) a
+                    USING (axis_id)),
+        -- What that depends on. Axes are looked up once for all lines that begin in one cell.
+        around AS MATERIALIZED (
+            SELECT x, y, a.axis_id, a.geom FROM (SELECT x, y, ST_Extent(box)::geometry AS box FROM line GROUP BY x, y) b
+                JOIN axis a ON a.geom && b.box AND a.axis_id NOT IN (SELECT unnest(written))),
+        edge_around AS MATERIALIZED (
+            SELECT axis_id, from_node, to_node, geom, greatest(width, width_end) + 2 * abs(roadway_offset) AS width
+                FROM edge WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM around))),
+        beside AS MATERIALIZED (
+            SELECT DISTINCT axis_id FROM around b LEFT JOIN (SELECT axis_id, max(width) AS width FROM edge_around
+                GROUP BY axis_id) e USING (axis_id)
+            WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box
+                AND ST_DWithin(b.geom, l.geom, l.margin + coalesce(e.width, widest) / 2))),
+        -- Merging lanes come along a highway from afar, from links that meet it.
+        run AS MATERIALIZED (SELECT axis_id, from_node, to_node, geom FROM _merging_run(written)),
+        run_node AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM run),
+        -- With what meets it farther on: that bounds its edges.
+        bounded AS MATERIALIZED (SELECT from_node, to_node, geom FROM own
+            UNION ALL SELECT from_node, to_node, geom FROM edge
+                WHERE from_node = ANY ((SELECT ids FROM run_node)::bigint[])
+            UNION ALL SELECT from_node, to_node, geom FROM edge
+                WHERE to_node = ANY ((SELECT ids FROM run_node)::bigint[])
+            UNION ALL SELECT from_node, to_node, geom FROM edge_around WHERE axis_id IN (SELECT axis_id FROM beside)),
+        met AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM bounded),
+        met_axis AS MATERIALIZED (
+            SELECT axis_id FROM edge WHERE from_node = ANY ((SELECT ids FROM met)::bigint[])
+                UNION SELECT axis_id FROM edge WHERE to_node = ANY ((SELECT ids FROM met)::bigint[])
+            -- An axis too short for an edge has no node, but may place that of others.
+            UNION SELECT axis_a FROM report r WHERE issue = 'collapsed_axis'
+                AND ST_Expand(geom, measure)
+                    && (SELECT ST_Expand(ST_Extent(geom)::geometry, 3 * tolerance) FROM bounded)
+                AND EXISTS (SELECT FROM axis a JOIN node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance)
+                    WHERE a.axis_id = r.axis_a AND n.node_id = ANY ((SELECT ids FROM met)::bigint[]))
+            EXCEPT (SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside)),
+        -- A run writes every axis near the requested ones whole, ends included. Most lie in the same few districts.
+        box AS MATERIALIZED (
+            SELECT DISTINCT streetgen._district_of(ST_XMin(extent) - margin, size) AS west,
+                streetgen._district_of(ST_YMin(extent) - margin, size) AS south,
+                streetgen._district_of(ST_XMax(extent) + margin, size) AS east,
+                streetgen._district_of(ST_YMax(extent) + margin, size) AS north
+            FROM (SELECT extent,
+                    CASE WHEN axis_id IN (SELECT unnest(requested)) THEN reach + widest ELSE 10 END AS margin
+                FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own
+                    UNION ALL SELECT NULL, box3d(geom) FROM run) l OFFSET 0) m)
+        SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
+            UNION ALL SELECT axis_id FROM met_axis JOIN axis USING (axis_id)),
+               ARRAY(SELECT DISTINCT key FROM box, streetgen._districts(west, south, east, north) key),
+               ARRAY(SELECT streetgen._axis_key(axis_id) FROM (SELECT unnest(written) AS axis_id
+                   UNION SELECT axis_id FROM run) a)
+            INTO gathered, districts, chains;
+        still := NOT EXISTS (SELECT FROM unnest(requested) r(axis_id) LEFT JOIN axis a USING (axis_id)
+            WHERE NOT coalesce((SELECT bool_and(e.level = a.level AND e.input_hash <> 0
+                        AND streetgen._runs_along(e.geom, a.geom, e.start_abscissa, e.end_abscissa))
+                    AND ST_HausdorffDistance(ST_Collect(e.geom), a.geom) < 0.001
+                FROM edge e WHERE e.axis_id = r.axis_id), false));
+        -- Two sessions that change an axis each have half of the way each: both know the axes that are there.
+        cells := ARRAY(
+            SELECT DISTINCT key FROM (
+                SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN axis USING (axis_id)
+                UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM edge
+                    WHERE axis_id = ANY (requested) AND NOT still
+                UNION ALL SELECT geom, 0 FROM report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'
+                    AND NOT still) l,
+                streetgen._cells(l.geom, greatest(reach + (l.width + widest) / 2, 3 * tolerance) / 2, size) key);
+        -- The outside changes with edges alone.
+        chains := chains || ARRAY(SELECT DISTINCT key FROM _chain_keys(requested, written, turned, edges)
+            WHERE NOT still AND axis_id IS NOT NULL OR key <> streetgen._chain_key('block', 0));
+    END $body$;
     PERFORM streetgen._own_function(model, '_reach(bigint[])',
         'Of requested axes: the stale ones near, all whose rows a run for them writes; where none is stale, all that '
         'these are computed with, and the keys of the cells about the requested ones, of the districts of all that '

@@ -3,43 +3,40 @@
 CREATE OR REPLACE FUNCTION streetgen._footprint(model name, requested bigint[], written bigint[], OUT near bigint[],
     OUT districts integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    SET plan_cache_mode = force_custom_plan
     AS $$
 DECLARE
-    reach float8;
+    -- No two roadways are wider than 200 m.
+    reach constant float8 := streetgen._change_reach(model) + 200;
     size float8;
-    -- No two roadways are wider.
-    widest constant float8 := 200;
 BEGIN
-    EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name IN (%3$s)), max(value::float8)
-        FILTER (WHERE name = 'cell_size') FROM %1$I.setting WHERE name IN ('cell_size', %3$s)$sql$, model,
-        streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, size;
-    EXECUTE format($sql$
-WITH line AS MATERIALIZED (SELECT geom FROM %1$I.axis WHERE axis_id = ANY ($1)
-    UNION ALL SELECT geom FROM %1$I.edge WHERE axis_id = ANY ($1)),
-hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM line),
-beside AS MATERIALIZED (SELECT e.axis_id, e.from_node, e.to_node FROM hull h
-    JOIN %1$I.edge e ON ST_DWithin(e.geom, h.geom, $3)),
-node AS MATERIALIZED (SELECT from_node AS node_id FROM beside UNION SELECT to_node FROM beside),
-id AS MATERIALIZED (
-    SELECT array_agg(axis_id) AS near FROM (
-        SELECT a.axis_id FROM hull h JOIN %1$I.axis a ON ST_DWithin(a.geom, h.geom, $3)
-            UNION SELECT axis_id FROM beside UNION SELECT unnest($2)
-        -- The far end of an edge may move, however far it is.
-        UNION SELECT axis_id FROM %1$I.edge WHERE from_node = ANY (ARRAY(SELECT node_id FROM node))
-            UNION SELECT axis_id FROM %1$I.edge WHERE to_node = ANY (ARRAY(SELECT node_id FROM node))) i),
-near AS MATERIALIZED (SELECT a.geom FROM id JOIN %1$I.axis a ON axis_id = ANY (near)
-    UNION ALL SELECT e.geom FROM id JOIN %1$I.edge e ON axis_id = ANY (near)),
-box AS MATERIALIZED (
-    SELECT DISTINCT streetgen._district_of(ST_XMin(geom) - margin, $4) AS west,
-        streetgen._district_of(ST_YMin(geom) - margin, $4) AS south,
-        streetgen._district_of(ST_XMax(geom) + margin, $4) AS east,
-        streetgen._district_of(ST_YMax(geom) + margin, $4) AS north
-    FROM (SELECT geom, $3 AS margin FROM line UNION ALL SELECT geom, 10 FROM near
-        UNION ALL SELECT geom, 10 FROM %2$s) g)
-SELECT (SELECT near FROM id),
-       (SELECT array_agg(DISTINCT key) FROM box, streetgen._districts(west, south, east, north) key)
-$sql$, model, streetgen._merging_run_of(model, '$1 || $2')) INTO near, districts
-    USING requested, written, reach + widest, size;
+    PERFORM streetgen._use_model(model);
+    SELECT value::float8 FROM setting WHERE name = 'cell_size' INTO size;
+    WITH line AS MATERIALIZED (SELECT geom FROM axis WHERE axis_id = ANY (requested)
+        UNION ALL SELECT geom FROM edge WHERE axis_id = ANY (requested)),
+    hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM line),
+    beside AS MATERIALIZED (SELECT e.axis_id, e.from_node, e.to_node FROM hull h
+        JOIN edge e ON ST_DWithin(e.geom, h.geom, reach)),
+    node AS MATERIALIZED (SELECT from_node AS node_id FROM beside UNION SELECT to_node FROM beside),
+    id AS MATERIALIZED (
+        SELECT array_agg(axis_id) AS axes FROM (
+            SELECT a.axis_id FROM hull h JOIN axis a ON ST_DWithin(a.geom, h.geom, reach)
+                UNION SELECT axis_id FROM beside UNION SELECT unnest(written)
+            -- The far end of an edge may move, however far it is.
+            UNION SELECT axis_id FROM edge WHERE from_node = ANY (ARRAY(SELECT node_id FROM node))
+                UNION SELECT axis_id FROM edge WHERE to_node = ANY (ARRAY(SELECT node_id FROM node))) i),
+    beside_line AS MATERIALIZED (SELECT a.geom FROM id JOIN axis a ON axis_id = ANY (axes)
+        UNION ALL SELECT e.geom FROM id JOIN edge e ON axis_id = ANY (axes)),
+    box AS MATERIALIZED (
+        SELECT DISTINCT streetgen._district_of(ST_XMin(geom) - margin, size) AS west,
+            streetgen._district_of(ST_YMin(geom) - margin, size) AS south,
+            streetgen._district_of(ST_XMax(geom) + margin, size) AS east,
+            streetgen._district_of(ST_YMax(geom) + margin, size) AS north
+        FROM (SELECT geom, reach AS margin FROM line UNION ALL SELECT geom, 10 FROM beside_line
+            UNION ALL SELECT geom, 10 FROM _merging_run(requested || written)) g)
+    SELECT (SELECT axes FROM id),
+           (SELECT array_agg(DISTINCT key) FROM box, streetgen._districts(west, south, east, north) key)
+        INTO near, districts;
     -- An axis that is gone without a trace leaves nothing to be locked.
     near := near || requested || written;
     districts := coalesce(districts, '{}');
@@ -56,18 +53,15 @@ CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OU
     SET enable_nestloop = off SET plan_cache_mode = force_custom_plan
     AS $$
 DECLARE
-    reach float8;
+    reach constant float8 := streetgen._change_reach(model);
     -- Axes that share a node are nearer.
-    near float8;
+    near constant float8 := 3 * streetgen._tolerance(model);
     -- No roadway is wider.
     widest constant float8 := 200;
     merging_reach constant float8 := CASE WHEN 'ramp' = ANY (streetgen._subjects(model))
         THEN streetgen._merging_reach(model) END;
 BEGIN
     PERFORM streetgen._use_model(model);
-    EXECUTE format($sql$SELECT max(%2$s) FILTER (WHERE name <> 'tolerance'), 3 * max(value::float8)
-        FILTER (WHERE name = 'tolerance') FROM %1$I.setting WHERE name IN (%3$s, 'tolerance')$sql$, model,
-        streetgen._reach_value(), streetgen._reach_names(model)) INTO reach, near;
     -- Fewer axes lie around than inside: the query begins with those around.
     WITH hull AS MATERIALIZED (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS geom FROM axis
         WHERE axis_id = ANY (axes)),
