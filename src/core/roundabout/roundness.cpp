@@ -6,6 +6,7 @@
 
 #include "geometry/fit_circle.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "support/infinite.hpp"
 
 namespace streetgen {
@@ -21,27 +22,26 @@ constexpr double least_bend = 0.17;                      // sine of ten degrees
 constexpr double half_of_double = 0.9;                   // compactness
 constexpr double widest_of_halves = 2;                   // times the radius of the other one
 
-// From the vertex that is the farthest from its middle, so that its places are the same wherever it
-// is given from, and whichever way round.
-Ring from_farthest(const Ring& ring) {
+// The vertices that are the farthest from the middle of a ring, so that places are counted from the
+// same ones wherever it is given from, and whichever way round. Several where it is symmetrical.
+std::vector<std::size_t> farthest_vertices(const Ring& ring) {
   Point middle;
   for (std::size_t i = 1; i < ring.size(); ++i)
     middle = middle + (ring[i - 1] + ring[i] - ring[0] * 2) * distance(ring[i - 1], ring[i]);
   middle = ring[0] + middle * (0.5 / length(ring));
-  Ring turned(ring.begin(), ring.end() - 1);
-  std::rotate(turned.begin(),
-              std::max_element(turned.begin(), turned.end(),
-                               [&](const Point& a, const Point& b) {
-                                 return distance(a, middle) < distance(b, middle);
-                               }),
-              turned.end());
-  turned.push_back(turned.front());
-  return turned;
+  double most = 0;
+  for (const Point& p : ring) most = std::max(most, distance(p, middle));
+  std::vector<std::size_t> farthest;
+  for (std::size_t i = 0; i + 1 < ring.size(); ++i)
+    if (distance(ring[i], middle) >= most - same_place) farthest.push_back(i);
+  return farthest;
 }
 
-// Places on a closed line, equally far apart.
-Line places_on(const Ring& given, std::size_t count) {
-  const Ring ring = from_farthest(given);
+// Places on a closed line, equally far apart from a vertex on.
+Line places_from(std::size_t vertex, const Ring& given, std::size_t count) {
+  Ring ring(given.begin(), given.end() - 1);
+  std::rotate(ring.begin(), ring.begin() + vertex, ring.end());
+  ring.push_back(ring.front());
   const double size = length(ring);
   Line places;
   double done = 0;
@@ -60,6 +60,16 @@ std::size_t count_by_step(const Ring& ring) {
       std::clamp(length(ring) / step, 32.0, static_cast<double>(most_places)));
 }
 
+// About a step apart.
+Line places_on(const Ring& ring) {
+  const std::vector<std::size_t> vertices = farthest_vertices(ring);
+  const std::size_t count = (count_by_step(ring) + vertices.size() - 1) / vertices.size();
+  Line places;
+  for (const std::size_t vertex : vertices)
+    for (const Point& place : places_from(vertex, ring, count)) places.push_back(place);
+  return places;
+}
+
 // Of a counter-clockwise ring: to the right.
 bool bends_inwards(const Line& places, std::size_t i) {
   const std::size_t count = places.size();
@@ -76,7 +86,7 @@ double compactness_of(const Ring& line) {
 }
 
 std::optional<Roundness> roundness_of(const Ring& line) {
-  const Line places = places_on(line, count_by_step(line));
+  const Line places = places_on(line);
   const auto circle = fit_circle(places.data(), places.size());
   if (!circle) return std::nullopt;
   const auto near = std::count_if(places.begin(), places.end(), [&](const Point& p) {
@@ -92,7 +102,7 @@ bool are_halves(const Roundness& a, const Roundness& b) {
 }
 
 std::optional<Roundness> less_round_half(const Ring& line) {
-  const Line places = places_on(line, waist_places);
+  const Line places = places_from(farthest_vertices(line).front(), line, waist_places);
   const std::size_t third = waist_places / 3;
   std::size_t from = 0, to = 0;
   double least = infinite;

@@ -1,6 +1,7 @@
 #include "traffic/kerb_obstacle.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -53,12 +54,13 @@ Kerbs::Kerbs(const MultiPolygon& intersection, const std::vector<Line>& border_l
     }
 }
 
+// Wherever a ring begins: of offers that are nearer to each other than the clearance, the one that
+// is nearer to the middle of the kerbs.
 std::vector<Point> Kerbs::bulges(double clearance) const {
-  std::vector<Point> places;
+  std::vector<std::pair<double, Point>> offers;
+  const Point middle = middle_of_pieces();
   const auto offer = [&](const Point& place) {
-    if (std::none_of(places.begin(), places.end(),
-                     [&](const Point& other) { return distance(place, other) < clearance; }))
-      places.push_back(place);
+    offers.emplace_back(distance(place, middle), place);
   };
   for (const Piece& piece : pieces_) {
     const Piece& next = pieces_[piece.next];
@@ -72,7 +74,28 @@ std::vector<Point> Kerbs::bulges(double clearance) const {
       offer(piece.end + (along - beyond) * (clearance / norm(along - beyond)));
     offer(piece.end + left_beyond);
   }
+  std::sort(offers.begin(), offers.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Point> places;
+  for (const auto& [away, place] : offers)
+    if (std::none_of(places.begin(), places.end(), [&, place = place](const Point& other) {
+          return distance(place, other) < clearance;
+        }))
+      places.push_back(place);
   return places;
+}
+
+Point Kerbs::middle_of_pieces() const {
+  if (pieces_.empty()) return {};
+  const Point& origin = pieces_[0].start;
+  Point sum;
+  double size = 0;
+  for (const Piece& piece : pieces_) {
+    const double metres = distance(piece.start, piece.end);
+    sum = sum + ((piece.start + piece.end) * 0.5 - origin) * metres;
+    size += metres;
+  }
+  return size > 0 ? origin + sum * (1 / size) : origin;
 }
 
 bool Kerbs::stop(const Line& path, int border_in, int border_out, double clearance) const {

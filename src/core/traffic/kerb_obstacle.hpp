@@ -33,6 +33,8 @@ class Kerbs {
     int border = -1;       // the border line that it runs along; -1: it is a kerb
     std::size_t next = 0;  // the piece that follows, the intersection on the left of both
   };
+  Point middle_of_pieces() const;
+
   std::vector<Piece> pieces_;
 };
 

@@ -239,6 +239,16 @@ TEST(NetworkRings, HaveOneCircleWhereverTheirLineBegins) {
     }
 }
 
+// An egg whose two ends are as far from its middle: the circle lies on the line between them.
+TEST(NetworkRings, OfASymmetricalLineHaveASymmetricalCircle) {
+  Line egg = arc({0, 0}, 14.3, 80, 280, 11);
+  for (const Point& p : arc({1, 0}, 13.1, -77, 77, 8)) egg.push_back(p);
+  egg.push_back(egg.front());
+  const auto rings = network_rings({{1, egg}}, {});
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_NEAR(rings[0].centre.y, 0, 1e-9);
+}
+
 TEST(NetworkRings, DoNotDependOnTheOrderOfAxes) {
   std::vector<RingAxis> axes = roundabout({0, 0}, 20, OneWay::along);
   const auto before = network_rings(axes, {});

@@ -93,5 +93,23 @@ TEST(KerbBulges, StandOffCornersThatKerbsTurnToTheGround) {
   }
 }
 
+// A union begins its rings anywhere.
+TEST(KerbBulges, AreTheSameWhereverARingBegins) {
+  Ring island;
+  append_arc(island, {20, 20, 0}, {26, 20, 0}, {20.5, 14.02, 0}, true, 16);
+  island.push_back({22, 18, 0});
+  std::vector<Point> places;
+  for (std::size_t begin = 0; begin < island.size(); ++begin) {
+    Ring ring = island;
+    std::rotate(ring.begin(), ring.begin() + begin, ring.end());
+    ring.push_back(ring.front());
+    const auto found = Kerbs({{box(0, 0, 50, 40), reversed(ring)}}, {}).bulges(1.2);
+    if (begin == 0) places = found;
+    ASSERT_EQ(found.size(), places.size()) << begin;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      EXPECT_LT(distance(found[i], places[i]), 1e-9) << begin;
+  }
+}
+
 }  // namespace taut_path_test
 }  // namespace streetgen
