@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/arrangement.hpp"
+#include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
@@ -47,10 +48,47 @@ std::vector<MultiPolygon> on_common_vertices(const std::vector<MultiPolygon>& pa
   return moved;
 }
 
+// Parts that share a side from different ends would leave a crack along it: each side passes the
+// vertices that lie on it.
+std::vector<MultiPolygon> on_common_sides(std::vector<MultiPolygon> parts) {
+  std::vector<Point> vertices;
+  std::vector<Box> boxes;
+  for (const MultiPolygon& part : parts)
+    for (const Polygon& polygon : part)
+      for (const Ring& ring : polygon)
+        for (std::size_t i = 1; i < ring.size(); ++i) {
+          vertices.push_back(ring[i]);
+          boxes.push_back(box_of(ring[i], ring[i]));
+        }
+  const BoxIndex index(boxes);
+  const auto pass = [&](const Point& from, const Point& to, Ring& ring) {
+    std::vector<std::pair<double, Point>> passed;
+    for (const int i : index.near(box_of(from, to), same_place)) {
+      const Point& p = vertices[i];
+      if (distance_to_segment(p, from, to) <= same_place &&
+          std::min(distance(p, from), distance(p, to)) > same_place)
+        passed.emplace_back(dot(p - from, to - from), p);
+    }
+    std::sort(passed.begin(), passed.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [along, p] : passed)
+      if (distance(p, ring.back()) > same_place) ring.push_back(p);
+    ring.push_back(to);
+  };
+  for (MultiPolygon& part : parts)
+    for (Polygon& polygon : part)
+      for (Ring& ring : polygon) {
+        Ring passing{ring.front()};
+        for (std::size_t i = 1; i < ring.size(); ++i) pass(ring[i - 1], ring[i], passing);
+        ring = std::move(passing);
+      }
+  return parts;
+}
+
 }  // namespace
 
 MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
-  return united_as_they_lie(geos, on_common_vertices(parts));
+  return united_as_they_lie(geos, on_common_sides(on_common_vertices(parts)));
 }
 
 MultiPolygon united_as_they_lie(Geos& geos, const std::vector<MultiPolygon>& parts) {

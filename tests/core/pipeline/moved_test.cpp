@@ -84,6 +84,33 @@ TEST(MovedStreets, ForksBesideEachOtherDivideTheirGroundAlikeHoweverTurned) {
   }
 }
 
+// Whether a ring goes along a crack and back.
+bool has_crack(const Ring& ring) {
+  for (std::size_t i = 1; i < ring.size(); ++i) {
+    const Point &before = ring[i - 1], &tip = ring[i],
+                &after = ring[i + 1 < ring.size() ? i + 1 : 1];
+    const double least = std::min(distance(before, tip), distance(tip, after));
+    if (least > 0.01 && dot(tip - before, after - tip) < 0 &&
+        std::min(distance_to_segment(after, before, tip),
+                 distance_to_segment(before, tip, after)) < 1e-6)
+      return true;
+  }
+  return false;
+}
+
+// The pieces of the narrower street and those between both share a side from different ends.
+TEST(MovedStreets, HaveNoCrackWhereAStreetNarrowsAtAFork) {
+  const auto place = [](double x, double y) { return centre + Point{x, y, 0}; };
+  const std::vector<StreetAxis> axes{
+      {1, {place(0, 0), place(-0.5, 16.2), place(-0.5, 28)}, 0, 8, 8, 6.25, 3, 70},
+      {2, {place(4.4, -63), place(2.5, -36), place(0, 0)}, 0, 10.5, 10.5, 6.25, 3, 70},
+      {3, {place(0, 0), place(3.8, 8), place(6.5, 14.2), place(15.8, 23.5)}, 0, 3.5, 3.5, 6.25, 3}};
+  for (int k = 0; k < 60; ++k)
+    for (const Intersection& intersection : streets(turned(axes, 0.11 * k), {}).intersections)
+      for (const Polygon& polygon : intersection.surface)
+        for (const Ring& ring : polygon) EXPECT_FALSE(has_crack(ring)) << "turn " << k;
+}
+
 // Part of a street drawn again as another, as wide: nothing but the axes' lengths tells which lies
 // on which side.
 TEST(MovedStreets, ThatAreDrawnTwiceLieAlikeUnderAnyNumbers) {
