@@ -85,17 +85,11 @@ std::vector<MultiPolygon> on_common_sides(std::vector<MultiPolygon> parts) {
   return parts;
 }
 
-}  // namespace
-
-MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
-  return united_as_they_lie(geos, on_common_sides(on_common_vertices(parts)));
-}
-
-MultiPolygon united_as_they_lie(Geos& geos, const std::vector<MultiPolygon>& parts) {
+MultiPolygon united_faces(Geos& geos, const std::vector<MultiPolygon>& parts) {
   if (parts.size() > at_once) {
     const auto middle = parts.begin() + parts.size() / 2;
-    return united_as_they_lie(geos, {united_as_they_lie(geos, {parts.begin(), middle}),
-                                     united_as_they_lie(geos, {middle, parts.end()})});
+    return united_faces(geos, {united_faces(geos, {parts.begin(), middle}),
+                               united_faces(geos, {middle, parts.end()})});
   }
   std::vector<LineView> lines;
   for (const MultiPolygon& part : parts)
@@ -109,6 +103,16 @@ MultiPolygon united_as_they_lie(Geos& geos, const std::vector<MultiPolygon>& par
   }
   const MultiPolygon joined = faces.joined(kept);
   return geos.valid(joined) ? joined : faces.joined(kept, Arrangement::Vertices::on_grid);
+}
+
+}  // namespace
+
+MultiPolygon united(Geos& geos, const std::vector<MultiPolygon>& parts) {
+  return united_as_they_lie(geos, on_common_vertices(parts));
+}
+
+MultiPolygon united_as_they_lie(Geos& geos, const std::vector<MultiPolygon>& parts) {
+  return united_faces(geos, on_common_sides(parts));
 }
 
 }  // namespace streetgen

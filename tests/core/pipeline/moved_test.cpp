@@ -98,6 +98,13 @@ bool has_crack(const Ring& ring) {
   return false;
 }
 
+void expect_no_cracks(const std::vector<StreetAxis>& axes) {
+  for (int k = 0; k < 60; ++k)
+    for (const Intersection& intersection : streets(turned(axes, 0.11 * k), {}).intersections)
+      for (const Polygon& polygon : intersection.surface)
+        for (const Ring& ring : polygon) EXPECT_FALSE(has_crack(ring)) << "turn " << k;
+}
+
 // The pieces of the narrower street and those between both share a side from different ends.
 TEST(MovedStreets, HaveNoCrackWhereAStreetNarrowsAtAFork) {
   const auto place = [](double x, double y) { return centre + Point{x, y, 0}; };
@@ -105,10 +112,19 @@ TEST(MovedStreets, HaveNoCrackWhereAStreetNarrowsAtAFork) {
       {1, {place(0, 0), place(-0.5, 16.2), place(-0.5, 28)}, 0, 8, 8, 6.25, 3, 70},
       {2, {place(4.4, -63), place(2.5, -36), place(0, 0)}, 0, 10.5, 10.5, 6.25, 3, 70},
       {3, {place(0, 0), place(3.8, 8), place(6.5, 14.2), place(15.8, 23.5)}, 0, 3.5, 3.5, 6.25, 3}};
-  for (int k = 0; k < 60; ++k)
-    for (const Intersection& intersection : streets(turned(axes, 0.11 * k), {}).intersections)
-      for (const Polygon& polygon : intersection.surface)
-        for (const Ring& ring : polygon) EXPECT_FALSE(has_crack(ring)) << "turn " << k;
+  expect_no_cracks(axes);
+}
+
+// What is filled between carriageways begins amid the side of a surface.
+TEST(MovedStreets, HaveNoCrackWhereTheGroundBetweenCarriagewaysIsFilled) {
+  const auto place = [](double x, double y) { return centre + Point{x, y, 0}; };
+  expect_no_cracks({{1, {place(-180, 0), place(0, 0)}, 0, 11, 11, 8, 1, 90},
+                    {2, {place(0, 0), place(300, 0)}, 0, 11, 11, 8, 1, 90},
+                    {3, {place(300, 12), place(0, 12)}, 0, 11, 11, 8, 1, 90},
+                    {4, {place(0, 12), place(-180, 12)}, 0, 11, 11, 8, 1, 90},
+                    {5, {place(2, -140), place(0, 0)}, 0, 9, 9, 6.25, 3, 50},
+                    {6, {place(0, 0), place(0, 12)}, 0, 9, 9, 6.25, 3, 50},
+                    {7, {place(0, 12), place(1, 90)}, 0, 9, 9, 6.25, 3, 50}});
 }
 
 // Part of a street drawn again as another, as wide: nothing but the axes' lengths tells which lies
