@@ -1,4 +1,4 @@
--- The meaning of each column of a model's tables and views.
+-- This says what each column of the tables and views of a model means.
 CREATE OR REPLACE FUNCTION streetgen._model_column() RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 200 SET search_path = pg_catalog
     AS $$ VALUES

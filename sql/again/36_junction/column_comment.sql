@@ -1,4 +1,4 @@
--- The meaning of each column of junctions.
+-- This says what each column of junctions means.
 CREATE OR REPLACE FUNCTION streetgen._junction_column()
     RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 50 SET search_path = pg_catalog

@@ -50,7 +50,8 @@ BEGIN
     PERFORM streetgen._use_model(model);
     CREATE OR REPLACE FUNCTION _junction_members(touched bigint[], OUT region bigint[],
         OUT members streetgen.junction_member[])
-        LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off SET plan_cache_mode = auto
+        LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        SET plan_cache_mode = force_generic_plan
         AS $body$
     DECLARE
         -- What decides whether two nodes are joined lies no farther from them than this.
@@ -61,7 +62,7 @@ BEGIN
         controls streetgen.street_control[];
         grown bigint[];
     BEGIN
-        -- The plan for a change looks rows up by keys.
+        -- Of all nodes most rows are read, where the plan for a change looks them up by keys.
         IF touched IS NULL THEN
             PERFORM set_config('plan_cache_mode', 'force_custom_plan', true);
         END IF;
@@ -92,9 +93,10 @@ BEGIN
                         AND e.edge_id = streetgen._edge_at(current_schema(), o.axis_id, o.geom)
                         ORDER BY o.junction_override_id DESC LIMIT 1))::streetgen.junction_edge_input
                 FROM edge e JOIN section s USING (edge_id) LEFT JOIN axis a USING (axis_id)
-                WHERE e.edge_id = ANY (near));
+                WHERE e.edge_id IN (SELECT unnest(near)));
             controls := ARRAY(SELECT ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
-                FROM control_point WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM edge WHERE edge_id = ANY (near))));
+                FROM control_point WHERE axis_id IN (SELECT e.axis_id FROM edge e
+                    WHERE e.edge_id IN (SELECT unnest(near))));
             members := ARRAY(SELECT g FROM streetgen._group_junctions(edges, controls, rules.gap, rules.extent,
                 rules.control_distance) g);
             EXIT WHEN touched IS NULL;

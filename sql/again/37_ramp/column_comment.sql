@@ -1,4 +1,4 @@
--- The meaning of each column of ramps.
+-- This says what each column of ramps means.
 CREATE OR REPLACE FUNCTION streetgen._ramp_column()
     RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog

@@ -1,4 +1,4 @@
--- The meaning of each column of blocks.
+-- This says what each column of blocks means.
 CREATE OR REPLACE FUNCTION streetgen._block_column()
     RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog

@@ -1,4 +1,4 @@
--- The meaning of each column of signals.
+-- This says what each column of signals means.
 CREATE OR REPLACE FUNCTION streetgen._signal_column()
     RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog

@@ -46,6 +46,18 @@ SELECT 'warning', 'stale: nodes or links by hand of the design changed since', '
     WHERE EXISTS (SELECT FROM %1$I.design_node) AND streetgen._stale_input(%1$L, 'links', 0) IS NOT NULL$part$ $$;
 COMMENT ON FUNCTION streetgen._design_check() IS 'The rules of check_model for the design of model %1$I.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_design(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    FOR finding IN EXECUTE format(streetgen._design_check(), model) LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_design(name) IS 'The rows of streetgen.check_model for the design of a model.';
+
 CREATE OR REPLACE FUNCTION streetgen._design_summary() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT $part$

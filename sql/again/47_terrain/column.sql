@@ -1,4 +1,4 @@
--- The meaning of each column of the tables of a design, and of the views to edit them.
+-- This says what each column of a design means, in its tables and in the views to edit them.
 CREATE OR REPLACE FUNCTION streetgen._design_column() RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 200 SET search_path = pg_catalog
     AS $$

@@ -16,40 +16,48 @@ END $$;
 COMMENT ON FUNCTION streetgen._crowding_objects(name) IS
     'The objects of users and imports that stand nearer to another such one than distance_least of their type.';
 
-CREATE OR REPLACE FUNCTION streetgen._object_check_part()
-    RETURNS TABLE(place integer, subject text, kind text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ VALUES
-    (80, 'object', 'rule', $part$
-SELECT 'warning', 'object whose axis is gone', 'street_object', o.street_object_id, NULL::float8, o.geom
-    FROM %1$I.street_object o WHERE o.method = 'orphaned'$part$),
-    (80, 'object', 'rule', $part$
-SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id, NULL::float8,
-    geom FROM streetgen._crowding_objects(%1$L)$part$),
-    (80, 'object', 'rule', $part$
-SELECT 'error', 'object off the place that its axis gives, m', 'street_object', o.street_object_id,
-    ST_Distance(o.geom, g.geom), o.geom
-    FROM %1$I.street_object o JOIN %1$I.axis_used a USING (axis_id)
-        LEFT JOIN streetgen._axis_borders(%1$L, NULL) b USING (axis_id),
-        LATERAL (SELECT streetgen._object_geometry(ST_Force2D(a.geom), a.width, a.width_end, a.roadway_offset,
-            b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom) g
-    WHERE o.method = 'relative' AND ST_Distance(o.geom, g.geom) > 1e-3$part$),
-    (80, 'object', 'rule', $part$
-SELECT 'notice', 'parking bay on a crossing or an intersection', 'parking_bay', b.street_object_id, NULL::float8,
-    b.surface FROM %1$I.parking_bay b JOIN %1$I.object_edge USING (street_object_id) JOIN %1$I.edge e USING (edge_id)
-    WHERE EXISTS (SELECT FROM %1$I.intersection i WHERE i.surface && b.surface AND i.level - e.level = 0
-            AND streetgen._takes_ground(i.surface, b.surface))
-        OR EXISTS (SELECT FROM %1$I.pedestrian_crossing c WHERE c.surface && b.surface
-            AND streetgen._takes_ground(c.surface, b.surface))
-UNION ALL SELECT 'notice', 'parking bay on another bay', 'parking_bay', b.street_object_id, NULL::float8, b.surface
-    FROM %1$I.parking_bay a JOIN %1$I.parking_bay b ON a.surface && b.surface
-        AND a.street_object_id < b.street_object_id AND streetgen._takes_ground(a.surface, b.surface)
-UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
-    o.geom
-    FROM %1$I.street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM %1$I.axis a
-        WHERE a.axis_id = o.axis_id)
-UNION ALL SELECT 'error', 'row of object_edge whose object or edge is gone', 'object_edge', street_object_id,
-    NULL::float8, coalesce(o.geom, e.geom)
-    FROM %1$I.object_edge LEFT JOIN %1$I.street_object o USING (street_object_id) LEFT JOIN %1$I.edge e USING (edge_id)
-    WHERE o.street_object_id IS NULL OR e.edge_id IS NULL$part$) $$;
-COMMENT ON FUNCTION streetgen._object_check_part() IS 'The parts of streetgen._check_part() for objects.';
+CREATE OR REPLACE FUNCTION streetgen._check_object(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    SELECT 'warning', 'object whose axis is gone', 'street_object', o.street_object_id, NULL::float8, o.geom
+        FROM street_object o WHERE o.method = 'orphaned'
+    UNION ALL
+    SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id,
+        NULL::float8, geom FROM streetgen._crowding_objects(model)
+    UNION ALL
+    SELECT 'error', 'object off the place that its axis gives, m', 'street_object', o.street_object_id,
+        ST_Distance(o.geom, g.geom), o.geom
+        FROM street_object o JOIN axis_used a USING (axis_id)
+            LEFT JOIN streetgen._axis_borders(model, NULL) b USING (axis_id),
+            LATERAL (SELECT streetgen._object_geometry(ST_Force2D(a.geom), a.width, a.width_end, a.roadway_offset,
+                b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom) g
+        WHERE o.method = 'relative' AND ST_Distance(o.geom, g.geom) > 1e-3
+    UNION ALL
+    SELECT 'notice', 'parking bay on a crossing or an intersection', 'parking_bay', b.street_object_id, NULL::float8,
+        b.surface FROM parking_bay b JOIN object_edge USING (street_object_id) JOIN edge e USING (edge_id)
+        WHERE EXISTS (SELECT FROM intersection i WHERE i.surface && b.surface AND i.level - e.level = 0
+                AND streetgen._takes_ground(i.surface, b.surface))
+            OR EXISTS (SELECT FROM pedestrian_crossing c WHERE c.surface && b.surface
+                AND streetgen._takes_ground(c.surface, b.surface))
+    UNION ALL SELECT 'notice', 'parking bay on another bay', 'parking_bay', b.street_object_id, NULL::float8, b.surface
+        FROM parking_bay a JOIN parking_bay b ON a.surface && b.surface
+            AND a.street_object_id < b.street_object_id AND streetgen._takes_ground(a.surface, b.surface)
+    UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
+        o.geom
+        FROM street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM axis a
+            WHERE a.axis_id = o.axis_id)
+    UNION ALL SELECT 'error', 'row of object_edge whose object or edge is gone', 'object_edge', street_object_id,
+        NULL::float8, coalesce(o.geom, e.geom)
+        FROM object_edge LEFT JOIN street_object o USING (street_object_id) LEFT JOIN edge e USING (edge_id)
+        WHERE o.street_object_id IS NULL OR e.edge_id IS NULL
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_object(name) IS
+    'The rows of streetgen.check_model for objects.';

@@ -23,8 +23,8 @@ BEGIN
         RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
             bigint)
         LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path FROM CURRENT SET jit = off
-        -- A run over all axes and one over some have plans of their own.  The joins of a city have too many parts with
-        -- less memory.
+        -- Each run is planned for its axes, since all and a few need other plans. The joins of a city have too many
+        -- parts with less memory.
         SET plan_cache_mode = force_custom_plan SET work_mem = '16MB'
         AS $body$
     #variable_conflict use_column

@@ -59,19 +59,26 @@ COMMENT ON FUNCTION streetgen._validate(regclass, name, text) IS
 CREATE OR REPLACE FUNCTION streetgen._drop_keys(model name, relations name[], by_cluster boolean DEFAULT false)
     RETURNS TABLE(turn integer, relation name, statement text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
-    SET lock_timeout = '5s'
+    SET lock_timeout = '2s'
     AS $$
 DECLARE
+    vacuumed regclass;
     off text[];
     turns integer[];
     tables name[];
     statements text[];
 BEGIN
-    -- Autovacuum gives way to who waits longer than deadlock_timeout; nobody waits for a reader.
-    EXECUTE (SELECT format('LOCK TABLE %s IN ACCESS EXCLUSIVE MODE %s', string_agg(name::text, ', '),
-        CASE WHEN NOT EXISTS (SELECT FROM pg_locks l WHERE l.relation = ANY (array_agg(name))
-            AND mode = 'ShareUpdateExclusiveLock' AND pid <> pg_backend_pid()) THEN 'NOWAIT' END)
-        FROM (SELECT format('%I.%I', model, name)::regclass AS name FROM unnest(relations) name) r);
+    -- A table that nobody but autovacuum uses is waited for: autovacuum gives way to who waits for a second.
+    FOR vacuumed IN SELECT r.name FROM (SELECT format('%I.%I', model, name)::regclass AS name
+            FROM unnest(relations) name) r
+        WHERE (SELECT bool_and(mode = 'ShareUpdateExclusiveLock') FROM pg_locks l WHERE l.relation = r.name
+            AND database = (SELECT oid FROM pg_database WHERE datname = current_database())
+            AND pid <> pg_backend_pid())
+    LOOP
+        EXECUTE 'LOCK TABLE ' || vacuumed || ' IN ACCESS EXCLUSIVE MODE';
+    END LOOP;
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, name), ', ')
+        || ' IN ACCESS EXCLUSIVE MODE NOWAIT' FROM unnest(relations) name);
     WITH derived AS (SELECT c.oid, relname, relreplident, c.oid::regclass::text AS name FROM pg_class c
         WHERE relnamespace = quote_ident(model)::regnamespace AND relname = ANY (relations)),
     -- Foreign keys between them.
@@ -151,7 +158,7 @@ BEGIN
         EXECUTE off[i];
     END LOOP;
     RETURN QUERY SELECT * FROM unnest(turns, tables, statements);
-EXCEPTION WHEN lock_not_available OR object_in_use THEN
+EXCEPTION WHEN lock_not_available OR deadlock_detected OR object_in_use THEN
     RAISE WARNING 'tables of model "%" are in use: their keys and indexes stay on, and its first run takes longer',
         model USING DETAIL = SQLERRM;
 END $$;

@@ -95,7 +95,9 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         ARRAY['key', 'does it lie inside a junction', 'decided by hand; false takes it back', 'the edge'],
         $sql$SELECT e.edge_id, EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
             EXISTS (SELECT FROM %1$I.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
-                AND streetgen._edge_at(%1$L, o.axis_id, o.geom) = e.edge_id) AS by_hand, e.geom
+                -- As streetgen._edge_at, but by no name, which may change before the model is adopted.
+                AND e.edge_id = (SELECT n.edge_id FROM %1$I.edge n WHERE n.axis_id = o.axis_id
+                    ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)) AS by_hand, e.geom
         FROM %1$I.edge e$sql$, 'junction'),
     ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
         'was decided by hand',

@@ -19,20 +19,18 @@ CREATE OR REPLACE FUNCTION streetgen._lies_on(line bytea, surface bytea, a bytea
 COMMENT ON FUNCTION streetgen._lies_on(bytea, bytea, bytea, bytea) IS
     'Does a line (EWKB) surely lie on one or another of three MULTIPOLYGONs, within a micrometre?';
 
-CREATE OR REPLACE FUNCTION streetgen._tell_check(step integer, subject text) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._tell_check(subject text, step integer, steps integer) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    PERFORM set_config('application_name', format('streetgen: check, %s, step %s of 5', subject, step), true);
+    PERFORM set_config('application_name', format('streetgen: check, %s, step %s of %s', subject, step, steps), true);
     -- A check that is over at once tells nothing.
     IF clock_timestamp() > statement_timestamp() + interval '1 second' THEN
-        RAISE NOTICE 'check: %, step % of 5', subject, step;
+        RAISE NOTICE 'check: %, step % of %', subject, step, steps;
     END IF;
-    RETURN false;
 END $$;
-COMMENT ON FUNCTION streetgen._tell_check(integer, text) IS
-    'Says how far a check is, in pg_stat_activity and, after a second, to the client. False, for a part of the query '
-        'without a row.';
+COMMENT ON FUNCTION streetgen._tell_check(text, integer, integer) IS
+    'Says how far a check is, in pg_stat_activity and, after a second, to the client.';
 
 CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     RETURNS TABLE(severity text, rule text, relation text, id bigint, measure float8, geom geometry)
@@ -40,11 +38,21 @@ CREATE OR REPLACE FUNCTION streetgen.check_model(model name)
     -- Whatever happens, the name of the session comes back.
     SET application_name = 'streetgen: check'
     AS $$
+DECLARE
+    subjects text[];
+    subject text;
 BEGIN
     PERFORM streetgen._require_reader(model);
-    -- A loop: what fails within its query does not show it whole.
-    FOR severity, rule, relation, id, measure, geom IN EXECUTE streetgen._check_statement(model) LOOP
-        RETURN NEXT;
+    subjects := ARRAY(SELECT s FROM unnest(streetgen._subjects(model)
+        || CASE WHEN streetgen._has_design(model) THEN '{design}'::text[] ELSE '{}' END) WITH ORDINALITY u(s, n)
+        WHERE to_regprocedure(format('streetgen._check_%s(name)', s)) IS NOT NULL ORDER BY n);
+    FOREACH subject IN ARRAY subjects LOOP
+        PERFORM streetgen._tell_check(subject, array_position(subjects, subject), cardinality(subjects));
+        -- A loop: what fails within its query does not show it whole.
+        FOR severity, rule, relation, id, measure, geom IN EXECUTE
+            format('SELECT * FROM streetgen._check_%s($1)', subject) USING model LOOP
+            RETURN NEXT;
+        END LOOP;
     END LOOP;
 EXCEPTION WHEN internal_error THEN
     -- PostGIS' name for an overlay that was interrupted. The interrupt still waits, and is taken before RAISE: the call

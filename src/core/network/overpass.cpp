@@ -107,9 +107,9 @@ Overpass ordered(const Meeting& meeting, bool a_above, OverpassMethod method, do
 
 std::int64_t whole_millimetres(double metres) { return std::llround(metres * 1000); }
 
-// Of one level and importance the longer axis is above; of one axis the edge nearer to its middle,
-// and of one edge the place nearer to its own. All edges are in one order, which goes by no
-// direction: no circle of overpasses comes of it.
+// The longer axis is above where level and importance are equal; of one axis it is the edge nearer
+// to its middle, and of one edge the place nearer to its own. All edges are in one order, which goes
+// by no direction: no circle of overpasses comes of it.
 bool above_by_order(const Meeting& meeting, const Network& network,
                     const std::vector<double>& axis_lengths) {
   const Edge &a = network.edges[meeting.a], &b = network.edges[meeting.b];

@@ -1,0 +1,21 @@
+-- Rules of check_model for kerbs.
+
+CREATE OR REPLACE FUNCTION streetgen._check_kerb(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    SELECT 'error', 'kerb does not end where another one begins', 'kerb', k.kerb_id, 0, ST_EndPoint(k.geom)
+        -- OFFSET: each looks up what lies at its end; a join by level would pair all with all.
+        FROM kerb k WHERE NOT EXISTS (SELECT FROM kerb n WHERE n.level = k.level
+            AND n.geom && ST_Expand(ST_EndPoint(k.geom), 1e-5)
+            AND ST_DWithin(ST_StartPoint(n.geom), ST_EndPoint(k.geom), 1e-5) OFFSET 0)
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_kerb(name) IS
+    'The rows of streetgen.check_model for kerbs.';

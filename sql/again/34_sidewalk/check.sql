@@ -1,0 +1,23 @@
+-- Rules of check_model for sidewalks.
+
+CREATE OR REPLACE FUNCTION streetgen._check_sidewalk(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    SELECT 'error', 'invalid surface', 'sidewalk', sidewalk_id, ST_Area(surface), surface FROM sidewalk
+        WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)
+    UNION ALL
+    SELECT 'error', 'sidewalk without its kerb', 'sidewalk', s.sidewalk_id, ST_Area(s.surface), s.surface
+        FROM sidewalk s WHERE NOT EXISTS (SELECT FROM kerb k
+            WHERE (k.edge_id, k.side, k.part) = (s.edge_id, s.side, s.part)
+                AND ST_DWithin(k.geom, s.surface, 0.001))
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_sidewalk(name) IS
+    'The rows of streetgen.check_model for sidewalks.';

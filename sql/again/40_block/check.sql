@@ -1,0 +1,33 @@
+-- Rules of check_model for blocks.
+
+CREATE OR REPLACE FUNCTION streetgen._check_block(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    SELECT 'error', 'invalid surface', 'block', block_id, ST_Area(surface), surface FROM block
+        WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)
+    UNION ALL
+    SELECT 'error', 'block without an edge about it', 'block', block_id, ST_Area(surface), surface FROM block b
+        WHERE NOT EXISTS (SELECT FROM block_edge e WHERE e.block_id = b.block_id)
+    UNION ALL
+    SELECT 'error', 'side of an edge that faces no block nor the outside', 'edge', e.edge_id, 0, e.geom
+        FROM edge e, (SELECT value::integer AS level FROM setting WHERE name = 'ground_level') g
+        WHERE e.level = g.level AND (SELECT count(DISTINCT side) FROM block_edge b
+            WHERE b.edge_id = e.edge_id) < 2
+    UNION ALL
+    SELECT 'notice', 'kerbs of a block cross or are missing', 'block', block_id, ST_Area(surface), surface
+        FROM block WHERE method = 'robust_fallback'
+    UNION ALL
+    SELECT 'warning', 'block override on no block', 'block_override', o.block_override_id, 0, o.geom
+        FROM block_override o WHERE NOT EXISTS (SELECT FROM block b WHERE b.surface && o.geom
+            AND ST_Intersects(b.surface, o.geom))
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_block(name) IS
+    'The rows of streetgen.check_model for blocks.';

@@ -1,0 +1,33 @@
+-- Rules of check_model for roundabouts.
+
+CREATE OR REPLACE FUNCTION streetgen._check_roundabout(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    SELECT 'error', 'ring of a roundabout is not closed', 'roundabout', r.roundabout_id, count(n.edge_id), r.geom
+        FROM roundabout r LEFT JOIN roundabout_edge n USING (roundabout_id)
+        GROUP BY r.roundabout_id
+        HAVING NOT ST_IsClosed(r.geom) OR count(n.edge_id) <> coalesce(max(n.ordinality), -1)
+    UNION ALL
+    SELECT 'warning', 'traffic of a source against a roundabout', 'edge', e.edge_id, e.lane_count, e.geom
+        FROM roundabout r JOIN roundabout_edge n USING (roundabout_id)
+            JOIN edge e ON e.edge_id = n.edge_id
+        WHERE r.accepted AND CASE WHEN n.along_axis THEN lanes_backward ELSE lanes_forward END > 0
+            -- Between two faces traffic goes as the axis says.
+            AND NOT EXISTS (SELECT FROM roundabout_edge o JOIN roundabout p USING (roundabout_id)
+                WHERE o.edge_id = n.edge_id AND o.along_axis <> n.along_axis AND p.accepted)
+    UNION ALL
+    SELECT 'warning', 'arm of a roundabout that nobody may enter or leave', 'edge', e.edge_id, e.lane_count, e.geom
+        FROM roundabout r JOIN roundabout_arm n USING (roundabout_id)
+            JOIN edge e ON e.edge_id = n.edge_id
+        WHERE r.accepted AND lanes_forward + lanes_backward + lanes_both = 0
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_roundabout(name) IS
+    'The rows of streetgen.check_model for roundabouts.';
