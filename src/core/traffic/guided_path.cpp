@@ -132,7 +132,8 @@ Line rounded(const Line& guide, double widest, double tolerance) {
     append_rounded(line, guide[i], along[i - 1], along[i], tangent, tolerance);
   }
   line.push_back(guide.back());
-  return distinct(std::move(line));
+  // An arc may end where the next corner is, which is straight.
+  return without_noise(line);
 }
 
 Line guided_path(const JunctionPlace& place, const JunctionRoute& route, const LaneEnd& in,

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "traffic/guided_path.hpp"
 #include "traffic/path_choice.hpp"
 
 namespace streetgen {
@@ -90,6 +92,20 @@ TEST(KerbBulges, StandOffCornersThatKerbsTurnToTheGround) {
     EXPECT_EQ(places.size(), 8u) << "two at each corner of the island, none at those of the border";
     for (const Point& place : places)
       EXPECT_NEAR(std::max({10 - place.x, place.x - 20, 10 - place.y, place.y - 20}), 1.2, 1e-9);
+  }
+}
+
+// The arc of the first corner ends in the second one, where the path goes straight on.
+TEST(RoundedPath, HasNoPieceWithoutDirection) {
+  for (int k = 0; k < 60; ++k) {
+    const Point ahead{std::cos(0.1 * k), std::sin(0.1 * k), 0};
+    const Point aside = (ahead + left_normal(ahead)) * std::sqrt(0.5), from{6.5e5, 6.86e6, 0};
+    const Point corner = from + ahead * 20;
+    const Line path = rounded(
+        {from, corner, corner + aside * 3, corner + aside * 7, corner + aside * 20}, 40, 0.01);
+    EXPECT_TRUE(drivable(path)) << k;
+    for (std::size_t i = 1; i < path.size(); ++i)
+      EXPECT_GT(distance(path[i - 1], path[i]), 1e-5) << k;
   }
 }
 
