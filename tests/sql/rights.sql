@@ -56,7 +56,7 @@ SELECT 'text becomes the name of a function, table or type in known places alone
 -- Each public function of a model, called by each role: no more happens than that.
 CREATE TABLE public.call AS SELECT p.oid::regprocedure::text AS name, proname, format('SELECT streetgen.%I(''town''%s)', proname, (SELECT string_agg(format(', NULL::%s', format_type(t, NULL)), '' ORDER BY n)
     FROM unnest(proargtypes) WITH ORDINALITY a(t, n) WHERE n > 1 AND n <= pronargs - pronargdefaults)) AS statement FROM pg_proc p
-  WHERE pronamespace = 'streetgen'::regnamespace AND proname !~ '^_' AND prokind = 'f' AND proargtypes[0] = 'name'::regtype AND proargnames[1] = 'model'
+  WHERE pronamespace = 'streetgen'::regnamespace AND proname !~ '^_' AND prokind = 'f' AND proargtypes[0] = 'name'::regtype AND (proargnames[1] = 'model' OR proname = 'adopt_model')
   -- Nothing for NULL.
   AND NOT (proisstrict AND pronargs - pronargdefaults > 1);
 GRANT SELECT ON public.call TO PUBLIC;
@@ -64,6 +64,13 @@ CREATE TABLE public.before AS SELECT * FROM test.content('town');
 CREATE FUNCTION pg_temp.states() RETURNS TABLE (name text, state text) LANGUAGE sql AS $$ SELECT proname::text, test.state(statement) FROM public.call $$;
 SET ROLE rights_nobody;
 SELECT 'who was granted nothing gets nothing by any function of a model', count(*) > 40 AND bool_and(state IN ('42501', '22004')) FROM pg_temp.states();
+SELECT 'and is told by each how to come by it', count(*) > 30 AND bool_and(r.hint <> '') FROM public.call, test.refusal(statement) r WHERE r.state = '42501';
+RESET ROLE;
+GRANT USAGE ON SCHEMA town TO rights_nobody;
+SET ROLE rights_nobody;
+SELECT 'who sees the schema alone is told the same, and not that it holds no model', count(*) > 30 AND bool_and(r.hint <> '') FROM public.call, test.refusal(statement) r WHERE r.state <> '22004';
+RESET ROLE;
+REVOKE USAGE ON SCHEMA town FROM rights_nobody;
 SET ROLE rights_reader;
 CREATE TEMPORARY TABLE by_reader AS SELECT * FROM pg_temp.states();
 SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity check_model driving_side export_cityjson export_gltf export_lanelet2 export_layer export_opendrive export_symuvia hill_shade progress road_mesh roundabout_candidates setting subject summary svg' FROM by_reader WHERE state = 'none';

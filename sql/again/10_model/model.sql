@@ -59,7 +59,9 @@ CREATE OR REPLACE FUNCTION streetgen._require_reader(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._require_model(model);
-    IF NOT has_schema_privilege(model, 'USAGE') THEN
+    IF (SELECT has_schema_privilege(n.oid, 'USAGE') AND has_table_privilege(c.oid, 'SELECT')
+        FROM pg_namespace n JOIN pg_class c ON relnamespace = n.oid WHERE nspname = model AND relname = 'axis') IS FALSE
+    THEN
         RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
             HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
     END IF;
@@ -67,15 +69,23 @@ END $$;
 COMMENT ON FUNCTION streetgen._require_reader(name) IS
     'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
 
+CREATE OR REPLACE FUNCTION streetgen._require_schema_owner(schema name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = schema), 'MEMBER') THEN
+        RAISE EXCEPTION 'only the owner of model "%" may do this', schema USING ERRCODE = '42501',
+            HINT = 'Ask its owner, or become a member of the role that owns its schema.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_schema_owner(name) IS
+    'Raises 42501 when the caller is no member of the role that owns the schema of a model.';
+
 CREATE OR REPLACE FUNCTION streetgen._require_owner(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._require_model(model);
-    IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = model), 'MEMBER') THEN
-        RAISE EXCEPTION 'only the owner of model "%" may do this', model USING ERRCODE = '42501',
-            HINT = 'Ask its owner, or become a member of the role that owns its schema.';
-    END IF;
+    PERFORM streetgen._require_model(model), streetgen._require_schema_owner(model);
 END $$;
 COMMENT ON FUNCTION streetgen._require_owner(name) IS
     'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
@@ -283,11 +293,14 @@ BEGIN
     missing := ARRAY(SELECT name
         FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit',
         'section', 'corner', 'intersection', 'report']) name
-        WHERE to_regclass(format('%I.%I', schema, name)) IS NULL);
+        -- Whoever may not see the schema is told so below, not that nothing is there.
+        WHERE NOT EXISTS (SELECT FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace
+            WHERE nspname = schema AND relname = name));
     IF missing <> '{}' THEN
         RAISE EXCEPTION 'schema "%" holds no street model', schema USING ERRCODE = '3F000',
             HINT = format('Its tables %s are missing.', array_to_string(missing, ', '));
     END IF;
+    PERFORM streetgen._require_schema_owner(schema);
     SELECT g.srid, g.coord_dimension INTO srid, dimension FROM geometry_columns g
         WHERE f_table_schema = schema AND f_table_name = 'axis' AND f_geometry_column = 'geom';
     IF NOT FOUND OR srid = 0 THEN

@@ -8,7 +8,7 @@ CREATE OR REPLACE FUNCTION streetgen.subject(model name)
 DECLARE
     computed text[];
 BEGIN
-    PERFORM streetgen._require_model(model);
+    PERFORM streetgen._require_reader(model);
     computed := streetgen._subjects(model);
     RETURN QUERY SELECT s.subject, s.subject = ANY (computed), s.needs,
         ARRAY(SELECT n.subject FROM streetgen._subject() n WHERE s.subject = ANY (n.needs) ORDER BY n.place),
@@ -18,7 +18,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.subject(name) IS
     'The subjects that a model can compute, a row each: is it computed now (wanted), which subjects it needs and which '
-    'need it, its tables, what it costs and what it holds. A model that does not exist: 3F000; NULL: 22004.';
+    'need it, its tables, what it costs and what it holds. A model that does not exist: 3F000; NULL: 22004; a '
+    'caller who may not read the model: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._require_subject(model name, subject text) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

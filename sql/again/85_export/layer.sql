@@ -93,7 +93,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_layer(model name, wgs84 boolean DEFA
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._require_model(model), streetgen._check_given('wgs84', wgs84::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('wgs84', wgs84::text);
     -- OFFSET 0: a surface is snapped once, not again to see whether it is empty.
     RETURN QUERY SELECT l.layer, l.geometry_type || CASE WHEN m.dimension = 3 AND of_axes THEN 'Z' ELSE '' END,
         format('SELECT * FROM (SELECT ' || fields || ', streetgen._for_exchange(' || geometry || ', ' || wgs84 ||
@@ -106,4 +106,5 @@ END $$;
 COMMENT ON FUNCTION streetgen.export_layer(name, boolean) IS
     'The layers of a model for exchange, as data/streetgen export writes them: name, type of the geometry, and a '
     'query of their rows with a unique integer id first and geom last, in the reference of the model or in WGS 84. '
-    'Surfaces lie on a grid of a micrometre; what is narrower is left out. An unknown model: 3F000.';
+    'Surfaces lie on a grid of a micrometre; what is narrower is left out. An unknown model: 3F000; a caller who may '
+    'not read it: 42501.';
