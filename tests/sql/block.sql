@@ -92,7 +92,7 @@ SELECT 'an override on no block is told', count(*) = 1 FROM streetgen.check_mode
 DELETE FROM town.block_override WHERE kind = 'island';
 DELETE FROM town.block_editing WHERE block_id = 1;
 SELECT 'and can be taken back', (SELECT kind = 'block' FROM town.block WHERE block_id = 1) AND NOT EXISTS (SELECT FROM town.block_override);
-SELECT 'another kind is refused', pg_temp.refused($$UPDATE town.block_editing SET kind = 'park' WHERE block_id = 1$$, '22023');
+SELECT 'another kind is refused', pg_temp.refused($$UPDATE town.block_editing SET kind = 'park' WHERE block_id = 1$$, '23514');
 SELECT 'a block cannot be drawn', pg_temp.refused($$INSERT INTO town.block_editing (kind) VALUES ('block')$$, '0A000');
 SELECT streetgen.set('town', 'block_island_area', '100000') \g /dev/null
 SELECT FROM streetgen.generate('town') \g /dev/null

@@ -95,6 +95,7 @@ UPDATE town.section_limit_editing SET abscissa = 75 WHERE section_limit_id = (SE
 SELECT 'its abscissa can be typed', by_hand AND abs(abscissa - 75) < 1e-3 FROM far;
 SELECT 'with one override', count(*) = 1 FROM town.section_limit_override;
 SELECT * FROM pg_temp.refused('a limit past the other one', $q$UPDATE town.section_limit_editing SET abscissa = 70 WHERE which = 'start' AND edge_id = pg_temp.edge(2); UPDATE town.section_limit_editing SET abscissa = 60 WHERE which = 'end' AND edge_id = pg_temp.edge(2)$q$);
+SELECT * FROM pg_temp.refused('a limit at a dead end', $q$UPDATE town.section_limit_editing SET abscissa = 7 WHERE which = 'start' AND edge_id = pg_temp.edge(1)$q$);
 SELECT * FROM pg_temp.refused('a limit beyond its edge', $q$UPDATE town.section_limit_editing SET abscissa = 101 WHERE section_limit_id = (SELECT section_limit_id FROM far)$q$);
 SELECT * FROM pg_temp.refused('a limit at NaN', $q$UPDATE town.section_limit_editing SET abscissa = 'NaN' WHERE section_limit_id = (SELECT section_limit_id FROM far)$q$);
 DELETE FROM town.section_limit_editing WHERE section_limit_id = (SELECT section_limit_id FROM far);
@@ -150,6 +151,7 @@ UPDATE town.lane_editing SET both_ways = false WHERE lane_id = (SELECT lane_id F
 SELECT 'closed, it runs along the axis', NOT both_ways AND along_axis AND width = 2.5 FROM first_lane;
 SELECT 'its line is the one drawn', ST_DWithin(geom, pg_temp.place(40, 2.4), 1e-6) FROM first_lane;
 SELECT * FROM pg_temp.refused('a lane of NaN', $q$UPDATE town.lane_editing SET width = 'NaN' WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
+SELECT * FROM pg_temp.refused('a lane wider than its street', $q$UPDATE town.lane_editing SET width = 7.5 WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
 SELECT * FROM pg_temp.refused('a lane that collapses', $q$UPDATE town.lane_editing SET geom = pg_temp.line('LINESTRING(5 2, 5 2)') WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
 SELECT * FROM pg_temp.refused('a lane far from its street', $q$UPDATE town.lane_editing SET geom = pg_temp.line('LINESTRING(5 2, 5 300)') WHERE lane_id = (SELECT lane_id FROM first_lane)$q$);
 SELECT * FROM pg_temp.refused('a lane drawn', $q$INSERT INTO town.lane_editing (geom) VALUES (pg_temp.line('LINESTRING(5 2, 9 2)'))$q$, '0A000');
@@ -168,6 +170,18 @@ SELECT * FROM pg_temp.refused('a fourth point', $q$UPDATE town.interconnection_e
 SELECT * FROM pg_temp.refused('another lane', $q$UPDATE town.interconnection_editing SET lane_in = 1 WHERE interconnection_id = (SELECT interconnection_id FROM turning)$q$, '0A000');
 DELETE FROM town.interconnection_editing WHERE interconnection_id = (SELECT interconnection_id FROM turning);
 SELECT 'deleted, it is computed again', NOT by_hand AND connecting FROM turning;
+
+-- street_object_editing and those of its types
+CREATE TABLE placed (street_object_id bigint, axis_id bigint, abscissa float8, size float8);
+WITH new AS (INSERT INTO town.street_object_editing (type, geom) VALUES ('bench', pg_temp.place(30, 5)) RETURNING *) INSERT INTO placed SELECT street_object_id, axis_id, abscissa, 0 FROM new;
+WITH new AS (INSERT INTO town.pedestrian_crossing_editing (geom) VALUES (pg_temp.place(40, 0)) RETURNING *) INSERT INTO placed SELECT street_object_id, axis_id, abscissa, width FROM new;
+WITH new AS (INSERT INTO town.parking_bay_editing (geom) VALUES (pg_temp.place(50, 3.5)) RETURNING *) INSERT INTO placed SELECT street_object_id, axis_id, abscissa, length FROM new;
+SELECT 'new objects say their keys, their places and their sizes', array_agg((p.axis_id, round(p.abscissa), size)::text ORDER BY p.abscissa) = '{"(1,30,0)","(1,40,4)","(1,50,5)"}' AND count(o.type) = 3 FROM placed p LEFT JOIN town.street_object o USING (street_object_id);
+SELECT * FROM pg_temp.refused('an object turned by its angle', $q$UPDATE town.street_object_editing SET angle = 7 WHERE type = 'bench'$q$, '0A000');
+SELECT 'the way out is orientation', hint LIKE '%Type orientation%' FROM test.refusal($q$UPDATE town.street_object_editing SET angle = 7 WHERE type = 'bench'$q$);
+UPDATE town.street_object_editing SET orientation = 30, angle = angle WHERE type = 'bench';
+SELECT 'turned, with its angle as it was', (orientation, round(angle)) = (30, 120) FROM town.street_object_editing WHERE type = 'bench';
+DELETE FROM town.street_object_editing;
 
 -- Nothing changed, nothing written.
 CREATE TABLE before AS SELECT pg_temp.written() AS written, (SELECT count(*) FROM town.section_limit_override) AS overrides;
@@ -245,7 +259,7 @@ UPDATE hill.node_editing SET geom = ST_Translate(geom, 0, 5, 2) WHERE ST_DWithin
 SELECT 'a node of three dimensions moves in all', ST_Z(ST_EndPoint(geom)) = 14 AND ST_Y(ST_EndPoint(geom)) = 6860005 AND ST_Z(ST_StartPoint(geom)) = 12 FROM hill.axis WHERE axis_id = 1;
 INSERT INTO hill.kerb_point_editing (geom) VALUES (pg_temp.place(30, 5));
 UPDATE hill.corner_editing SET radius = 6;
-UPDATE hill.section_limit_editing SET abscissa = 40 WHERE which = 'start' AND edge_id = (SELECT edge_id FROM hill.edge WHERE axis_id = 1);
+UPDATE hill.section_limit_editing SET abscissa = 60 WHERE which = 'end' AND edge_id = (SELECT edge_id FROM hill.edge WHERE axis_id = 1);
 SELECT 'so do its other layers', (SELECT count(*) = 1 FROM hill.kerb_point_override) AND (SELECT count(*) > 0 FROM hill.corner_override) AND (SELECT count(*) = 1 FROM hill.section_limit_override);
 DO $$ BEGIN PERFORM streetgen.drop_model('hill'); END $$;
 

@@ -208,7 +208,7 @@ DELETE FROM town.axis WHERE axis_id IN (30, 31);
 DELETE FROM town.junction_override WHERE axis_id = 30;
 SELECT 'one on an axis that is not there is taken', test.state($$INSERT INTO town.junction_override (axis_id, geom, kind) VALUES (999, 'SRID=2154;POINT(650000 6860000)', 'end')$$) = 'none';
 DELETE FROM town.junction_override WHERE axis_id = 999;
-SELECT 'and says what it expects', test.said($$UPDATE town.junction_editing SET kind = 'circus'$$) LIKE 'the kind of the new junction override % cannot be "circus"%';
+SELECT 'and says what it expects', test.said($$UPDATE town.junction_editing SET kind = 'circus'$$) LIKE 'the kind of junction % cannot be "circus"%';
 DROP TABLE before;
 DELETE FROM town.axis WHERE axis_id = 1;
 SELECT 'what an axis leaves behind is as from scratch', test.followed('town', 'anew');

@@ -68,8 +68,8 @@ SELECT 'both hold', (tangent, round(length)) = (40, 100) FROM road.ramp WHERE ki
 UPDATE road.axis SET geom = ST_Reverse(geom), direction = 'reverse' WHERE axis_id = 4;
 SELECT 'a link turned round keeps what was decided', (method, tangent, round(length)) = ('by_hand', 40, 100) FROM road.ramp WHERE kind = 'on';
 UPDATE road.axis SET geom = ST_Reverse(geom), direction = 'direct' WHERE axis_id = 4;
-UPDATE road.ramp_editing SET by_hand = true WHERE kind = 'off';
-SELECT 'by_hand typed alone decides nothing', count(*) = 1 AND NOT EXISTS (SELECT FROM road.ramp WHERE kind = 'off' AND method = 'by_hand') FROM road.ramp_override;
+SELECT 'by_hand typed alone is refused', test.state($$UPDATE road.ramp_editing SET by_hand = true WHERE kind = 'off'$$) = '22023';
+SELECT 'and decides nothing', count(*) = 1 AND NOT EXISTS (SELECT FROM road.ramp WHERE kind = 'off' AND method = 'by_hand') FROM road.ramp_override;
 INSERT INTO road.ramp_override (axis_id, abscissa, length) SELECT axis_id, abscissa, 80 FROM road.ramp_override;
 UPDATE road.ramp_editing SET length = NULL WHERE kind = 'on';
 SELECT 'a length emptied does not come back from an older row', (method, tangent, round(length)) = ('by_hand', 40, 60) FROM road.ramp WHERE kind = 'on';

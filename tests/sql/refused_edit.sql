@@ -15,6 +15,7 @@ INSERT INTO town.kerb_point_editing (geom) VALUES ('SRID=2154;POINT(650020 68600
 INSERT INTO town.street_object_editing (type, geom) VALUES ('bench', 'SRID=2154;POINT(650050 6860005)');
 INSERT INTO town.pedestrian_crossing_editing (geom) VALUES ('SRID=2154;POINT(650060 6860000)');
 INSERT INTO town.parking_bay_editing (geom) VALUES ('SRID=2154;POINT(650030 6860004)');
+INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650020 6860000)', 3);
 INSERT INTO town.placement_rule (type, along, every) VALUES ('tree', 'border', 80);
 DELETE FROM town.street_object WHERE street_object_id = (SELECT max(street_object_id) FROM town.street_object);
 DO $$ BEGIN PERFORM test.as_administrator('CREATE EXTENSION IF NOT EXISTS postgis_raster'), streetgen.create_design('plan'); END $$;
@@ -53,5 +54,55 @@ SELECT format('an edit of %s is refused', relation), count(*) FILTER (WHERE stat
 SELECT format('an edit of %s is refused in at most a line of CONTEXT', relation), bool_and(context NOT LIKE E'%\n%') FROM public.tried WHERE state <> 'none' GROUP BY relation ORDER BY relation;
 SELECT 'none is refused by an error of the server or of SQL', NOT EXISTS (SELECT FROM public.tried WHERE state ~ '^(XX|42)');
 REVOKE ALL ON public.tried FROM refused_editor;
+
+-- What is typed into a column that an editor may write is stored, or refused.
+CREATE FUNCTION public.shown_after(relation text, key name, attribute name, value text, OUT state text, OUT before text, OUT typed text, OUT after text) LANGUAGE plpgsql AS $$
+DECLARE
+  id text;
+BEGIN
+  EXECUTE format('SELECT %1$I::text, %2$I::text, (%3$s)::text FROM %4$s ORDER BY %1$I LIMIT 1', key, attribute, value, relation) INTO id, before, typed;
+  EXECUTE format('UPDATE %s SET %I = %s WHERE %I = %L', relation, attribute, value, key, id);
+  EXECUTE format('SELECT max(%I::text) FROM %s WHERE %I = %L', attribute, relation, key, id) INTO after;
+  RAISE SQLSTATE 'SG000';
+EXCEPTION WHEN SQLSTATE 'SG000' THEN state := 'none';
+WHEN OTHERS THEN state := SQLSTATE;
+END $$;
+CREATE TABLE public.fitting (type text, value text);
+INSERT INTO public.fitting VALUES ('bigint', '%1$I + 1'), ('integer', '%1$I + 1'), ('integer', '%1$I - 1'), ('double precision', '%1$I + 0.5'), ('double precision', '%1$I * 0.9'), ('double precision[]', 'ARRAY(SELECT d + 1 FROM unnest(%1$I) d)'), ('boolean', 'NOT %1$I'),
+  ('geometry', 'ST_Translate(%1$I, 0.2, 0.1)'), ('text', '''x'''), ('text', '''left'''), ('text', '''end'''), ('text', '''stop'''), ('text', '''mini'''), ('text', '''island'''), ('text', '''allowed'''), ('text', '''border'''), ('text', '''absolute'''), ('text', '''direct'''), ('text', '''paper''');
+CREATE TABLE public.typed AS SELECT relation, key, attname, format(value, attname) AS value, NULL::text AS state, NULL::text AS before, NULL::text AS typed, NULL::text AS after FROM public.written JOIN public.fitting USING (type) WHERE updates AND relation LIKE '%editing';
+GRANT SELECT, UPDATE ON public.typed TO refused_editor;
+GRANT SELECT ON public.written TO refused_editor;
+SET ROLE refused_editor;
+UPDATE public.typed t SET (state, before, typed, after) = (SELECT s.state, s.before, s.typed, s.after FROM public.shown_after(relation, key, attname, value) s);
+SELECT format('what is typed into %s is stored or refused', relation), bool_and(state <> 'none' OR typed IS NOT DISTINCT FROM before OR after IS DISTINCT FROM before) FROM public.typed GROUP BY relation HAVING count(before) > 0 ORDER BY relation;
+SELECT format('a row of %s may be sent back as it is', relation), test.state(format('UPDATE %1$s SET %2$s WHERE %3$I = (SELECT min(%3$I) FROM %1$s)', relation, string_agg(format('%1$I = %1$I', attname), ', '), min(key))) = 'none' FROM public.written WHERE updates AND relation LIKE '%editing' GROUP BY relation ORDER BY relation;
+RESET ROLE;
+-- NULL takes back what was decided by hand, in each edit view that shows it.
+CREATE FUNCTION public.taken_back(relation text, attribute name, value text, place text, OUT decided boolean, OUT by_hand boolean, OUT before text, OUT after text) LANGUAGE plpgsql AS $$
+DECLARE
+  key name := (SELECT attname FROM pg_attribute WHERE attrelid = relation::regclass AND attnum = 1);
+  id text;
+BEGIN
+  EXECUTE format('SELECT %1$I::text, %2$I::text FROM %3$s v WHERE NOT by_hand AND %4$s ORDER BY 1 LIMIT 1', key, attribute, relation, place) INTO id, before;
+  EXECUTE format('UPDATE %1$s SET %2$I = %3$s WHERE %4$I = %5$L', relation, attribute, value, key, id);
+  EXECUTE format('SELECT by_hand AND %1$I::text <> %2$L FROM %3$s WHERE %4$I = %5$L', attribute, before, relation, key, id) INTO decided;
+  EXECUTE format('UPDATE %1$s SET %2$I = NULL WHERE %4$I = %5$L', relation, attribute, value, key, id);
+  EXECUTE format('SELECT by_hand, %1$I::text FROM %3$s WHERE %4$I = %5$L', attribute, before, relation, key, id) INTO by_hand, after;
+  EXECUTE format('UPDATE %1$s SET %2$I = NULL WHERE %4$I = %5$L', relation, attribute, value, key, id);
+END $$;
+SET ROLE refused_editor;
+SELECT format('%s.%s: NULL takes it back', name, attribute), b.decided AND NOT b.by_hand AND b.before = b.after
+  FROM (VALUES ('section_limit', 'abscissa', 'abscissa + 3', 'which = ''start'' AND abscissa > 5'), ('corner', 'radius', 'radius + 1', 'radius BETWEEN 2 AND 20'), ('road_arc', 'radius', 'radius / 2', 'radius > 1'), ('lane', 'width', 'width - 1', '(SELECT kind FROM town.lane WHERE lane_id = v.lane_id) = ''general'''),
+    ('lane', 'along_axis', 'NOT along_axis', '(SELECT kind FROM town.lane WHERE lane_id = v.lane_id) = ''general'''), ('lane', 'both_ways', 'NOT both_ways', '(SELECT kind FROM town.lane WHERE lane_id = v.lane_id) = ''general'''), ('sidewalk', 'width', 'width + 1', 'true'), ('lane_adjacency', 'change', '''forbidden''', 'change = ''allowed'''), ('junction', 'kind', '''stop''', 'kind NOT IN (''end'', ''continuation'', ''stop'')'),
+    ('junction_edge', 'inside', 'true', 'NOT inside AND ST_Length(geom) < 110'), ('controller', 'program', 'CASE program WHEN ''paper'' THEN ''phases'' ELSE ''paper'' END', 'true'), ('controller', 'cycle', 'cycle + 10', 'true'), ('controller', 'start_offset', 'start_offset + 5', 'true'), ('controller', 'durations', 'ARRAY(SELECT d + 1 FROM unnest(durations) d)', 'true'),
+    ('ramp', 'tangent', 'tangent + 10', 'true'), ('ramp', 'length', 'length + 10', 'true'), ('overpass', 'clearance', 'clearance + 1', 'true'), ('interconnection', 'connecting', 'NOT connecting', 'true'), ('block', 'kind', 'CASE kind WHEN ''block'' THEN ''island'' ELSE ''block'' END', 'NOT ST_IsEmpty(geom)')) v(name, attribute, value, place),
+  LATERAL public.taken_back(format('town.%s_editing', name), attribute, value, place) b;
+SELECT 'by_hand typed alone decides what is there, or is refused: ' || name, test.state(format('UPDATE town.%1$s_editing SET by_hand = true WHERE %1$s_id = (SELECT min(%1$s_id) FROM town.%1$s_editing WHERE NOT by_hand AND %2$s)', name, place)) = state
+  FROM (VALUES ('lane', 'lane_id IN (SELECT lane_id FROM town.lane WHERE kind = ''general'')', '22023'), ('interconnection', 'true', '22023'), ('ramp', 'true', '22023'), ('controller', 'true', '22023'), ('corner', 'true', 'none'), ('sidewalk', 'true', 'none'), ('block', 'NOT ST_IsEmpty(geom)', 'none')) v(name, place, state);
+SELECT 'a word that is none is told of the row of the view: ' || name, test.said(format('UPDATE town.%1$s_editing SET %2$s = ''odd'' WHERE %1$s_id = (SELECT min(%1$s_id) FROM town.%1$s_editing WHERE %3$s)', name, attribute, place)) ~ format('the %s of %s \d+.* cannot be "odd"', attribute, replace(name, '_', ' '))
+  FROM (VALUES ('junction', 'kind', 'true'), ('lane_adjacency', 'change', 'change <> ''opposite'''), ('block', 'kind', 'NOT ST_IsEmpty(geom)')) v(name, attribute, place);
+RESET ROLE;
+REVOKE ALL ON public.typed, public.written FROM refused_editor;
 DO $$ BEGIN PERFORM streetgen.revoke('town', 'refused_editor'), streetgen.revoke('plan', 'refused_editor'); END $$;
 DROP ROLE refused_editor;

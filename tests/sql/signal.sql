@@ -67,6 +67,7 @@ SELECT name || ' is refused', test.state(statement) = state FROM (VALUES
     ('an offset below 0', 'UPDATE town.controller_editing SET start_offset = -1', '22023'),
     ('durations of another number', $$UPDATE town.controller_editing SET durations = '{3}'$$, '22023'),
     ('a duration of a day', 'UPDATE town.controller_editing SET durations[1] = 86400', '22023'),
+    ('by_hand typed alone', 'UPDATE town.controller_editing SET by_hand = true WHERE NOT by_hand', '22023'),
     ('a controller drawn', 'INSERT INTO town.controller_editing (program) VALUES (NULL)', '0A000'),
     ('a setting that names no function', $$SELECT streetgen.set('town', 'signal_program', 'pg_catalog.now')$$, '22023'),
     ('a time that is no number', $$SELECT streetgen.signals('town', 'NaN')$$, '22023'),

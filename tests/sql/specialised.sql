@@ -23,6 +23,9 @@ SELECT 'it goes with the kerb', ST_YMin(surface) = 6860000 - 5 FROM town.parking
 UPDATE town.axis SET roadway_offset = 2 WHERE axis_id = 1;
 SELECT 'and with a roadway that lies aside', ST_YMin(surface) = 6860000 - 3 FROM town.parking_bay;
 UPDATE town.axis SET roadway_offset = NULL, width = 8 WHERE axis_id = 1;
+UPDATE town.parking_bay_editing SET length = 7, width = 3, angle = 0;
+UPDATE town.parking_bay_editing SET length = NULL, width = NULL, angle = NULL;
+SELECT 'an emptied size is the usual one', (length, width, angle) = (5, 2.3, 0) FROM town.parking_bay;
 SELECT 'a length of NaN: 22023', test.state($$UPDATE town.parking_bay_editing SET length = 'NaN'$$) = '22023';
 SELECT 'an angle of 10 degrees: 22023', test.state($$UPDATE town.parking_bay_editing SET angle = 10$$) = '22023';
 UPDATE town.street_object SET abscissa = 1;

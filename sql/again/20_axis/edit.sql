@@ -114,10 +114,9 @@ BEGIN
     IF TG_OP <> 'UPDATE' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Nodes lie where axes meet or end: draw or delete axes in axis_editing.');
-    ELSIF NEW.node_id IS DISTINCT FROM OLD.node_id THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key',
-            'Only the place of a node can be changed.');
-    ELSIF NEW.geom IS NOT DISTINCT FROM OLD.geom THEN
+    END IF;
+    NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom}');
+    IF NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
     END IF;
     PERFORM streetgen._check_edit_geometry('node ' || OLD.node_id, NEW.geom);
@@ -172,10 +171,9 @@ BEGIN
     IF TG_OP <> 'UPDATE' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Edges are pieces of axes: draw, split or delete axes in axis_editing.');
-    ELSIF (NEW.edge_id, NEW.axis_id) IS DISTINCT FROM (OLD.edge_id, OLD.axis_id) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of edge_id or axis_id',
-            'Only the line of an edge can be changed.');
-    ELSIF NEW.geom IS NOT DISTINCT FROM OLD.geom THEN
+    END IF;
+    NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom}');
+    IF NEW IS NOT DISTINCT FROM OLD THEN
         RETURN NEW;
     END IF;
     subject := 'edge ' || OLD.edge_id;

@@ -14,33 +14,38 @@ BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Each edge has its two limits: move one of them.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.section_limit_id, NEW.edge_id, NEW.which) IS DISTINCT FROM (OLD.section_limit_id,
-        OLD.edge_id, OLD.which) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or which',
-            'Only abscissa, geom and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{abscissa,by_hand,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := format('section limit %s (%s of edge %s)', OLD.section_limit_id, OLD.which, OLD.edge_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
         TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
-    IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
+    IF TG_OP = 'DELETE' OR NEW.abscissa IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM section_limit_override WHERE axis_id = edge.axis_id AND which = OLD.which
             AND CASE OLD.which WHEN 'start' THEN abscissa >= edge.start_abscissa
             AND abscissa < edge.end_abscissa ELSE abscissa > edge.start_abscissa AND abscissa <= edge.end_abscissa END;
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
     END IF;
+    IF (SELECT count(*) FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) n(node_id)
+        WHERE n.node_id = CASE OLD.which WHEN 'start' THEN edge.from_node ELSE edge.to_node END) = 1 THEN
+        PERFORM streetgen._refuse('22023', format('%s cannot be moved', subject),
+            detail => 'It lies at a dead end, where no intersection ends.',
+            hint => 'Draw the axis shorter or longer in axis_editing.');
+    END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
         NEW.abscissa := ST_LineLocatePoint(edge.geom, NEW.geom) * ST_Length2D(edge.geom);
     END IF;
     SELECT abscissa FROM section_limit WHERE edge_id = OLD.edge_id AND which <> OLD.which INTO other;
-    IF NEW.abscissa IS NULL OR NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom)
+    IF NOT NEW.abscissa BETWEEN 0 AND ST_Length2D(edge.geom)
         OR (CASE OLD.which WHEN 'start' THEN NEW.abscissa >= other ELSE NEW.abscissa <= other END) THEN
         PERFORM streetgen._refuse('22023',
-            format('%s cannot be at %s', subject, coalesce(format('%s m', round(NEW.abscissa::numeric, 2)), 'NULL')),
+            format('%s cannot be at %s m', subject, round(NEW.abscissa::numeric, 2)),
             detail => format('The edge is %s m long and its other limit is at %s m.',
                 round(ST_Length2D(edge.geom)::numeric, 2), round(other::numeric, 2)),
             hint => CASE OLD.which WHEN 'start' THEN 'Put it before the other limit.'
@@ -84,11 +89,11 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Corners lie between the edges of a node: change the radius of one.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.corner_id, NEW.node_id) IS DISTINCT FROM (OLD.corner_id, OLD.node_id) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key or node_id',
-            'Only radius, geom and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{radius,by_hand,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := 'corner ' || OLD.corner_id;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
@@ -113,7 +118,7 @@ BEGIN
         OR ST_Distance(geom, place.node) > 0.001) FROM corner_override
         WHERE (axis_a, axis_b) = (place.axis_a, place.axis_b) AND ST_DWithin(geom, place.node, 3 * tolerance)
             AND (NOT place.twin OR streetgen._on_side(geom, place.node, place.of_a, place.of_b)) INTO known, own;
-    IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
+    IF TG_OP = 'DELETE' OR NEW.radius IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM corner_override WHERE corner_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
@@ -123,7 +128,7 @@ BEGIN
         NEW.radius := greatest(0, (ST_Distance(NEW.geom, place.line_a) - place.width_a / 2 + ST_Distance(NEW.geom,
             place.line_b) - place.width_b / 2) / 2);
     END IF;
-    PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 200, 'm',
+    PERFORM streetgen._check_edit_number('the radius of ' || subject, NEW.radius, 0, 200, 'm',
         '0 for no arc; delete the row to take back what was decided by hand.');
     IF own IS NULL THEN
         middle := (place.of_a + place.of_b) / 2 - pi() * floor((place.of_b - place.of_a) / (2 * pi()));
@@ -156,11 +161,11 @@ BEGIN
     IF TG_OP = 'DELETE' THEN
         DELETE FROM kerb_point_override WHERE kerb_point_override_id = OLD.kerb_point_id;
         RETURN OLD;
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND NEW.kerb_point_id IS DISTINCT FROM OLD.kerb_point_id THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key',
-            'Only axis_id, width and geom can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{axis_id,width,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := CASE TG_OP WHEN 'INSERT' THEN 'the new kerb point' ELSE 'kerb point ' || OLD.kerb_point_id END;
     PERFORM streetgen._check_edit_geometry(subject, NEW.geom);

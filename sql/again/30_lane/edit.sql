@@ -13,17 +13,17 @@ DECLARE
     turned boolean;
     widened boolean;
     redrawn boolean;
+    emptied boolean;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Lanes come from the lane_count of their axis: change it in axis_editing.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_id, NEW.edge_id, NEW.ordinality) IS DISTINCT FROM (OLD.lane_id, OLD.edge_id,
-        OLD.ordinality) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id or ordinality',
-            'Only along_axis, both_ways, width, geom and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{along_axis,both_ways,width,by_hand,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     SELECT EXISTS (SELECT FROM lane WHERE lane_id = OLD.lane_id AND kind = 'merging') INTO merging;
     IF merging THEN
@@ -41,8 +41,9 @@ BEGIN
         DELETE FROM lane_override WHERE lane_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
-    PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.1, 200, 'm',
-        'Leave it empty to have it computed.');
+    PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.1, greatest(edge.width,
+        edge.width_end), 'm, the width of its roadway', 'Leave it empty to have it computed, or widen the axis.')
+        WHERE NEW.width IS DISTINCT FROM OLD.width;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_line(subject, NEW.geom, 0);
         astray := (SELECT max(ST_Distance(v.geom, edge.geom)) FROM ST_DumpPoints(NEW.geom) v);
@@ -56,32 +57,45 @@ BEGIN
     END IF;
     -- Values that are not edited stay computed, or as they were decided before.
     turned := (NEW.along_axis, NEW.both_ways) IS DISTINCT FROM (OLD.along_axis, OLD.both_ways);
-    IF turned THEN
+    IF turned AND (NEW.along_axis IS NULL OR NEW.both_ways IS NULL) THEN
+        NEW.along_axis := NULL;
+        NEW.both_ways := NULL;
+    ELSIF turned THEN
         -- A direction typed for a lane that both use is the only one from then on.
         NEW.both_ways := NEW.both_ways AND (NEW.along_axis OR NOT OLD.both_ways);
         NEW.along_axis := NEW.along_axis OR NEW.both_ways;
     END IF;
     widened := NEW.width IS DISTINCT FROM OLD.width;
     redrawn := NEW.geom IS DISTINCT FROM OLD.geom;
+    IF NOT (turned OR widened OR redrawn) AND NEW.by_hand THEN
+        PERFORM streetgen._refuse('22023', format('nothing is decided by hand of %s', subject),
+            hint => 'Change along_axis, both_ways, width or geom, and by_hand follows.');
+    END IF;
     IF known = '{}' THEN
         middle := (edge.start_abscissa + edge.end_abscissa) / 2;
         INSERT INTO lane_override (axis_id, abscissa, ordinality, along_axis, both_ways, width, line, geom)
-            VALUES (edge.axis_id, middle, OLD.ordinality, CASE WHEN turned THEN NEW.along_axis END, CASE WHEN turned
-            THEN NEW.both_ways END, CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END,
-            ST_LineInterpolatePoint(edge.axis, least(middle / ST_Length2D(edge.axis), 1)));
+            SELECT edge.axis_id, middle, OLD.ordinality, d.*,
+                ST_LineInterpolatePoint(edge.axis, least(middle / ST_Length2D(edge.axis), 1))
+            FROM (VALUES (CASE WHEN turned THEN NEW.along_axis END, CASE WHEN turned THEN NEW.both_ways END,
+                CASE WHEN widened THEN NEW.width END, CASE WHEN redrawn THEN NEW.geom END))
+                d(along, both_ways, width, line)
+            WHERE num_nonnulls(d.along, d.both_ways, d.width, d.line) > 0;
+        emptied := NOT FOUND;
     ELSE
         UPDATE lane_override SET along_axis = CASE WHEN turned THEN NEW.along_axis ELSE along_axis END, both_ways = CASE
             WHEN turned THEN NEW.both_ways ELSE both_ways END,
             width = CASE WHEN widened THEN NEW.width ELSE width END, line = CASE WHEN redrawn THEN NEW.geom ELSE line
                 END
-            WHERE lane_override_id = known[1];
+            WHERE lane_override_id = known[1] RETURNING num_nonnulls(along_axis, both_ways, width, line) = 0
+            INTO emptied;
+        DELETE FROM lane_override WHERE emptied AND lane_override_id = ANY (known);
     END IF;
-    NEW.by_hand := true;
+    NEW.by_hand := NOT emptied;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_lane() IS
-    'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width beyond 0.1 to '
-    '200 m or a line that collapses or leaves the edge by more: 22023; INSERT: 0A000.';
+    'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width below 0.1 m or '
+    'beyond that of the roadway, a line that collapses or leaves the edge by more than 200 m: 22023; INSERT: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_lane_adjacency() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -95,21 +109,21 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'There is a row for every two lanes side by side: set its change.');
-    ELSIF TG_OP = 'UPDATE' AND (NEW.lane_adjacency_id, NEW.lane_a, NEW.lane_b, NEW.side, NEW.geom::bytea)
-        IS DISTINCT FROM (OLD.lane_adjacency_id, OLD.lane_a, OLD.lane_b, OLD.side, OLD.geom::bytea) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
-            'Only change and by_hand can be changed.');
     ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{change,by_hand}');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
         decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.change END;
         IF decided = 'opposite' OR decided IS NOT NULL AND OLD.change = 'opposite' THEN
             PERFORM streetgen._refuse('22023',
-                format('the change from lane %s to lane %s cannot be "%s"', OLD.lane_a, OLD.lane_b, decided),
+                format('the change of lane adjacency %s (lane %s to lane %s) cannot be "%s"', OLD.lane_adjacency_id,
+                    OLD.lane_a, OLD.lane_b, decided),
                 detail => format('It is "%s"; "opposite" says that traffic comes against one.', OLD.change),
                 hint => 'Turn a lane round in lane_editing; lanes of one direction take allowed or forbidden.');
         END IF;
+        PERFORM streetgen._check_edit_word(format('lane adjacency %s (lane %s to lane %s)', OLD.lane_adjacency_id,
+            OLD.lane_a, OLD.lane_b), decided, 'lane_adjacency_override', 'change');
         NEW.by_hand := decided IS NOT NULL;
     END IF;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.lane JOIN %1$I.edge USING (edge_id) '
@@ -152,17 +166,17 @@ DECLARE
     known bigint[];
     decided boolean;
     dragged geometry;
+    emptied boolean;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'There is a row for every two lanes that meet: set its connecting.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.interconnection_id, NEW.node_id, NEW.lane_in, NEW.lane_out, NEW.turn, NEW.plausible)
-        IS DISTINCT FROM (OLD.interconnection_id, OLD.node_id, OLD.lane_in, OLD.lane_out, OLD.turn, OLD.plausible) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
-            'Only connecting, geom and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{connecting,by_hand,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := 'interconnection ' || OLD.interconnection_id;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
@@ -205,17 +219,24 @@ BEGIN
                 detail => 'The widest street is 200 m wide.', hint => 'Undo, and drag it less far.');
         END IF;
     END IF;
-    decided := CASE WHEN NEW.connecting IS DISTINCT FROM OLD.connecting THEN NEW.connecting END;
+    decided := NEW.connecting IS DISTINCT FROM OLD.connecting;
     dragged := CASE WHEN NEW.geom IS DISTINCT FROM OLD.geom THEN ST_PointN(NEW.geom, 2) END;
-    IF known = '{}' THEN
+    IF NOT decided AND dragged IS NULL THEN
+        PERFORM streetgen._refuse('22023', format('nothing is decided by hand of %s', subject),
+            hint => 'Change connecting or geom, and by_hand follows.');
+    ELSIF known = '{}' THEN
         INSERT INTO interconnection_override (geom, axis_in, lane_in, axis_out, lane_out, along_in, along_out,
-            connecting, control) VALUES (place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out,
-            place.along_in, place.along_out, decided, dragged);
+            connecting, control) SELECT place.node, place.axis_in, place.lane_in, place.axis_out, place.lane_out,
+            place.along_in, place.along_out, CASE WHEN decided THEN NEW.connecting END, dragged
+            WHERE NEW.connecting IS NOT NULL OR dragged IS NOT NULL;
+        emptied := NOT FOUND;
     ELSE
-        UPDATE interconnection_override SET connecting = coalesce(decided, connecting), control = coalesce(dragged,
-            control) WHERE interconnection_override_id = known[1];
+        UPDATE interconnection_override SET connecting = CASE WHEN decided THEN NEW.connecting ELSE connecting END,
+            control = coalesce(dragged, control) WHERE interconnection_override_id = known[1]
+            RETURNING num_nonnulls(connecting, control) = 0 INTO emptied;
+        DELETE FROM interconnection_override WHERE emptied AND interconnection_override_id = ANY (known);
     END IF;
-    NEW.by_hand := true;
+    NEW.by_hand := NOT emptied;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_interconnection() IS

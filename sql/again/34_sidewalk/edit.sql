@@ -13,12 +13,11 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Sidewalks come from sidewalk_left and sidewalk_right of their axis.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.sidewalk_id, NEW.edge_id, NEW.side, NEW.geom) IS DISTINCT FROM
-        (OLD.sidewalk_id, OLD.edge_id, OLD.side, OLD.geom) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, edge_id, side or geom',
-            'Only width and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{width,by_hand}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := format('sidewalk %s (%s of edge %s)', OLD.sidewalk_id, OLD.side, OLD.edge_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
@@ -27,7 +26,7 @@ BEGIN
     SELECT coalesce(array_agg(sidewalk_override_id ORDER BY sidewalk_override_id DESC), '{}')
         FROM sidewalk_override WHERE axis_id = edge.axis_id AND side = OLD.side AND abscissa >= edge.start_abscissa
         AND abscissa < edge.end_abscissa INTO known;
-    IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
+    IF TG_OP = 'DELETE' OR NEW.width IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM sidewalk_override WHERE sidewalk_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;

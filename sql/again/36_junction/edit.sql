@@ -147,15 +147,14 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'A junction is where axes meet: draw these, or say in junction_edge_editing which edges lie inside.');
-    ELSIF TG_OP = 'UPDATE' AND (NEW.junction_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.junction_id, OLD.geom::bytea)
-        THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
-            'Only kind and by_hand can be changed; a junction moves with its axes.');
     ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{kind,by_hand}',
+            'A junction moves with its axes.');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
         decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.kind END;
+        PERFORM streetgen._check_edit_word('junction ' || OLD.junction_id, decided, 'junction_override', 'kind');
         NEW.by_hand := decided IS NOT NULL;
     END IF;
     PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.junction_id]);
@@ -186,10 +185,9 @@ BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Edges come from axes: draw these in axis_editing.');
-    ELSIF TG_OP = 'UPDATE' AND (NEW.edge_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.edge_id, OLD.geom::bytea) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of what is computed',
-            'Only inside and by_hand can be changed; an edge moves with its axis.');
     ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{inside,by_hand}',
+            'An edge moves with its axis.');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;

@@ -28,12 +28,12 @@ BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'A ramp is where a link meets a highway: draw these.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.ramp_id, NEW.axis_id, NEW.kind) IS DISTINCT FROM (OLD.ramp_id, OLD.axis_id,
-        OLD.kind) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, axis_id or kind',
-            'Only tangent, length and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{tangent,length,by_hand}',
+            'A ramp moves with its link.');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := format('ramp %s of axis %s', OLD.ramp_id, OLD.axis_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
@@ -60,6 +60,10 @@ BEGIN
             ORDER BY ramp_override_id DESC)
             FILTER (WHERE length IS NOT NULL))[1] END AS length
     FROM ramp_override WHERE ramp_override_id = ANY (known) INTO decided;
+    IF NEW.by_hand AND NOT OLD.by_hand AND num_nonnulls(decided.tangent, decided.length) = 0 THEN
+        PERFORM streetgen._refuse('22023', format('nothing is decided by hand of %s', subject),
+            hint => 'Type tangent or length, and by_hand follows.');
+    END IF;
     NEW.by_hand := num_nonnulls(decided.tangent, decided.length) > 0;
     IF NOT NEW.by_hand THEN
         DELETE FROM ramp_override WHERE ramp_override_id = ANY (known);
@@ -70,7 +74,6 @@ BEGIN
         UPDATE ramp_override SET tangent = decided.tangent, length = decided.length
             WHERE ramp_override_id = ANY (known);
     END IF;
-    NEW.geom := OLD.geom;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_ramp() IS

@@ -13,6 +13,12 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'an overpass cannot be drawn',
             hint => 'It stands where two axes cross without a node: draw these.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{axis_above,clearance,by_hand}',
+            'The other axis as axis_above swaps them.');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := 'overpass ' || OLD.overpass_id;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA,
@@ -24,7 +30,7 @@ BEGIN
             OLD.axis_below), (OLD.axis_below, OLD.axis_above))
             AND ST_Distance(e.geom, o.geom) < ST_Distance(OLD.geom, o.geom)) INTO known;
     IF NOT taken_back THEN
-        taken_back := OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.clearance IS NULL);
+        taken_back := NEW.clearance IS NULL OR OLD.by_hand AND NOT NEW.by_hand;
     END IF;
     IF taken_back THEN
         DELETE FROM overpass_override WHERE overpass_override_id = ANY (known);
@@ -47,7 +53,6 @@ BEGIN
             WHERE overpass_override_id = known[1];
     END IF;
     NEW.by_hand := true;
-    NEW.geom := OLD.geom;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_overpass() IS

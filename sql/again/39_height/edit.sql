@@ -13,11 +13,11 @@ BEGIN
     IF TG_OP = 'DELETE' THEN
         DELETE FROM height_override WHERE height_override_id = OLD.height_id;
         RETURN OLD;
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND NEW.height_id IS DISTINCT FROM OLD.height_id THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key',
-            'Only axis_id, height and geom can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{axis_id,height,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := CASE TG_OP WHEN 'INSERT' THEN 'the new height' ELSE 'height ' || OLD.height_id END;
     PERFORM streetgen._check_edit_geometry(subject, NEW.geom);

@@ -9,13 +9,16 @@ BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Blocks come from the streets about them: draw an axis.');
-    ELSIF TG_OP = 'UPDATE' AND (NEW.block_id, NEW.geom) IS DISTINCT FROM (OLD.block_id, OLD.geom) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key or geom',
-            'Only kind and by_hand can be changed; the ground follows the streets about it.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{kind,by_hand}',
+            'The ground follows the streets about it.');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     SELECT ARRAY(SELECT block_override_id FROM block_override WHERE geom && OLD.geom
         AND ST_Intersects(geom, OLD.geom) ORDER BY block_override_id DESC) INTO known;
-    IF TG_OP = 'DELETE' OR OLD.by_hand AND NEW.by_hand IS NOT TRUE THEN
+    IF TG_OP = 'DELETE' OR NEW.kind IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM block_override WHERE block_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     ELSIF NEW.kind IS NOT DISTINCT FROM OLD.kind AND OLD.by_hand THEN
@@ -23,11 +26,8 @@ BEGIN
     ELSIF ST_IsEmpty(OLD.geom) THEN
         PERFORM streetgen._refuse('22023', format('block %s has no ground', OLD.block_id),
             detail => 'It is roadway all over.', hint => 'Only ground has a kind: make a street beside it narrower.');
-    ELSIF NEW.kind IS NULL OR NEW.kind NOT IN ('block', 'island', 'strip') THEN
-        PERFORM streetgen._refuse('22023',
-            format('the kind of block %s cannot be %s', OLD.block_id, coalesce(quote_literal(NEW.kind), 'NULL')),
-            hint => 'It is block, island or strip; by_hand false has it computed.');
     END IF;
+    PERFORM streetgen._check_edit_word('block ' || OLD.block_id, NEW.kind, 'block_override', 'kind');
     IF known = '{}' THEN
         INSERT INTO block_override (geom, kind) VALUES (ST_PointOnSurface(OLD.geom), NEW.kind);
     ELSE
@@ -38,7 +38,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._edit_block() IS
     'Trigger of block_editing: writes block_override, at a place within the block. A kind other than block, island or '
-    'strip, or one for a block without ground: 22023; INSERT, another key or geometry: 0A000.';
+    'strip: 23514; one for a block without ground: 22023; INSERT, another key or geometry: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._axes_at_blocks(model name, overrides jsonb[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -12,8 +12,12 @@ BEGIN
         PERFORM streetgen._refuse('0A000', 'a roundabout cannot be drawn',
             hint => 'It stands where axes close a ring: draw these.');
     ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{confirmed}',
+            'The ring follows its axes.');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
         decided := NEW.confirmed;
-        NEW.geom := OLD.geom;
     END IF;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge JOIN %1$I.roundabout_edge r '
         'USING (edge_id) WHERE r.roundabout_id = %s', TG_TABLE_SCHEMA, OLD.roundabout_id));

@@ -46,17 +46,16 @@ BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Bends lie where axes bend: change the radius of one.');
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND (NEW.road_arc_id, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.road_arc_id,
-        OLD.axis_id, OLD.abscissa) THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of its key, axis_id or abscissa',
-            'Only radius, geom and by_hand can be changed.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{radius,by_hand,geom}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := format('the bend at %s m of axis %s', round(OLD.abscissa::numeric, 2), OLD.axis_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
     SELECT geom FROM axis WHERE axis_id = OLD.axis_id INTO axis;
-    IF TG_OP = 'DELETE' OR OLD.by_hand AND (NEW.by_hand IS NOT TRUE OR NEW.radius IS NULL) THEN
+    IF TG_OP = 'DELETE' OR NEW.radius IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM road_override WHERE axis_id = OLD.axis_id AND abs(abscissa - OLD.abscissa) <= 1;
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
@@ -72,7 +71,7 @@ BEGIN
         -- The centre lies on the line that halves the angle, and the arc touches both segments.
         NEW.radius := ST_Distance(bend.vertex, NEW.geom) * abs(sin(bend.half_angle));
     END IF;
-    PERFORM streetgen._check_edit_number('the radius of ' || subject, coalesce(NEW.radius, 'NaN'), 0, 4000, 'm',
+    PERFORM streetgen._check_edit_number('the radius of ' || subject, NEW.radius, 0, 4000, 'm',
         '0 for a sharp bend; delete the row to take back what was decided by hand.');
     SELECT max(road_override_id) FROM road_override WHERE axis_id = OLD.axis_id
         AND abs(abscissa - bend.abscissa) <= 1 INTO known;

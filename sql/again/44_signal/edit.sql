@@ -8,7 +8,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     DELETE FROM controller_override WHERE controller_override_id = ANY (known[2:]);
-    IF known = '{}' THEN
+    IF known = '{}' AND jsonb_strip_nulls(decided) <> '{}' THEN
         INSERT INTO controller_override (axis_id, geom, program, cycle, start_offset, durations)
         SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations
         FROM junction_node m JOIN node n USING (node_id) JOIN edge e ON n.node_id IN (e.from_node, e.to_node),
@@ -19,10 +19,13 @@ BEGIN
             = ROW (d.program, d.cycle, d.start_offset, d.durations)
         FROM controller_override k, jsonb_populate_record(k, decided) d
         WHERE o.controller_override_id = known[1] AND k.controller_override_id = known[1];
+        DELETE FROM controller_override WHERE controller_override_id = known[1]
+            AND num_nonnulls(program, cycle, start_offset, durations) = 0;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._decide_controller(name, bigint, jsonb) IS
-    'Writes what is decided of a controller (program, cycle, start_offset, durations; others stay as decided before).';
+    'Writes what is decided of a controller (program, cycle, start_offset, durations; others stay as decided before; '
+    'NULL takes back).';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_controller() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -37,6 +40,12 @@ BEGIN
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'a controller cannot be drawn',
             hint => 'Put a row of kind signals into control_point, or give the junction that kind.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{program,cycle,start_offset,durations,by_hand}',
+            'A controller moves with its junction.');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     subject := 'controller ' || OLD.controller_id;
     PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.controller_id]);
@@ -49,11 +58,10 @@ BEGIN
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;
     IF NEW.program IS DISTINCT FROM OLD.program THEN
-        IF (NEW.program IN ('phases', 'paper')) IS NOT TRUE THEN
-            PERFORM streetgen._refuse('22023',
-                format('the program of %s is "%s"', subject, coalesce(NEW.program, 'NULL')),
-                hint => 'phases or paper; a function of your own is for setting signal_program. Delete the row to take '
-                    'back what was decided by hand.');
+        IF NEW.program NOT IN ('phases', 'paper') THEN
+            PERFORM streetgen._refuse('22023', format('the program of %s is "%s"', subject, NEW.program),
+                hint => 'phases or paper; a function of your own is for setting signal_program. NULL takes back what '
+                    'was decided by hand.');
         END IF;
         decided := decided || jsonb_build_object('program', NEW.program, 'durations', NULL);
     END IF;
@@ -68,20 +76,22 @@ BEGIN
         decided := decided || jsonb_build_object('start_offset', NEW.start_offset);
     END IF;
     IF NEW.durations IS DISTINCT FROM OLD.durations THEN
-        IF cardinality(NEW.durations) IS DISTINCT FROM cardinality(OLD.durations)
-            OR NOT coalesce(0.1 <= ALL (NEW.durations) AND 3600 >= ALL (NEW.durations), false)
+        IF cardinality(NEW.durations) <> cardinality(OLD.durations)
+            OR NEW.durations IS NOT NULL
+                AND NOT coalesce(0.1 <= ALL (NEW.durations) AND 3600 >= ALL (NEW.durations), false)
         THEN
-            PERFORM streetgen._refuse('22023',
-                format('the durations of %s are %s', subject, coalesce(NEW.durations::text, 'NULL')),
+            PERFORM streetgen._refuse('22023', format('the durations of %s are %s', subject, NEW.durations::text),
                 hint => format('It has %s states of 0.1 to 3600 s each.', cardinality(OLD.durations)));
         END IF;
         decided := decided || jsonb_build_object('durations', NEW.durations);
     END IF;
     IF decided <> '{}' THEN
         PERFORM streetgen._decide_controller(TG_TABLE_SCHEMA, OLD.controller_id, decided);
+    ELSIF NOT OLD.by_hand THEN
+        PERFORM streetgen._refuse('22023', format('nothing is decided by hand of %s', subject),
+            hint => 'Type program, cycle, start_offset or durations, and by_hand follows.');
     END IF;
-    NEW.by_hand := OLD.by_hand OR decided <> '{}';
-    NEW.geom := OLD.geom;
+    NEW.by_hand := streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'controller_override', OLD.controller_id) <> '{}';
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_controller() IS
@@ -135,7 +145,7 @@ DECLARE
     missing bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_model(model), streetgen._check_given('axes', axes::text, 'speed', speed::text);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('axes', axes::text, 'speed', speed::text);
     IF 'signal' <> ALL (streetgen._subjects(model)) THEN
         RAISE EXCEPTION 'model "%" computes no signals', model USING ERRCODE = '55000',
             HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''signal'', true) computes them.', model);

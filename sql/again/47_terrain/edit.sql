@@ -138,7 +138,8 @@ BEGIN
             EXECUTE format('UPDATE %I.%I SET %s WHERE %I = ($2).%I', TG_TABLE_SCHEMA, relation,
                 (SELECT string_agg(CASE c WHEN 'by_hand' THEN 'by_hand = '
                         || (is_now @> '{"by_hand": true}' OR was @> '{"by_hand": false}')
-                    WHEN 'rejected' THEN 'rejected = ' || (is_now @> '{"by_hand": true, "rejected": true}')
+                    WHEN 'rejected' THEN 'rejected = ' || (is_now @> '{"rejected": true}'
+                        AND (is_now @> '{"by_hand": true}' OR was @> '{"by_hand": false}'))
                     -- The radius that a point had where it was computed was not chosen for another place.
                     WHEN 'radius' THEN CASE WHEN relation = 'grade_point' AND is_now -> 'radius' = was -> 'radius'
                         AND was @> '{"by_hand": false}' THEN 'radius = NULL' ELSE 'radius = ($1).radius' END

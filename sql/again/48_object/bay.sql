@@ -104,6 +104,12 @@ DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new bay' ELSE 'bay ' || OLD.street_object_id END;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    IF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,side,axis_offset,length,width,angle}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
+    END IF;
     IF TG_OP <> 'INSERT' THEN
         PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
             ARRAY[OLD.geom]);
@@ -130,10 +136,14 @@ BEGIN
             NEW.side,
             axis_offset = NEW.axis_offset WHERE street_object_id = OLD.street_object_id;
     END IF;
-    UPDATE parking_bay SET length = coalesce(NEW.length, length), width = coalesce(NEW.width, width),
-        angle = coalesce(NEW.angle, angle) WHERE street_object_id = NEW.street_object_id AND (length, width, angle)
-            IS DISTINCT FROM (coalesce(NEW.length, length), coalesce(NEW.width, width), coalesce(NEW.angle, angle));
+    SELECT coalesce(NEW.length, u.length), coalesce(NEW.width, u.width), coalesce(NEW.angle, 0)
+        FROM streetgen._usual_bay() u INTO NEW.length, NEW.width, NEW.angle;
+    UPDATE parking_bay SET length = NEW.length, width = NEW.width, angle = NEW.angle
+        WHERE street_object_id = NEW.street_object_id AND (length, width, angle) IS DISTINCT FROM (NEW.length,
+            NEW.width, NEW.angle);
+    SELECT * FROM parking_bay_editing WHERE street_object_id = NEW.street_object_id INTO NEW;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_parking_bay() IS
-    'Trigger of parking_bay_editing: writes the object and its bay.';
+    'Trigger of parking_bay_editing: writes the object and its bay; a size or angle that is left empty is as usual. '
+    'RETURNING gives the row as it is then.';

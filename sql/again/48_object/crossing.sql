@@ -79,6 +79,12 @@ DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new crossing' ELSE 'crossing ' || OLD.street_object_id END;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    IF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle}');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
+    END IF;
     IF TG_OP <> 'INSERT' THEN
         PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],
             ARRAY[OLD.geom]);
@@ -98,10 +104,13 @@ BEGIN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa
             WHERE street_object_id = OLD.street_object_id;
     END IF;
-    UPDATE pedestrian_crossing SET width = coalesce(NEW.width, width), angle = coalesce(NEW.angle, angle)
-        WHERE street_object_id = NEW.street_object_id AND (width, angle) IS DISTINCT
-            FROM (coalesce(NEW.width, width), coalesce(NEW.angle, angle));
+    SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
+        INTO NEW.width, NEW.angle;
+    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle
+        WHERE street_object_id = NEW.street_object_id AND (width, angle) IS DISTINCT FROM (NEW.width, NEW.angle);
+    SELECT * FROM pedestrian_crossing_editing WHERE street_object_id = NEW.street_object_id INTO NEW;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_pedestrian_crossing() IS
-    'Trigger of pedestrian_crossing_editing: writes the object and its crossing.';
+    'Trigger of pedestrian_crossing_editing: writes the object and its crossing; a width or angle that is left empty '
+    'is as usual. RETURNING gives the row as it is then.';

@@ -76,10 +76,13 @@ BEGIN
             ARRAY[OLD.geom]);
         DELETE FROM street_object WHERE street_object_id = OLD.street_object_id;
         RETURN OLD;
-    ELSIF TG_OP = 'UPDATE' AND NEW IS NOT DISTINCT FROM OLD THEN
-        RETURN NEW;
-    ELSIF TG_OP = 'UPDATE' AND NEW.street_object_id IS DISTINCT FROM OLD.street_object_id THEN
-        PERFORM streetgen._refuse_edit(TG_TABLE_NAME, 'a change of the key', 'Delete the object and place another.');
+    ELSIF TG_OP = 'UPDATE' THEN
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{type,geom,placement,axis_id,abscissa,side,axis_offset,'
+            'orientation,orientation_kind}',
+            'Type orientation to turn it, and axis_id or placement to tie it.');
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
     END IF;
     IF TG_OP = 'INSERT' AND NEW.geom IS NOT NULL AND NEW.abscissa IS NULL
         OR TG_OP = 'UPDATE' AND NEW.geom IS DISTINCT FROM OLD.geom THEN

@@ -22,7 +22,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('section_limit_editing',
         'Edit layer: drag the place where an intersection ends along the axis, or type it; DELETE takes back what '
         'was decided by hand',
-        ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge',
+        ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge; NULL takes it back',
             'decided by hand; false takes it back', 'the place on the edge'],
         $sql$SELECT l.section_limit_id, l.edge_id, l.which, l.abscissa,
             EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which)
@@ -31,7 +31,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$, 'surface'),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what '
         'was decided by hand',
-        ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc', 'decided by hand; false takes it back',
+        ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc; NULL takes it back',
+            'decided by hand; false takes it back',
             'centre of the arc; where there is none, the place on the kerb where the corner begins'],
         $sql$SELECT c.corner_id, c.node_id, c.radius,
             EXISTS (SELECT FROM %1$I.corner_override o WHERE (o.axis_a, o.axis_b) = (a.axis_id, b.axis_id)
@@ -58,13 +59,17 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             'surface'),
     ('road_arc_editing', 'Edit layer: drag the centre of a bend or type its radius; DELETE takes back what was '
         'decided by hand',
-        ARRAY['key', 'the axis', 'where it bends, metres along the axis', 'radius of the bend, metres, 0: it is sharp',
+        ARRAY['key', 'the axis', 'where it bends, metres along the axis',
+            'radius of the bend, metres, 0: it is sharp; NULL takes it back',
             'decided by hand; false takes it back', 'centre of the arc; of a sharp bend its place'],
         streetgen._road_arc_handles(), 'alignment'),
     ('lane_editing', 'Edit layer: flip a lane, open it to both directions, redraw it, give it a width of its own; '
         'DELETE takes back what was decided by hand',
-        ARRAY['key', 'the edge', 'number from the middle outwards', 'does traffic run in the direction of the axis',
-            'do both directions use it', 'width, metres', 'decided by hand; false takes it back',
+        ARRAY['key', 'the edge', 'number from the middle outwards',
+            'does traffic run in the direction of the axis; NULL takes it back',
+            'do both directions use it; NULL takes it back',
+            'width, metres, that of the roadway at most; NULL takes it back',
+            'decided by hand; false takes it back',
             'centre line, in the direction of the axis'],
         $sql$SELECT l.lane_id, l.edge_id, l.ordinality, l.along_axis, l.both_ways, l.width,
             EXISTS (SELECT FROM %1$I.lane_override o WHERE (o.axis_id, o.ordinality) = (e.axis_id, l.ordinality)
@@ -72,7 +77,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$, 'lane'),
     ('sidewalk_editing',
         'Edit layer: type the width of the sidewalk on one side of an edge; DELETE takes back what was decided by hand',
-        ARRAY['key', 'the edge', 'left or right', 'width, metres; 0: none', 'decided by hand; false takes it back',
+        ARRAY['key', 'the edge', 'left or right', 'width, metres; 0: none; NULL takes it back',
+            'decided by hand; false takes it back',
             'its ground'],
         $sql$SELECT s.sidewalk_id, s.edge_id, s.side, s.width,
             EXISTS (SELECT FROM %1$I.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
@@ -81,18 +87,19 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     ('lane_adjacency_editing', 'Edit layer: say whether traffic may change from a lane to the one beside it; DELETE '
         'takes back what was decided by hand',
         ARRAY['key', 'the lane that one leaves', 'the lane beside it', 'on which side of lane_a, left or right along '
-            'the axis', 'allowed or forbidden; opposite where traffic comes against one',
+            'the axis', 'allowed or forbidden; opposite where traffic comes against one; NULL takes it back',
             'decided by hand; false takes it back', 'the line between them'],
         $sql$SELECT lane_adjacency_id, lane_a, lane_b, side, change, by_hand, geom
         FROM %1$I.lane_adjacency$sql$, 'lane'),
     ('junction_editing', 'Edit layer: say what kind of junction a place is; DELETE takes back what was decided by hand',
-        ARRAY['key', 'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end',
-            'decided by hand; false takes it back', 'the middle of its nodes'],
+        ARRAY['key', 'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end; '
+            'NULL takes it back', 'decided by hand; false takes it back', 'the middle of its nodes'],
         $sql$SELECT j.junction_id, j.kind, j.method = 'by_hand' AS by_hand, j.geom
         FROM %1$I.junction j$sql$, 'junction'),
     ('junction_edge_editing', 'Edit layer: say whether an edge lies inside a junction: what is at its ends is one '
         'junction, or two; DELETE takes back what was decided by hand',
-        ARRAY['key', 'does it lie inside a junction', 'decided by hand; false takes it back', 'the edge'],
+        ARRAY['key', 'does it lie inside a junction; NULL takes it back',
+            'decided by hand; false takes it back', 'the edge'],
         $sql$SELECT e.edge_id, EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
             EXISTS (SELECT FROM %1$I.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
                 -- As streetgen._edge_at, but by no name, which may change before the model is adopted.
@@ -101,16 +108,18 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         FROM %1$I.edge e$sql$, 'junction'),
     ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
         'was decided by hand',
-        ARRAY['key', 'phases, paper, or a function', 'seconds', 'seconds after which a cycle begins',
-            'seconds of each state', 'decided by hand; false takes it back', 'the junction'],
+        ARRAY['key', 'phases, paper, or a function; NULL takes it back', 'seconds; NULL takes it back',
+            'seconds after which a cycle begins; NULL takes it back', 'seconds of each state; NULL takes them back',
+            'decided by hand; false takes it back', 'the junction'],
         $sql$SELECT c.controller_id, c.program, c.cycle, c.start_offset,
             ARRAY(SELECT s.duration FROM %1$I.signal_state s WHERE s.controller_id = c.controller_id
                 ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
         FROM %1$I.controller c$sql$, 'signal'),
     ('ramp_editing', 'Edit layer: type the tangent of a ramp or the length of its merging lanes; DELETE takes back '
         'what was decided by hand',
-        ARRAY['key', 'the link', 'on or off the highway', 'metres before and behind the bend into its lane',
-            'metres that merging lanes keep their width, as typed or computed; 0: none',
+        ARRAY['key', 'the link', 'on or off the highway',
+            'metres before and behind the bend into its lane; NULL takes it back',
+            'metres that merging lanes keep their width, as typed or computed; 0: none; NULL takes it back',
             'decided by hand; false takes it back', 'its node'],
         -- The length typed, also where an auxiliary lane goes on beyond it or the next junction cuts it.
         $sql$SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, coalesce(d.length, r.length) AS length,
@@ -122,7 +131,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             ORDER BY o.ramp_override_id DESC LIMIT 1) d ON r.method = 'by_hand'$sql$, 'ramp'),
     ('overpass_editing', 'Edit layer: type which axis passes over, or the clearance; DELETE takes back what was '
         'decided by hand',
-        ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below', 'from roadway to roadway, metres',
+        ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below; type axis_above to swap',
+            'from roadway to roadway, metres; NULL takes back what was decided',
             'decided by hand; false takes it back', 'the crossing'],
         $sql$SELECT o.overpass_id, a.axis_id AS axis_above, b.axis_id AS axis_below, o.clearance,
             o.method = 'by_hand' AS by_hand, o.geom
@@ -137,20 +147,21 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
             'one: by the place', 'the axis; NULL: the nearest', 'metres along the axis', 'left or right, of a '
             'placement by the border', 'metres to the left of the axis, or away '
             'from the border', 'degrees clockwise from the axis, or from the north', 'axis or absolute',
-            'direction, degrees clockwise from the north', 'absolute, relative or orphaned'],
+            'direction, degrees clockwise from the north; type orientation to turn it',
+            'computed: absolute, relative or orphaned'],
         $sql$SELECT street_object_id, type, geom::geometry(Point, %2$s) AS geom, placement, axis_id, abscissa, side,
             axis_offset, orientation, orientation_kind, angle, method
         FROM %1$I.street_object WHERE abscissa_end IS NULL AND ST_Dimension(geom) = 0$sql$, 'object'),
     ('pedestrian_crossing_editing', 'Edit layer: drop or drag a pedestrian crossing; type its width and its angle',
         ARRAY['key; NULL for a new crossing', 'its middle on the axis', 'the axis; NULL: the nearest',
-            'metres along the axis', 'metres along the street', 'degrees counter-clockwise from the axis to the way '
-            'across'],
+            'metres along the axis', 'metres along the street; NULL: 4',
+            'degrees counter-clockwise from the axis to the way across; NULL: 90'],
         $sql$SELECT c.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, c.width, c.angle
         FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
     ('parking_bay_editing', 'Edit layer: drop or drag a parking bay; type its size and its angle',
         ARRAY['key; NULL for a new bay', 'the middle of its end at the border', 'the axis; NULL: the nearest',
             'metres along the axis', 'left or right', 'metres away from the border; negative on the roadway',
-            'metres', 'metres', 'degrees: 0 parallel to the border, 90 perpendicular'],
+            'metres; NULL: 5', 'metres; NULL: 2.3', 'degrees: 0 or NULL parallel to the border, 90 perpendicular'],
         $sql$SELECT b.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, o.side,
             o.axis_offset, b.length, b.width, b.angle
         FROM %1$I.parking_bay b JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
@@ -167,7 +178,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         'Edit layer: say whether a lane goes on to another, or drag the middle point of its path; DELETE takes back '
         'what was decided by hand',
         ARRAY['key', 'the node', 'the lane that comes in', 'the lane that goes out', 'through, left, right or u_turn',
-            'does it connect', 'would traffic take it', 'decided by hand; false takes it back',
+            'does it connect; NULL takes it back', 'would traffic take it', 'decided by hand; false takes it back',
             'start, control point and end of the path'],
         $sql$SELECT c.interconnection_id, c.node_id, c.lane_in, c.lane_out, c.turn, c.connecting, c.plausible,
             c.method = 'by_hand' AS by_hand,
@@ -176,7 +187,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
         FROM %1$I.interconnection c$sql$, 'interconnection'),
     ('block_editing', 'Edit layer: say what kind of block a piece of ground is; DELETE takes back what was decided by '
         'hand',
-        ARRAY['key', 'block, island or strip', 'decided by hand; false takes it back', 'the ground'],
+        ARRAY['key', 'block, island or strip; NULL takes it back', 'decided by hand; false takes it back',
+            'the ground'],
         $sql$SELECT b.block_id, b.kind, EXISTS (SELECT FROM %1$I.block_override o WHERE o.geom && b.surface
                 AND ST_Intersects(o.geom, b.surface)) AS by_hand, b.surface AS geom
             FROM %1$I.block b$sql$, 'block')) v(name, description, columns, query, subject) $$;
@@ -295,6 +307,23 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_edit_number(text, float8, float8, float8, text, text) IS
     'Raises 22023 for a value of an edit beyond its range, or NaN; NULL passes.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_edit_word(subject text, value text, relation name, attribute name)
+    RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    expected text;
+BEGIN
+    SELECT r.expected FROM streetgen._input_rule() r WHERE (r.relation, r.attribute) = ($3, $4) INTO expected;
+    IF value <> ALL (regexp_split_to_array(expected, ', | or ')) THEN
+        PERFORM streetgen._refuse('23514', format('the %s of %s cannot be %s', attribute, subject, to_json(value)),
+            detail => format('Expected %s.', expected), hint => 'NULL takes back what was decided by hand.');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_edit_word(text, text, name, name) IS
+    'Raises 23514 for a word of an edit that is none of those that a column of an override table takes, naming the row '
+    'of the view; NULL passes.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_edit_geometry(subject text, geom geometry) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -336,6 +365,36 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_edit(name, text, text) IS
     'Raises 0A000 for an edit that means nothing, with the way to go instead.';
+
+CREATE OR REPLACE FUNCTION streetgen._edited_row(view regclass, former anyelement, edited anyelement, editable name[],
+    way_out text DEFAULT NULL) RETURNS anyelement
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    columns constant name[] := ARRAY(SELECT attname FROM pg_attribute WHERE attrelid = view AND attnum > 0
+        ORDER BY attnum);
+    key text;
+    fixed text;
+    emptied boolean;
+BEGIN
+    EXECUTE format('SELECT ($1).%I::text, concat_ws('', '', %s), %s', columns[1],
+        (SELECT string_agg(format('CASE WHEN ($1).%1$I IS DISTINCT FROM ($2).%1$I THEN %1$L END', c), ', ')
+            FROM unnest(columns) c WHERE c <> ALL (editable)),
+        CASE WHEN 'by_hand' = ANY (editable) THEN '($2).by_hand IS NULL' ELSE 'false' END)
+        INTO key, fixed, emptied USING former, edited;
+    IF fixed <> '' THEN
+        PERFORM streetgen._refuse('0A000', format('the %s of %s %s cannot be changed', fixed,
+                (SELECT replace(replace(relname, '_editing', ''), '_', ' ') FROM pg_class WHERE oid = view), key),
+            detail => 'It is a key, or computed.',
+            hint => concat_ws(' ', 'Only', array_to_string(editable[:cardinality(editable) - 1], ', ') || ' and',
+                editable[cardinality(editable)], 'can be changed.', way_out));
+    END IF;
+    -- Who empties by_hand means that nothing is decided.
+    RETURN CASE WHEN emptied THEN jsonb_populate_record(edited, '{"by_hand": false}') ELSE edited END;
+END $$;
+COMMENT ON FUNCTION streetgen._edited_row(regclass, anyelement, anyelement, name[], text) IS
+    'The row of an edit view as an UPDATE wants it, by_hand NULL as false. A change of the key or of what is computed: '
+    '0A000, naming row and columns, those that can be changed, and the way out.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_axis_of(model name, subject text, edge bigint) RETURNS record
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
