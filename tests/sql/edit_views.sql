@@ -292,3 +292,12 @@ SELECT 'a corner without an arc has its handle on the kerb', count(*) > 0 AND bo
 FROM wide.corner_editing e JOIN wide.corner c USING (corner_id) JOIN wide.section_limit l ON (l.edge_id, l.which) = (c.edge_a, c.end_a) WHERE c.centre IS NULL;
 SELECT 'no two corners of a node have one handle', count(*) = count(DISTINCT geom) FROM wide.corner_editing;
 DO $$ BEGIN PERFORM streetgen.drop_model('wide'); END $$;
+
+-- A notice comes once a statement, however many rows of a view it edits.
+\setenv PGDATABASE :DBNAME
+\setenv PGOPTIONS '-c client_min_messages=notice'
+SELECT streetgen.create_model('told', 2154) \g /dev/null
+INSERT INTO told.axis (geom, width) SELECT pg_temp.line(format('LINESTRING(0 0, 90 %s)', i)), 7 FROM unnest('{-60,0,60}'::integer[]) i;
+SELECT streetgen.set('told', 'radius_minimal', '0.2') \g /dev/null
+\! test "$(psql -qXAt -c 'UPDATE told.axis_editing SET width = 8' -c 'UPDATE told.axis_editing SET width = 9' 2>&1 | grep -c NOTICE)" = 2 && holds=t || holds=f; printf 'that settings changed is told once a statement\t%s\n' $holds
+SELECT streetgen.drop_model('told') \g /dev/null

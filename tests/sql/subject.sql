@@ -107,3 +107,9 @@ DO $$ BEGIN
   PERFORM streetgen.switch_subject('planned', 'sidewalk', true);
 END $$;
 SELECT 'tables of a subject that is switched on have statistics, those that it needs too', count(DISTINCT tablename) = 2 FROM pg_stats WHERE schemaname = 'planned' AND tablename IN ('kerb', 'sidewalk');
+-- What the server says while subjects go and come.
+\setenv PGDATABASE :DBNAME
+\setenv PGOPTIONS '-c client_min_messages=notice'
+SELECT streetgen.create_model('quiet', 2154, subjects => '{all}') \g /dev/null
+SELECT pg_temp.draw('quiet') \g /dev/null
+\! test -z "$(psql -qXAt -c "DO \$\$ DECLARE gone text; BEGIN FOR gone IN SELECT subject FROM streetgen._subject() s WHERE NOT always AND NOT EXISTS (SELECT FROM streetgen._subject() n WHERE s.subject = ANY (n.needs)) LOOP PERFORM streetgen.switch_subject('quiet', gone, false); PERFORM streetgen.switch_subject('quiet', gone, true); END LOOP; END \$\$" 2>&1)" && holds=t || holds=f; printf 'a subject goes and comes without a notice\t%s\n' $holds

@@ -138,8 +138,8 @@ BEGIN
     -- The views of the model that read these tables go with them; anything of others stands in the way.
     FOR part IN SELECT format('DROP VIEW %I.%I', model, v.name) FROM streetgen._edit_view(model, 0) v
             WHERE v.subject = switch_subject.subject
-        UNION ALL SELECT format('DROP VIEW IF EXISTS %I.%I', model, v.name) FROM streetgen._subject_view() v
-            WHERE v.subject = switch_subject.subject
+        UNION ALL SELECT format('DROP VIEW %I.%I', model, v.name) FROM streetgen._subject_view() v
+            WHERE v.subject = switch_subject.subject AND to_regclass(format('%I.%I', model, v.name)) IS NOT NULL
     LOOP
         EXECUTE part;
     END LOOP;

@@ -74,7 +74,7 @@ COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
     'that are not believed.';
 
 CREATE OR REPLACE FUNCTION streetgen._tell_unbelieved(model name, axes bigint[]) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     bound text;
@@ -85,7 +85,7 @@ BEGIN
         RETURN;
     END IF;
     SELECT *, count(*) OVER () - 1 AS others INTO first FROM streetgen._unbelieved(model, axes) LIMIT 1;
-    IF FOUND THEN
+    IF FOUND AND streetgen._first_in_statement('widths') THEN
         SELECT value FROM setting WHERE name = 'max_width_per_lane' INTO bound;
         RAISE NOTICE '% % m of axis % is not believed, with lane_count %: setting max_width_per_lane is % m%',
             first.attribute, first.width, first.axis_id, first.lane_count, bound,

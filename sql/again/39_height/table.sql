@@ -1,6 +1,7 @@
 -- The table of heights along edges.
 CREATE OR REPLACE FUNCTION streetgen._make_height_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
     AS $$
 DECLARE
     statement text;
