@@ -249,3 +249,7 @@ SELECT interconnection_id, ST_Azimuth(lag(d.geom) OVER w, d.geom) AS before, ST_
     FROM loop.ramp_path p JOIN loop.interconnection c USING (interconnection_id), ST_DumpPoints(p.geom) d WINDOW w AS (PARTITION BY interconnection_id ORDER BY d.path);
 SELECT 'paths along such a link have no kink', count(DISTINCT interconnection_id) = 2 AND bool_and(cos(behind - before) > cos(radians(5))) FROM chord;
 SELECT 'and stay on its ground', bool_and(ST_Length(ST_Difference(p.geom, ST_Buffer(i.surface, 1e-6))) < 1e-6) FROM loop.ramp_path p JOIN loop.interconnection c USING (interconnection_id) JOIN loop.intersection i USING (node_id);
+-- A narrow link that turns at once: only a path past its kerbs has room.
+DELETE FROM loop.axis WHERE kind = 'motorway_link';
+INSERT INTO loop.axis (geom, width, direction, kind, speed) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650006 6859997, 650011 6859980, 650003 6859940)', 4, 'direct', 'motorway_link', 50);
+SELECT 'the control points of such paths lie by them', count(*) > 0 AND bool_and(ST_DWithin(control, geom, 100)) FROM loop.interconnection;

@@ -274,7 +274,7 @@ class InterconnectionBuilder {
     auto line = taut_path({}, kerbs, in.border, out.border, in.end, onwards,
                           settings_.tolerance / finer_than_a_turn);
     if (!line) return std::nullopt;
-    return Trajectory{{}, std::move(*line)};
+    return Trajectory{ramp_path(in, out).control, std::move(*line)};
   }
 
   // The ramp of a node whose link is one of two edges there; none otherwise.
