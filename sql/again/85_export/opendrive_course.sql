@@ -14,27 +14,40 @@ CREATE OR REPLACE FUNCTION streetgen._arc_road_elements(road geometry) RETURNS f
 COMMENT ON FUNCTION streetgen._arc_road_elements(geometry) IS
     'The pieces of an arc road as elements of an alignment, seven numbers each.';
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_courses(model name) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN streetgen._has_design(model) THEN $part$,
--- A carriageway of two lies beside the alignment.
-designed AS MATERIALIZED (
-    SELECT edge_id, alignment, reach
-    FROM (SELECT design_link_id::text AS link, streetgen._link_elements(%1$L, design_link_id) AS alignment,
-            0.1 + CASE carriageways WHEN 2 THEN (roadway_width + median_width) / 2 ELSE 0 END AS reach
-        FROM %1$I.design_link l JOIN %1$I.design_class c USING (network) WHERE NOT l.rejected) d
-        JOIN %1$I.axis a ON a.source = 'design' AND split_part(a.source_ref, '/', 1) = link
-        JOIN written_edge e USING (axis_id))$part$
-    ELSE $part$,
-designed AS (SELECT NULL::bigint AS edge_id, NULL::float8[] AS alignment, NULL::float8 AS reach WHERE false)$part$ END
-    || $part$,
--- An edge has one at most, which the planner shall know.
-course AS NOT MATERIALIZED (
-    SELECT DISTINCT ON (edge_id) * FROM (
-        SELECT * FROM designed
-        UNION ALL SELECT edge_id, streetgen._arc_road_elements(curve), 0.1 FROM written_edge
-        WHERE curve IS NOT NULL AND edge_id NOT IN (SELECT edge_id FROM designed)) c
-    ORDER BY edge_id)$part$ $$;
-COMMENT ON FUNCTION streetgen._opendrive_courses(name) IS
-    'Query course of a file of OpenDRIVE over a model: the alignment that an edge follows, and within how many metres: '
-    'that of its link where it is designed, else its arcs where it is smoothed.';
+CREATE OR REPLACE FUNCTION streetgen._designed_courses(model name)
+    RETURNS TABLE(edge_id bigint, alignment float8[], reach float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF streetgen._has_design(model) THEN
+        -- A carriageway of two lies beside the alignment.
+        RETURN QUERY SELECT e.edge_id, d.alignment, d.reach
+            FROM (SELECT design_link_id::text AS link, streetgen._link_elements(model, design_link_id) AS alignment,
+                    0.1 + CASE carriageways WHEN 2 THEN (roadway_width + median_width) / 2 ELSE 0 END AS reach
+                FROM design_link l JOIN design_class c USING (network) WHERE NOT l.rejected) d
+                JOIN axis a ON a.source = 'design' AND split_part(a.source_ref, '/', 1) = d.link
+                JOIN edge e USING (axis_id);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._designed_courses(name) IS
+    'The alignments of edges that are designed, and within how many metres an edge follows its own; none of a model '
+    'without a design.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_courses(model name, options jsonb)
+    RETURNS TABLE(edge_id bigint, alignment float8[], reach float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH designed AS MATERIALIZED (SELECT * FROM streetgen._designed_courses(model))
+    SELECT DISTINCT ON (c.edge_id) c.* FROM (
+        TABLE designed
+        UNION ALL SELECT e.edge_id, streetgen._arc_road_elements(e.curve), 0.1 FROM edge e
+        WHERE e.curve IS NOT NULL AND e.edge_id IN (SELECT streetgen._written_edges(model, options))
+            AND e.edge_id NOT IN (SELECT d.edge_id FROM designed d)) c
+    ORDER BY c.edge_id;
+END $$;
+COMMENT ON FUNCTION streetgen._opendrive_courses(name, jsonb) IS
+    'The alignment that an edge follows in a file of OpenDRIVE, and within how many metres: that of its link where it '
+    'is designed, else its arcs where it is smoothed.';

@@ -32,6 +32,49 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_planar(name, integer) IS
     'Raises 55000, naming the first, where edges about to be exported meet elsewhere than at their nodes.';
 
+CREATE OR REPLACE FUNCTION streetgen._topology_edges()
+    RETURNS TABLE(edge_id bigint, start_node bigint, end_node bigint, next_left_edge bigint, next_right_edge bigint,
+        left_face bigint, right_face bigint, geom geometry)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    -- Nothing is known of rows just computed: joins are on equal keys, or by an index.
+    SET enable_nestloop = off
+    AS $$
+#variable_conflict use_column
+BEGIN
+    -- Each edge from both its ends; a half edge walks with its face on the left.
+    RETURN QUERY WITH half AS MATERIALIZED (
+        SELECT edge_id AS half_id, edge_id, from_node AS node_id, ST_StartPoint(geom) AS p, ST_PointN(geom, 2) AS q
+            FROM pg_temp._topology_edge
+        UNION ALL SELECT -edge_id, edge_id, to_node, ST_EndPoint(geom), ST_PointN(geom, -2)
+            FROM pg_temp._topology_edge),
+    -- Who arrives turns left as far as can be: the half edge that leaves next clockwise from the one reversed.
+    turn AS (
+        SELECT half_id, coalesce(lead(half_id) OVER around, first_value(half_id) OVER around) AS clockwise
+        FROM half WINDOW around AS (PARTITION BY node_id ORDER BY ST_Azimuth(p, q))),
+    -- Shells counter-clockwise, holes clockwise: every segment has its face on the left.
+    face_segment AS (SELECT face_id, ST_StartPoint(s.geom) AS p, ST_EndPoint(s.geom) AS q FROM pg_temp._topology_face f,
+        ST_DumpSegments(f.geom) s),
+    bounding AS MATERIALIZED (
+        SELECT half_id, edge_id, face_id FROM half JOIN face_segment s
+            ON (ST_X(half.p), ST_Y(half.p), ST_X(half.q), ST_Y(half.q)) = (ST_X(s.p), ST_Y(s.p), ST_X(s.q), ST_Y(s.q))),
+    -- An edge that bounds no face lies inside one, or outside all.
+    inside AS (
+        SELECT edge_id, face_id FROM (SELECT edge_id, p, q FROM half WHERE half_id > 0
+            AND edge_id NOT IN (SELECT edge_id
+            FROM bounding)) e
+        JOIN pg_temp._topology_face f ON ST_Contains(f.geom, ST_LineInterpolatePoint(ST_MakeLine(p, q), 0.5))),
+    left_of AS (
+        SELECT half_id, coalesce(bounding.face_id, inside.face_id, 0) AS face_id
+        FROM half LEFT JOIN bounding USING (half_id) LEFT JOIN inside ON inside.edge_id = half.edge_id)
+    SELECT edge_id, from_node, to_node, at_end.clockwise, at_start.clockwise, on_left.face_id, on_right.face_id, geom
+    FROM pg_temp._topology_edge JOIN turn at_start ON at_start.half_id = edge_id
+        JOIN turn at_end ON at_end.half_id = -edge_id
+        JOIN left_of on_left ON on_left.half_id = edge_id JOIN left_of on_right ON on_right.half_id = -edge_id
+    ORDER BY edge_id;
+END $$;
+COMMENT ON FUNCTION streetgen._topology_edges() IS
+    'The edges about to be exported, as PostGIS topology has them: with the next edges and the faces at both sides.';
+
 CREATE OR REPLACE FUNCTION streetgen.export_topology(model name, topology text)
     RETURNS TABLE(name name, level integer, nodes bigint, edges bigint, faces bigint, doubled bigint[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -42,9 +85,10 @@ DECLARE
     target record;
     wanted text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('topology', topology), streetgen._check_topology();
-    SELECT srid, dimension = 3 AS has_z INTO target FROM streetgen.model m WHERE m.name = model;
-    FOR level IN EXECUTE format('SELECT DISTINCT level FROM %I.edge ORDER BY level', model) LOOP
+    SELECT m.srid, m.dimension = 3 AS has_z INTO target FROM streetgen.model m WHERE m.name = model;
+    FOR level IN SELECT DISTINCT e.level FROM edge e ORDER BY e.level LOOP
         wanted := topology || CASE WHEN level > 0 THEN '_' || level WHEN level < 0 THEN '_m' || -level ELSE '' END;
         IF octet_length(wanted) > 63 THEN
             RAISE EXCEPTION 'the name "%" of the topology of level % is longer than 63 bytes', wanted, level
@@ -54,11 +98,11 @@ BEGIN
                 HINT = 'It names a schema; levels above and below the ground add _1 and _m1 to it.';
         END IF;
         name := wanted;
-        EXECUTE format($sql$
-CREATE TEMPORARY TABLE _topology_edge ON COMMIT DROP AS
-SELECT DISTINCT ON (line) edge_id, axis_id, from_node, to_node, geom
-FROM %I.edge, ST_Force2D(geom) flat, LATERAL (SELECT least(flat::bytea, ST_Reverse(flat)::bytea) AS line) l
-WHERE level = %s ORDER BY line, edge_id $sql$, model, level);
+        CREATE TEMPORARY TABLE _topology_edge ON COMMIT DROP AS
+            SELECT DISTINCT ON (l.line) e.edge_id, e.axis_id, e.from_node, e.to_node, e.geom
+            FROM edge e, ST_Force2D(e.geom) flat,
+                LATERAL (SELECT least(flat::bytea, ST_Reverse(flat)::bytea) AS line) l
+            WHERE e.level = export_topology.level ORDER BY l.line, e.edge_id;
         CREATE INDEX ON pg_temp._topology_edge USING gist (geom);
         ANALYZE pg_temp._topology_edge;
         PERFORM streetgen._check_planar(model, level);
@@ -67,56 +111,26 @@ WHERE level = %s ORDER BY line, edge_id $sql$, model, level);
             FROM (SELECT ST_Polygonize(ST_Force2D(e.geom) ORDER BY e.edge_id) AS geom FROM pg_temp._topology_edge e) f,
                 ST_Dump(f.geom) d;
         CREATE INDEX ON pg_temp._topology_face USING gist (geom);
-        EXECUTE format('SELECT array_agg(edge_id ORDER BY edge_id) FROM %I.edge e WHERE level = $1 AND NOT EXISTS '
-            '(SELECT FROM pg_temp._topology_edge t WHERE t.edge_id = e.edge_id)', model)
-            INTO doubled USING level;
+        doubled := (SELECT array_agg(e.edge_id ORDER BY e.edge_id) FROM edge e WHERE e.level = export_topology.level
+            AND NOT EXISTS (SELECT FROM pg_temp._topology_edge t WHERE t.edge_id = e.edge_id));
         PERFORM topology.CreateTopology(name::varchar, target.srid, 0, target.has_z);
-        EXECUTE format($sql$
--- Each edge from both its ends; a half edge walks with its face on the left.
-WITH half AS MATERIALIZED (
-    SELECT edge_id AS half_id, edge_id, from_node AS node_id, ST_StartPoint(geom) AS p, ST_PointN(geom, 2) AS q
-        FROM pg_temp._topology_edge
-    UNION ALL SELECT -edge_id, edge_id, to_node, ST_EndPoint(geom), ST_PointN(geom, -2) FROM pg_temp._topology_edge),
--- Who arrives turns left as far as can be: the half edge that leaves next clockwise from the one reversed.
-turn AS (
-    SELECT half_id, coalesce(lead(half_id) OVER around, first_value(half_id) OVER around) AS clockwise
-    FROM half WINDOW around AS (PARTITION BY node_id ORDER BY ST_Azimuth(p, q))),
--- Shells counter-clockwise, holes clockwise: every segment has its face on the left.
-face_segment AS (SELECT face_id, ST_StartPoint(s.geom) AS p, ST_EndPoint(s.geom) AS q FROM pg_temp._topology_face f,
-    ST_DumpSegments(f.geom) s),
-bounding AS MATERIALIZED (
-    SELECT half_id, edge_id, face_id FROM half JOIN face_segment s
-        ON (ST_X(half.p), ST_Y(half.p), ST_X(half.q), ST_Y(half.q)) = (ST_X(s.p), ST_Y(s.p), ST_X(s.q), ST_Y(s.q))),
--- An edge that bounds no face lies inside one, or outside all.
-inside AS (
-    SELECT edge_id, face_id FROM (SELECT edge_id, p, q FROM half WHERE half_id > 0 AND edge_id NOT IN (SELECT edge_id
-        FROM bounding)) e
-    JOIN pg_temp._topology_face f ON ST_Contains(f.geom, ST_LineInterpolatePoint(ST_MakeLine(p, q), 0.5))),
-left_of AS (
-    SELECT half_id, coalesce(bounding.face_id, inside.face_id, 0) AS face_id
-    FROM half LEFT JOIN bounding USING (half_id) LEFT JOIN inside ON inside.edge_id = half.edge_id),
-made_face AS (INSERT INTO %2$I.face (face_id, mbr) SELECT face_id, ST_Envelope(geom) FROM pg_temp._topology_face
-    RETURNING face_id),
-made_node AS (
-    INSERT INTO %2$I.node (node_id, geom) SELECT node_id, geom FROM %1$I.node
-    WHERE node_id IN (SELECT node_id FROM half) ORDER BY node_id RETURNING node_id),
-made_edge AS (
-    INSERT INTO %2$I.edge_data (edge_id, start_node, end_node, next_left_edge, abs_next_left_edge, next_right_edge,
-        abs_next_right_edge, left_face, right_face, geom)
-    SELECT edge_id, from_node, to_node, at_end.clockwise, abs(at_end.clockwise), at_start.clockwise,
-        abs(at_start.clockwise), on_left.face_id, on_right.face_id, geom
-    FROM pg_temp._topology_edge JOIN turn at_start ON at_start.half_id = edge_id
-        JOIN turn at_end ON at_end.half_id = -edge_id
-    JOIN left_of on_left ON on_left.half_id = edge_id JOIN left_of on_right ON on_right.half_id = -edge_id
-        ORDER BY edge_id RETURNING edge_id),
-numbered AS (
-    SELECT setval($1, (SELECT max(node_id) FROM made_node)), setval($2, (SELECT max(edge_id) FROM made_edge)),
-           setval($3, (SELECT max(face_id) FROM made_face)))
-SELECT (SELECT count(*) FROM made_node), (SELECT count(*) FROM made_edge), (SELECT count(*) FROM made_face)
-    FROM numbered $sql$, model, name)
-            INTO nodes, edges, faces
-            USING format('%I.node_node_id_seq', name)::regclass, format('%I.edge_data_edge_id_seq', name)::regclass,
-                format('%I.face_face_id_seq', name)::regclass;
+        EXECUTE format('INSERT INTO %I.face (face_id, mbr) SELECT face_id, ST_Envelope(geom) '
+            'FROM pg_temp._topology_face', name);
+        GET DIAGNOSTICS faces = ROW_COUNT;
+        EXECUTE format('INSERT INTO %I.node (node_id, geom) SELECT node_id, geom FROM node WHERE node_id IN (SELECT '
+            'unnest(ARRAY[from_node, to_node]) FROM pg_temp._topology_edge) ORDER BY node_id', name);
+        GET DIAGNOSTICS nodes = ROW_COUNT;
+        EXECUTE format('INSERT INTO %I.edge_data (edge_id, start_node, end_node, next_left_edge, abs_next_left_edge, '
+            'next_right_edge, abs_next_right_edge, left_face, right_face, geom) SELECT edge_id, start_node, end_node, '
+            'next_left_edge, abs(next_left_edge), next_right_edge, abs(next_right_edge), left_face, right_face, geom '
+            'FROM streetgen._topology_edges()', name);
+        GET DIAGNOSTICS edges = ROW_COUNT;
+        PERFORM setval(format('%I.node_node_id_seq', name)::regclass, (SELECT max(greatest(e.from_node, e.to_node))
+                FROM pg_temp._topology_edge e)),
+            setval(format('%I.edge_data_edge_id_seq', name)::regclass, (SELECT max(e.edge_id)
+                FROM pg_temp._topology_edge e)),
+            setval(format('%I.face_face_id_seq', name)::regclass, (SELECT max(f.face_id)
+                FROM pg_temp._topology_face f));
         DROP TABLE pg_temp._topology_edge, pg_temp._topology_face;
         RETURN NEXT;
     END LOOP;

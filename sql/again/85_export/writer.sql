@@ -84,12 +84,19 @@ COMMENT ON FUNCTION streetgen._export_options(text, jsonb) IS
     'The options of a format with the defaults of those that are left out. An unknown one, or a value that it does not '
     'take: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._xml_frame(opening text, closing text)
+    RETURNS TABLE(rank integer, ref bigint, markup text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES (-1, 0::bigint, '<?xml version="1.0" encoding="UTF-8"?>'), (0, 0, opening), (1000, 0, closing) $$;
+COMMENT ON FUNCTION streetgen._xml_frame(text, text) IS
+    'The lines of a file of XML before and after its elements, which have ranks from 1 to 999: what opens and closes '
+    'its root.';
+
 CREATE OR REPLACE FUNCTION streetgen._begin_export(model name, format text, needs text, options jsonb) RETURNS jsonb
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     known jsonb;
-    any_edge boolean;
     stale bigint;
 BEGIN
     PERFORM streetgen._require_reader(model);
@@ -112,9 +119,7 @@ BEGIN
             USING ERRCODE = '55000',
             HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''junction'', true) computes it.', model);
     END IF;
-    EXECUTE 'WITH ' || streetgen._export_edges(model, known) || ' SELECT EXISTS (SELECT FROM written_edge)'
-        INTO any_edge USING known;
-    IF NOT any_edge THEN
+    IF NOT EXISTS (SELECT FROM streetgen._written_edges(model, known)) THEN
         RAISE EXCEPTION 'model "%" has no street to write with options %', model, options USING ERRCODE = '22023',
             HINT = format('SELECT * FROM streetgen.generate(%L) computes the streets of a model; an extent is in its '
                 'SRID.', model);
@@ -125,70 +130,6 @@ COMMENT ON FUNCTION streetgen._begin_export(name, text, text, jsonb) IS
     'What each writer does first: its options as streetgen._export_options gives them, and a warning that counts what '
     'is stale, unless client_min_messages is error. A caller who may not read the model: 42501; a model without the '
     'subject that the format needs: 55000; no edge that the options take: 22023.';
-
-CREATE OR REPLACE FUNCTION streetgen._export_edges(model name, options jsonb) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format($part$
-written_edge AS NOT MATERIALIZED (
-    SELECT * FROM %1$I.edge e
-    WHERE ($1 ->> 'level' IS NULL OR level = ($1 ->> 'level')::integer)
-        AND (jsonb_typeof($1 -> 'extent') = 'null' OR ST_Intersects(geom, ST_MakeEnvelope(
-            ($1 -> 'extent' ->> 0)::float8, ($1 -> 'extent' ->> 1)::float8,
-            ($1 -> 'extent' ->> 2)::float8, ($1 -> 'extent' ->> 3)::float8, %2$s)))
-        AND %3$s),
--- Coordinates are counted from here, so that they stay small.
-origin AS MATERIALIZED (
-    SELECT coalesce(floor(min(ST_XMin(geom))), 0) AS x, coalesce(floor(min(ST_YMin(geom))), 0) AS y,
-        ($1 ->> 'precision')::integer AS digits, ($1 ->> 'tolerance')::float8 AS tolerance FROM written_edge),
-place AS NOT MATERIALIZED (%4$s),
-way AS NOT MATERIALIZED (%5$s)$part$, model, (SELECT srid FROM streetgen.model m WHERE m.name = model),
-        format(CASE WHEN grouped THEN 'NOT EXISTS (SELECT FROM %I.junction_edge j WHERE j.edge_id = e.edge_id)'
-            ELSE 'true' END, model),
-        format(CASE WHEN NOT known THEN 'SELECT node_id, node_id AS place_id, NULL::bigint AS junction_id, '
-                'NULL::text AS kind, surface FROM %1$I.node LEFT JOIN %1$I.intersection USING (node_id)'
-            WHEN grouped THEN 'SELECT node_id, coalesce(junction_id, node_id) AS place_id, junction_id, kind, '
-                'coalesce(j.surface, i.surface) AS surface FROM %1$I.node '
-                'LEFT JOIN %1$I.intersection i USING (node_id) '
-                'LEFT JOIN %1$I.junction_node USING (node_id) LEFT JOIN %1$I.junction j USING (junction_id)'
-            ELSE 'SELECT node_id, node_id AS place_id, junction_id, kind, i.surface FROM %1$I.node '
-                'LEFT JOIN %1$I.intersection i USING (node_id) LEFT JOIN %1$I.junction_node USING (node_id) '
-                'LEFT JOIN %1$I.junction j USING (junction_id)' END, model),
-        format(CASE WHEN NOT joined THEN 'SELECT'
-            WHEN grouped THEN 'SELECT coalesce(junction_movement_id, interconnections[1]) AS way_id, lane_in, '
-                'lane_out, along_in, along_out, turn, geom FROM %I.movement WHERE connecting'
-            ELSE 'SELECT interconnection_id AS way_id, lane_in, lane_out, along_in, along_out, turn, geom '
-                'FROM %I.interconnection WHERE connecting' END, model))
-    FROM (SELECT 'junction' = ANY (subjects) AS known, 'interconnection' = ANY (subjects) AS joined,
-        options ->> 'junctions' = 'group' AS grouped FROM streetgen._subjects(model) subjects) o
-    $$;
-COMMENT ON FUNCTION streetgen._export_edges(name, jsonb) IS
-    'Queries that writers begin with, over their options $1: written_edge, the edges that are written; origin, whole '
-    'metres from which coordinates are counted, with digits and tolerance; place, the junction that a node is or is '
-    'part of, with its kind where the model knows that, and its surface; way, the pairs of lanes that connect, with '
-    'their turn and path, of a model that computes them.';
-
-CREATE OR REPLACE FUNCTION streetgen._export_query(model name, options jsonb, query text) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT 'WITH ' || streetgen._export_edges(model, options)
-        || format(query, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) $$;
-COMMENT ON FUNCTION streetgen._export_query(name, jsonb, text) IS
-    'The statement over the options $1 that a writer runs: its queries over a model %1$I of SRID %2$s, after those of '
-    'streetgen._export_edges.';
-
-CREATE OR REPLACE FUNCTION streetgen._export_lines(model name, options jsonb, query text, opening text,
-    closing text) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._export_query(model, options, query) || format($part$
--- The text has its collation here, since a sort by another one would carry it twice.
-SELECT row_number() OVER (ORDER BY turn, id, text), text
-FROM (SELECT turn, id, ('    ' || element::text) COLLATE "C" AS text FROM line
-    UNION ALL SELECT -1, 0, '<?xml version="1.0" encoding="UTF-8"?>' UNION ALL SELECT 0, 0, %1$L
-    UNION ALL SELECT 1000, 0, %2$L) l
-ORDER BY turn, id, text$part$, opening, closing) $$;
-COMMENT ON FUNCTION streetgen._export_lines(name, jsonb, text, text, text) IS
-    'The statement that gives the lines of a file of XML, over the options $1: what opens and closes its root, and '
-    'between them the elements of query line (turn from 1 to 999, id, element), which stands last among the queries '
-    'over a model %1$I of SRID %2$s, after those of streetgen._export_edges.';
 
 -- Functions of each value that is written: bound when made, and thus inlined.
 CREATE OR REPLACE FUNCTION streetgen._rounded_coordinates(line geometry, x float8, y float8, digits integer)

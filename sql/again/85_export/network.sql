@@ -1,0 +1,96 @@
+-- What writers read of the network of a model: edges, places and ways, as their options take them.
+
+CREATE OR REPLACE FUNCTION streetgen._junction_nodes(model name)
+    RETURNS TABLE(node_id bigint, junction_id bigint, kind text, surface geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 200 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'junction' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY SELECT n.node_id, n.junction_id, j.kind, j.surface
+            FROM junction_node n JOIN junction j ON j.junction_id = n.junction_id;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._junction_nodes(name) IS
+    'The nodes of junctions, with kind and surface of these; none of a model that computes no junctions.';
+
+CREATE OR REPLACE FUNCTION streetgen._edges_inside(model name, options jsonb) RETURNS SETOF bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF options ->> 'junctions' = 'group' THEN
+        RETURN QUERY SELECT j.edge_id FROM junction_edge j;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._edges_inside(name, jsonb) IS
+    'The edges inside junctions, where options take the nodes of a junction as one.';
+
+CREATE OR REPLACE FUNCTION streetgen._written_edges(model name, options jsonb) RETURNS SETOF bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_custom_plan
+    AS $$
+DECLARE
+    only_level constant integer := options ->> 'level';
+    box constant geometry := ST_MakeEnvelope((options -> 'extent' ->> 0)::float8, (options -> 'extent' ->> 1)::float8,
+        (options -> 'extent' ->> 2)::float8, (options -> 'extent' ->> 3)::float8,
+        (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT e.edge_id FROM edge e
+        WHERE (only_level IS NULL OR e.level = only_level) AND (box IS NULL OR ST_Intersects(e.geom, box))
+            AND e.edge_id NOT IN (SELECT streetgen._edges_inside(model, options));
+END $$;
+COMMENT ON FUNCTION streetgen._written_edges(name, jsonb) IS 'The edges that options of a writer take.';
+
+CREATE OR REPLACE FUNCTION streetgen._export_origin(model name, options jsonb)
+    RETURNS TABLE(x float8, y float8, digits integer, tolerance float8, srid integer)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT coalesce(floor(min(ST_XMin(e.geom))), 0), coalesce(floor(min(ST_YMin(e.geom))), 0),
+            (options ->> 'precision')::integer, (options ->> 'tolerance')::float8,
+            (SELECT m.srid FROM streetgen.model m WHERE m.name = model)
+        FROM edge e WHERE e.edge_id IN (SELECT streetgen._written_edges(model, options));
+END $$;
+COMMENT ON FUNCTION streetgen._export_origin(name, jsonb) IS
+    'The whole metres from which a writer counts coordinates, so that they stay small, with digits, tolerance and '
+    'SRID.';
+
+CREATE OR REPLACE FUNCTION streetgen._places(model name, options jsonb)
+    RETURNS TABLE(node_id bigint, place_id bigint, junction_id bigint, kind text, surface geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 200 SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_custom_plan
+    AS $$
+DECLARE
+    grouped constant boolean := coalesce(options ->> 'junctions' = 'group', false);
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT n.node_id, CASE WHEN grouped THEN coalesce(j.junction_id, n.node_id) ELSE n.node_id END,
+            j.junction_id, j.kind, CASE WHEN grouped THEN coalesce(j.surface, i.surface) ELSE i.surface END
+        FROM node n LEFT JOIN intersection i ON i.node_id = n.node_id
+            LEFT JOIN streetgen._junction_nodes(model) j ON j.node_id = n.node_id;
+END $$;
+COMMENT ON FUNCTION streetgen._places(name, jsonb) IS
+    'The place that a node is, or is part of where options take the nodes of a junction as one; its junction and the '
+    'kind of that, where the model knows it, and the surface of the place.';
+
+CREATE OR REPLACE FUNCTION streetgen._connecting_ways(model name, options jsonb)
+    RETURNS TABLE(way_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
+        geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 200 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF options ->> 'junctions' = 'group' THEN
+        RETURN QUERY SELECT coalesce(m.junction_movement_id, m.interconnections[1]), m.lane_in, m.lane_out, m.along_in,
+            m.along_out, m.turn, m.geom FROM movement m WHERE m.connecting;
+    ELSE
+        RETURN QUERY SELECT i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn,
+            i.geom FROM interconnection i WHERE i.connecting;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._connecting_ways(name, jsonb) IS
+    'The pairs of lanes that connect, with their turn and path: across each node, or across each junction where '
+    'options take its nodes as one.';

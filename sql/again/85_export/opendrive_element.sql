@@ -1,0 +1,250 @@
+-- OpenDRIVE: the elements of a file, roads with what they have beside lanes, and junctions.
+
+CREATE OR REPLACE FUNCTION streetgen._heights_along(model name)
+    RETURNS TABLE(edge_id bigint, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'height' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY SELECT p.edge_id, p.geom FROM profile p;
+    ELSIF (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model) THEN
+        RETURN QUERY SELECT e.edge_id, e.geom FROM edge e;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._heights_along(name) IS
+    'The heights of edges: of profiles where the model computes them, else of axes that have any.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_elements(model name, options jsonb)
+    RETURNS TABLE(rank integer, ref bigint, markup text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH written_edge AS MATERIALIZED (
+        SELECT edge_id, axis_id, from_node, to_node, speed FROM edge
+            WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
+    origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
+    side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
+    joined_node AS MATERIALIZED (SELECT * FROM streetgen._joined_nodes(model, options)),
+    road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options)),
+    drawn AS NOT MATERIALIZED (SELECT * FROM road WHERE NOT connecting),
+    connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
+    line_between AS MATERIALIZED (SELECT * FROM streetgen._lines_between(model)),
+    raised AS MATERIALIZED (
+        SELECT road_id, array_agg(m ORDER BY m) AS station, array_agg(z ORDER BY m) AS heights
+        FROM (SELECT DISTINCT ON (road_id, round(ST_M(p.geom)::numeric, 3)) road_id, ST_M(p.geom) AS m, ST_Z(p.geom)
+            AS z
+            FROM drawn JOIN streetgen._heights_along(model) h USING (edge_id),
+                ST_DumpPoints(ST_AddMeasure(ST_LineSubstring(h.geom, share_from, share_to), 0, total)) p
+            ORDER BY road_id, round(ST_M(p.geom)::numeric, 3)) p
+        GROUP BY road_id HAVING count(*) > 1),
+    sidewalk_lane AS MATERIALIZED (
+        SELECT d.road_id, s.side, '<lane id="' || CASE s.side WHEN 'left' THEN lefts + 1
+                ELSE lefts - cardinality(lanes) - 1 END || '" type="sidewalk" level="false"><width sOffset="0" a="'
+            || streetgen._decimal(s.width, 5) || '" b="0" c="0" d="0"/>'
+            || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/><height sOffset="0" inner="'
+            || raised || '" outer="' || raised || '"/></lane>' AS text
+        FROM streetgen._sidewalks_beside(model, options, false) s
+            JOIN drawn d ON d.edge_id = s.edge_id AND s.lane_id = ANY (d.lanes),
+            (SELECT k.raised FROM streetgen._mesh_kind() k WHERE k.kind = 'sidewalk') k),
+    road_of_edge AS MATERIALIZED (SELECT edge_id, min(road_id) AS road_id FROM drawn GROUP BY edge_id),
+    -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
+    standing AS MATERIALIZED (
+        SELECT o.*, r.road_id, e.from_node, e.to_node, ST_X(place) AS x, ST_Y(place) AS y
+        FROM streetgen._opendrive_objects(model) o LEFT JOIN road_of_edge w ON w.edge_id = o.edge_id,
+            LATERAL (SELECT CASE WHEN w.edge_id IS NOT NULL THEN w.edge_id
+                WHEN o.edge_id IS NULL OR options ->> 'junctions' = 'group'
+                        OR o.edge_id IN (SELECT edge_id FROM written_edge) THEN (
+                    SELECT e.edge_id FROM edge e WHERE ST_DWithin(e.geom, o.geom, 50)
+                        AND e.edge_id IN (SELECT edge_id FROM road_of_edge)
+                    ORDER BY ST_Distance(e.geom, o.geom), e.edge_id LIMIT 1) END AS edge_id) n
+            JOIN written_edge e ON e.edge_id = n.edge_id JOIN road_of_edge r ON r.edge_id = n.edge_id,
+            LATERAL (SELECT CASE WHEN ST_Dimension(o.geom) = 0 THEN o.geom
+                ELSE ST_LineInterpolatePoint(o.geom, 0.5) END AS place) c),
+    own_station AS MATERIALIZED (
+        SELECT s.*, p.* FROM standing s JOIN drawn d USING (road_id), streetgen._chain_station(d.s, d.x, d.y, d.heading,
+            d.length, d.curvature, d.curvature_end, s.x, s.y) p),
+    -- Beyond the end of its road it stands at a road across the node, where that is nearer.
+    stationed AS MATERIALIZED (
+        SELECT o.street_object_id, o.type, o.angle, o.geom, o.kind, o.size, o.drawn, o.surface, o.x, o.y,
+            coalesce(c.road_id, o.road_id) AS road_id,
+            coalesce(c.station, o.station) AS station, coalesce(c.aside, o.aside) AS aside,
+            coalesce(c.direction, o.direction) AS direction, coalesce(c.beyond, o.beyond) AS beyond
+        FROM own_station o LEFT JOIN LATERAL (
+            SELECT c.road_id, p.* FROM connecting c, streetgen._chain_station(c.s, c.x, c.y, c.heading, c.length,
+                c.curvature, c.curvature_end, o.x, o.y) p
+            WHERE abs(o.beyond) > 0.01 AND c.node_id IN (o.from_node, o.to_node) AND abs(p.beyond) <= 0.01
+                AND abs(p.aside) <= sqrt(o.aside ^ 2 + o.beyond ^ 2)
+            ORDER BY abs(p.aside), c.road_id LIMIT 1) c ON true),
+    grounded AS (
+        SELECT *, CASE
+            WHEN ST_Dimension(geom) = 1 THEN ST_Buffer(geom, size / 2, 'endcap=flat join=mitre mitre_limit=2')
+            WHEN drawn THEN surface
+            -- What lies beside no road says by its corners where it is.
+            WHEN abs(beyond) > 0.01 THEN ST_Buffer(geom, size / 2, 'quad_segs=2') END AS ground
+        FROM stationed),
+    object_text AS MATERIALIZED (
+        SELECT road_id, '<objects>' || string_agg(streetgen._opendrive_open(xmlelement(name object, xmlattributes(
+                street_object_id AS id, streetgen._xml_text(type) AS name, kind AS type,
+                streetgen._decimal(station, 4) AS s, streetgen._decimal(aside, 4) AS t,
+                0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
+                    WHEN outlined THEN -direction ELSE pi() / 2 - radians(coalesce(angle, 0)) - direction END, 6)
+                        AS hdg,
+                CASE WHEN kind = 'tree' AND NOT outlined THEN size / 2 END AS radius,
+                CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS length,
+                CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS width)))
+            || CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) ELSE '' END
+            || CASE WHEN kind = 'parkingSpace' THEN '<parkingSpace access="all"/>' ELSE '' END
+            || '</object>', '' ORDER BY street_object_id) || '</objects>' AS text
+        FROM grounded, LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o
+        GROUP BY road_id),
+    -- Lanes whose signals show the same in each state have one controller.
+    signal_group AS MATERIALIZED (
+        SELECT *, dense_rank() OVER (ORDER BY controller_id, greens) AS number FROM streetgen._signal_heads(model)),
+    program AS MATERIALIZED (
+        SELECT controller_id, 'cycle ' || round(min(c.cycle)::numeric, 2) || ' offset '
+            || round(min(c.start_offset)::numeric, 2) || ': ' || string_agg(s.ordinality || ' ' || s.kind || ' '
+            || round(s.duration::numeric, 2), ', ' ORDER BY s.ordinality) AS text
+        FROM streetgen._signal_controllers(model) c JOIN streetgen._signal_states(model) s USING (controller_id)
+        GROUP BY controller_id),
+    -- The lane of a road at one end of it.
+    placed AS MATERIALIZED (
+        SELECT lane_id, road_id, edge_id, at_end, CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number
+        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false), (true)) v(at_end)),
+    -- A signal hangs above the end of its lane; a sign stands half a metre beside the lanes that it is for.
+    sign AS MATERIALIZED (
+        SELECT p.road_id, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first, p.number AS last,
+            'yes' AS dynamic, 'OpenDRIVE' AS country, '1000001' AS type, 'signal' AS name, g.number AS controller,
+            CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id
+        FROM signal_group g JOIN placed p ON (p.lane_id, p.at_end) = (g.lane_id, g.along_axis)
+            JOIN written_edge e USING (edge_id) JOIN drawn d ON d.road_id = p.road_id,
+            streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(g.geom),
+                ST_Y(g.geom)) s
+        UNION ALL
+        SELECT d.road_id, s.station, CASE WHEN m.along_axis = right_hand THEN
+                    border[cardinality(border) - CASE WHEN m.along_axis THEN 0 ELSE stations - 1 END] - 0.5
+                ELSE border[CASE WHEN m.along_axis THEN stations ELSE 1 END] + 0.5 END,
+            m.along_axis, 2, m.first, m.last, 'no', 'DE', m.type, m.kind, NULL, NULL, NULL
+        FROM (SELECT p.road_id, m.along_axis, m.kind, CASE m.kind WHEN 'stop' THEN '206' ELSE '205' END AS type,
+                min(p.number) AS first, max(p.number) AS last, (array_agg(m.geom ORDER BY p.number))[1] AS geom
+            FROM marking m JOIN lane l USING (edge_id, lane_position)
+                JOIN placed p ON (p.lane_id, p.at_end) = (l.lane_id, m.along_axis)
+            WHERE m.kind <> 'arrow' AND NOT EXISTS (SELECT FROM signal_group g
+                WHERE (g.lane_id, g.along_axis) = (l.lane_id, m.along_axis))
+            GROUP BY p.road_id, m.along_axis, m.kind) m JOIN drawn d USING (road_id) CROSS JOIN side,
+            LATERAL (SELECT cardinality(station) AS stations, ST_LineInterpolatePoint(m.geom, 0.5) AS place) c,
+            streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(place),
+                ST_Y(place)) s),
+    numbered AS MATERIALIZED (SELECT *, row_number() OVER (ORDER BY road_id, along_axis, first, type) AS id FROM sign),
+    signal_text AS MATERIALIZED (
+        SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._decimal(station, 4) || '" t="'
+            || streetgen._decimal(aside, 4) || '" id="' || id || '" name="' || name || '" dynamic="' || dynamic
+            || '" orientation="' || CASE WHEN along_axis THEN '+' ELSE '-' END || '" zOffset="' || raised
+            || '" country="' || country || '" type="' || type || '" subtype="-1"><validity fromLane="' || first
+            || '" toLane="' || last || '"/></signal>', '' ORDER BY id) || '</signals>' AS text
+        FROM numbered GROUP BY road_id),
+    controller_line AS (
+        SELECT 4 AS turn, controller AS id, '<controller id="' || controller || '" name="' || min(controller_id)
+            || '">' || string_agg('<control signalId="' || id || '" type="0"/>', '' ORDER BY id)
+            || '<userData code="green" value="' || array_to_string(min(greens), ' ') || '"/></controller>' AS element
+        FROM numbered JOIN (SELECT DISTINCT number AS controller, greens FROM signal_group) g USING (controller)
+        GROUP BY controller),
+    junction_controller AS MATERIALIZED (
+        SELECT place_id, string_agg('<controller id="' || controller || '" type="0"/>', '' ORDER BY controller)
+            || string_agg(DISTINCT '<userData code="program" value="' || p.text || '"/>', '') AS text
+        FROM (SELECT DISTINCT place_id, controller, controller_id FROM numbered JOIN joined_node USING (node_id)) n
+            JOIN program p USING (controller_id)
+        GROUP BY place_id),
+    crossroads AS MATERIALIZED (
+        SELECT node_id, place_id FROM joined_node
+        WHERE place_id IN (SELECT place_id FROM connecting JOIN joined_node n USING (node_id))),
+    lane_text AS (
+        SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
+            || '" type="' || types[i] || '" level="false">'
+            || CASE WHEN stations = 2 THEN streetgen._opendrive_step('width', 'sOffset', total,
+                    border[2 * i - 1] - border[2 * i + 1], border[2 * i] - border[2 * i + 2])
+                ELSE streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
+                    SELECT border[(i - 1) * stations + k] - border[i * stations + k]
+                    FROM generate_series(1, stations) k)) END
+            || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards, i > lefts) || '</lane>' AS text
+        FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
+            CROSS JOIN streetgen._few(lanes) WITH ORDINALITY u(lane_id, i)
+            LEFT JOIN line_between m ON (m.edge_id, m.lane_position)
+                = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
+    lanes_text AS (
+        SELECT road_id, string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) AS on_left,
+            string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) AS on_right
+        FROM lane_text GROUP BY road_id),
+    -- The lane farthest to the left comes first.
+    across AS MATERIALIZED (
+        SELECT l.road_id, '<left>' || nullif(concat(a.text, l.on_left), '') || '</left>' AS on_left,
+            '<right>' || nullif(concat(l.on_right, b.text), '') || '</right>' AS on_right
+        FROM lanes_text l LEFT JOIN sidewalk_lane a ON (a.road_id, a.side) = (l.road_id, 'left')
+            LEFT JOIN sidewalk_lane b ON (b.road_id, b.side) = (l.road_id, 'right'))
+    SELECT 1, 0::bigint, streetgen._opendrive_open(xmlelement(name header, xmlattributes(
+            1 AS "revMajor", right(options ->> 'version', 1) AS "revMinor", model AS name, 'StreetGen' AS vendor)))
+        || '<geoReference><![CDATA['
+        || trim(proj4text) || ']]></geoReference><offset x="' || x || '" y="' || y || '" z="0" hdg="0"/></header>'
+    FROM origin LEFT JOIN spatial_ref_sys USING (srid)
+    UNION ALL
+    -- Not by ||, which copies what is there with each word.
+    SELECT 2, d.road_id, concat(streetgen._opendrive_open(xmlelement(name road, xmlattributes(
+            streetgen._xml_text(a.name) AS name, streetgen._decimal(d.total, 7) AS length,
+            d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule))),
+        '<link>' || nullif(concat('<predecessor elementType="junction" elementId="' || f.place_id || '"/>',
+            '<successor elementType="junction" elementId="' || t.place_id || '"/>'), '') || '</link>',
+        '<type s="0" type="unknown"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
+        streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
+        '<elevationProfile>' || streetgen._opendrive_change('elevation', 's', h.station, h.heights)
+            || '</elevationProfile>',
+        '<lanes>', streetgen._opendrive_change('laneOffset', 's', d.station,
+            border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)]),
+        '<laneSection s="0">', on_left, '<center><lane id="0" type="none" level="false">',
+        streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards), '</lane></center>', on_right,
+        '</laneSection></lanes>', j.text, g.text, '<userData code="edge" value="', d.edge_id, '"/></road>')
+    FROM origin o, side, drawn d JOIN across USING (road_id) JOIN written_edge e USING (edge_id)
+        LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
+        LEFT JOIN (SELECT axis_id, name FROM axis) a USING (axis_id)
+        LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
+        LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
+        LEFT JOIN signal_text g ON g.road_id = d.road_id
+    UNION ALL
+    SELECT 3, c.road_id, concat('<road length="', streetgen._decimal(total, 7), '" id="', c.road_id, '" junction="',
+        place_id, '" rule="', rule, '"><link><predecessor elementType="road" elementId="', road_in, '" contactPoint="',
+        CASE WHEN in_end THEN 'end' ELSE 'start' END, '"/><successor elementType="road" elementId="', road_out,
+        '" contactPoint="', CASE WHEN out_end THEN 'end' ELSE 'start' END, '"/></link>',
+        streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
+        '<elevationProfile>' || streetgen._opendrive_step('elevation', 's', total,
+            a.heights[CASE WHEN in_end THEN cardinality(a.heights) ELSE 1 END],
+            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]) || '</elevationProfile>',
+        '<lanes>', streetgen._opendrive_step('laneOffset', 's', total, half * width_in, half * width_out),
+        '<laneSection s="0">', CASE WHEN NOT right_hand THEN '<left>' || lane || '</left>' END,
+        '<center><lane id="0" type="none" level="false"/></center>',
+        CASE WHEN right_hand THEN '<right>' || lane || '</right>' END, '</laneSection></lanes>', j.text,
+        '<userData code="interconnection" value="', ways, '"/></road>')
+    FROM origin o, side, connecting c JOIN joined_node USING (node_id) LEFT JOIN object_text j USING (road_id)
+        LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
+        LATERAL (SELECT CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
+            CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
+        LATERAL (SELECT '<lane id="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '" type="' || type
+            || '" level="false">'
+            || '<link><predecessor id="' || number_in || '"/><successor id="' || number_out || '"/></link>'
+            || streetgen._opendrive_step('width', 'sOffset', total, width_in, width_out) || '</lane>' AS lane) l
+    UNION ALL SELECT * FROM controller_line
+    UNION ALL
+    SELECT 5, place_id, '<junction id="' || place_id || '">' || string_agg('<connection id="' || road_id
+        || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'
+        || number_in || '" to="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '"/></connection>', ''
+        ORDER BY road_id) || coalesce(min(c.text), '') || '</junction>'
+    FROM side, connecting JOIN joined_node USING (node_id) LEFT JOIN junction_controller c USING (place_id)
+    GROUP BY place_id
+    UNION ALL
+    SELECT 6, roundabout_id, '<junctionGroup id="' || roundabout_id || '" type="roundabout">'
+        || string_agg(DISTINCT '<junctionReference junction="' || place_id || '"/>', '') || '</junctionGroup>'
+    FROM streetgen._ring_edges(model) JOIN edge USING (edge_id) JOIN crossroads ON node_id IN (from_node, to_node)
+    GROUP BY roundabout_id;
+END $$;
+COMMENT ON FUNCTION streetgen._opendrive_elements(name, jsonb) IS
+    'The elements of a file of OpenDRIVE, by rank: the header, roads of edges, roads of ways from lane to lane, '
+    'controllers, junctions, and the junctions of accepted roundabouts as groups.';

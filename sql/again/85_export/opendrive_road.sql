@@ -1,0 +1,142 @@
+-- OpenDRIVE: roads, those along edges with their lanes, and those of the ways from lane to lane.
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_roads(model name, options jsonb)
+    RETURNS TABLE(road_id bigint, connecting boolean, s float8[], x float8[], y float8[], heading float8[],
+        length float8[],
+        curvature float8[], curvature_end float8[], total float8, edge_id bigint, before integer, lefts integer,
+        lanes bigint[], types text[], share_from float8, share_to float8, station float8[], border float8[],
+        ways text, road_in bigint, road_out bigint, number_in bigint, number_out bigint, in_end boolean,
+        out_end boolean, width_in float8, width_out float8, node_id bigint, type text, lane_in bigint, speed float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH RECURSIVE written_edge AS MATERIALIZED (
+        SELECT * FROM edge WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
+    origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
+    way AS MATERIALIZED (SELECT * FROM streetgen._connecting_ways(model, options)),
+    joined_node AS MATERIALIZED (SELECT * FROM streetgen._joined_nodes(model, options)),
+    -- The lanes of edges of crossed limits inside a junction.
+    inner_lane AS MATERIALIZED (
+        SELECT l.lane_id, l.geom
+        FROM written_edge e JOIN section s USING (edge_id) JOIN joined_node f ON f.node_id = e.from_node
+            JOIN joined_node t ON t.node_id = e.to_node JOIN lane l USING (edge_id)
+        WHERE s.method = 'crossed_limits' AND f.place_id = t.place_id),
+    -- Ways over inner lanes, each lane once; the shortest one from lane to lane. Nobody turns back within two metres.
+    longer AS (
+        SELECT way_id, ARRAY[way_id] AS ways, lane_in, lane_out, along_in, along_out, geom, '{}'::bigint[] AS over
+        FROM way WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out IN (SELECT lane_id FROM inner_lane)
+        UNION ALL
+        SELECT r.way_id, r.ways || w.way_id, r.lane_in, w.lane_out, r.along_in, w.along_out, ST_MakeLine(ARRAY[
+            r.geom, CASE WHEN r.along_out THEN i.geom ELSE ST_Reverse(i.geom) END, w.geom]), over || i.lane_id
+        FROM longer r JOIN inner_lane i ON i.lane_id = r.lane_out
+            JOIN way w ON (w.lane_in, w.along_in) = (r.lane_out, r.along_out)
+        WHERE i.lane_id <> ALL (over)),
+    joined_way AS (
+        SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) way_id, array_to_string(ways, ' ') AS ways, lane_in,
+            lane_out, along_in, along_out, geom
+        FROM longer
+        WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND (lane_out <> lane_in OR ST_Length(geom) >= 2)
+        ORDER BY lane_in, along_in, lane_out, along_out, ST_Length(geom), ways),
+    junction_way AS NOT MATERIALIZED (
+        SELECT way_id, way_id::text AS ways, lane_in, lane_out, along_in, along_out, geom FROM way
+        WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out NOT IN (SELECT lane_id FROM inner_lane)
+        UNION ALL SELECT * FROM joined_way),
+    course AS MATERIALIZED (SELECT * FROM streetgen._opendrive_courses(model, options)),
+    side AS MATERIALIZED (
+        SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
+    -- Lanes on the right have negative numbers and lead along the road where one drives on the right. A lane that comes
+    -- between others against this order begins a road of its own.
+    sided AS (
+        SELECT l.*, along_axis = right_hand AS on_right,
+            lag(along_axis = right_hand) OVER (PARTITION BY edge_id ORDER BY lane_position) AS was_right
+        FROM lane l, side WHERE edge_id IN (SELECT edge_id FROM written_edge)
+            AND lane_id NOT IN (SELECT lane_id FROM inner_lane)),
+    road AS (
+        SELECT edge_id, run, row_number() OVER (ORDER BY edge_id, run) AS road_id, min(lane_position) - 1 AS before,
+            count(*) FILTER (WHERE NOT on_right)::integer AS lefts, array_agg(lane_id ORDER BY lane_position) AS lanes,
+            array_agg(streetgen._opendrive_lane_type(kind, both_ways, turn) ORDER BY lane_position) AS types,
+            array_agg(geom::bytea ORDER BY lane_position) AS lines,
+            array_agg(surface::bytea ORDER BY lane_position) AS surfaces,
+            -- A merging lane lies on its ground alone.
+            array_agg(CASE WHEN start_abscissa IS NULL AND end_abscissa IS NULL THEN width ELSE 0 END
+                ORDER BY lane_position) AS widths
+        FROM (SELECT *, count(*) FILTER (WHERE was_right AND NOT on_right)
+                OVER (PARTITION BY edge_id ORDER BY lane_position) AS run FROM sided) s
+        GROUP BY edge_id, run),
+    -- Where lanes meet, or go on beside their end, roads are cut back: a way of no length cannot be driven.
+    met AS MATERIALIZED (
+        SELECT l.edge_id, at_end, greatest(0.05, 2 * max(ST_Length(w.geom))) AS cut
+        FROM junction_way w, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
+            JOIN lane l USING (lane_id) WHERE ST_Length(w.geom) < 2 GROUP BY l.edge_id, at_end),
+    stretch AS (
+        SELECT e.edge_id, e.geom, least(a, b) AS since, greatest(a, b) AS until, ST_Length(e.geom) AS total,
+            coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
+        FROM written_edge e LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
+            LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end JOIN (
+            SELECT edge_id, CASE WHEN start.abscissa < until.abscissa THEN start.abscissa ELSE start.wanted_abscissa END
+                AS a, CASE WHEN start.abscissa < until.abscissa THEN until.abscissa ELSE until.wanted_abscissa END AS b
+            FROM section_limit start JOIN section_limit until USING (edge_id)
+            WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
+    drawn AS MATERIALIZED (
+        SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
+            d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
+        FROM origin o, road r JOIN stretch t USING (edge_id) LEFT JOIN course c USING (edge_id),
+            -- Crossed limits may lie at one place.
+            LATERAL (SELECT greatest(least(since, total - 0.01), 0) AS a,
+                least(greatest(until, greatest(least(since, total - 0.01), 0) + 0.01), total) AS b) w,
+            LATERAL (SELECT (a + least(cut_start, (b - a) / 4)) / total AS share_from,
+                (b - least(cut_end, (b - a) / 4)) / total AS share_to) v,
+            LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea,
+                coalesce(c.alignment, '{}'), coalesce(c.reach, 0), r.lines, r.surfaces, r.widths, o.tolerance) d),
+    placed AS MATERIALIZED (
+        SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
+            CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
+            types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
+            places[4 * i - 1] AS heading, places[4 * i] AS width
+        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
+            v(at_end, places)),
+    way_road AS MATERIALIZED (
+        SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
+            a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
+            a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
+            CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type, k.lane_in, e.speed,
+            (CASE WHEN short THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea
+                AS path,
+            ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END] AS path_from,
+            ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END] AS path_to,
+            CASE WHEN short THEN 1 ELSE o.tolerance END AS path_tolerance
+        FROM origin o, junction_way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+            JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
+            JOIN written_edge e ON e.edge_id = a.edge_id,
+            LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w)
+    SELECT road_id, false, s, x, y, heading, length, curvature, curvature_end, total, edge_id, before::integer, lefts,
+        lanes,
+        types, share_from, share_to, station, border, NULL, NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint,
+        NULL::boolean, NULL::boolean, NULL::float8, NULL::float8, NULL::bigint, NULL, NULL::bigint, NULL::float8
+    FROM drawn
+    UNION ALL
+    SELECT w.road_id, true, d.*, d.s[cardinality(d.s)] + d.length[cardinality(d.s)], NULL, NULL, NULL, NULL, NULL, NULL,
+        NULL,
+        NULL, NULL, ways, road_in, road_out, number_in, number_out, in_end, out_end, width_in, width_out, node_id, type,
+        lane_in, speed
+    FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance) d;
+END $$;
+COMMENT ON FUNCTION streetgen._opendrive_roads(name, jsonb) IS
+    'The roads of a file of OpenDRIVE, each with its chain (s to curvature_end) and its length (total). A road of an '
+    'edge has its lanes from the left, lefts of them left of the centre lane, before others of the edge, and what '
+    'streetgen._road_lanes gives. A connecting one is of a way from lane to lane: the roads that it joins, the '
+    'numbers and widths of their lanes and at which of their ends, node and speed.';
+
+CREATE OR REPLACE FUNCTION streetgen._lines_between(model name)
+    RETURNS TABLE(edge_id bigint, lane_position integer, leftwards boolean, rightwards boolean, paint text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT s.edge_id, s.lane_position, s.leftwards, s.rightwards, CASE WHEN NOT s.dashed THEN 'solid'
+        WHEN s.leftwards = s.rightwards THEN 'dashed' ELSE 'mixed' END FROM lane_separator s;
+END $$;
+COMMENT ON FUNCTION streetgen._lines_between(name) IS
+    'The lines between lanes, and who may cross them, seen along the axis: solid, dashed or mixed.';
