@@ -76,7 +76,8 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
         FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$, 'lane'),
     ('sidewalk_editing',
-        'Edit layer: type the width of the sidewalk on one side of an edge; DELETE takes back what was decided by hand',
+        'Edit layer: type the width of the sidewalk on one side of an edge, which has a row for each piece of its '
+        'kerb: the width is that of all; DELETE takes back what was decided by hand',
         ARRAY['key', 'the edge', 'left or right', 'width, metres; 0: none; NULL takes it back',
             'decided by hand; false takes it back',
             'its ground'],
