@@ -210,7 +210,14 @@ BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_one_build();
     LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
-    IF relation <> 'design_vertex' THEN
+    IF relation = 'alignment_element' THEN
+        -- Tighter coils have more chords than can be drawn.
+        PERFORM streetgen._check_edit_number(format('the %s of alignment element %s', bend,
+            coalesce(is_now ->> 'alignment_element_id', 'that is new')), (is_now ->> bend)::float8, -0.2, 0.2, '1/m',
+            'No road bends by a radius under 5 m.')
+        FROM unnest('{curvature_start,curvature_end}'::text[]) bend
+            WHERE is_now -> bend IS DISTINCT FROM coalesce(was, '{}') -> bend;
+    ELSIF relation <> 'design_vertex' THEN
         RETURN;
     ELSIF released THEN
         UPDATE design_vertex SET straight_out = false WHERE design_vertex_id = (SELECT design_vertex_id
@@ -226,8 +233,9 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
-    'Before an edit of a design: other edits and runs wait. An edit of a vertex makes all vertices of its link '
-    'vertices by hand with straight sides; one that is taken back leaves the sides to its neighbours to the search.';
+    'Before an edit of a design: other edits and runs wait. A curvature of a radius under 5 m: 22023. An edit of a '
+    'vertex makes all vertices of its link vertices by hand with straight sides; one that is taken back leaves the '
+    'sides to its neighbours to the search.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_crossed(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
