@@ -81,6 +81,10 @@ SELECT 'as from scratch', pg_temp.follows();
 -- The centre lies on the line that halves the angle: 22.5 degrees from the normal of the first segment.
 UPDATE town.road_arc_editing SET geom = ST_SetSRID(ST_Point(650100 - 30 * tan(radians(22.5)), 6860030), 2154) WHERE axis_id = 1;
 SELECT 'a centre is dragged', abs(radius - 30) < 1e-6 AND abs(ST_Y(geom) - 6860030) < 1e-5 FROM town.road_arc_editing WHERE axis_id = 1;
+BEGIN;
+UPDATE town.road_arc_editing SET geom = ST_Translate(geom, 0, 20000) WHERE axis_id = 1;
+SELECT 'dragged far off it has the greatest radius', max(radius) = 4000 FROM town.road_override WHERE axis_id = 1;
+ROLLBACK;
 UPDATE town.road_arc_editing SET radius = 3000 WHERE axis_id = 1;
 SELECT 'a radius that does not fit becomes the greatest that does', radius BETWEEN 60 AND 171 AND by_hand FROM town.road_arc_editing WHERE axis_id = 1;
 UPDATE town.road_arc_editing SET radius = 0 WHERE axis_id = 1;

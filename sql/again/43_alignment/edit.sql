@@ -68,8 +68,9 @@ BEGIN
     END IF;
     IF NEW.geom IS DISTINCT FROM OLD.geom THEN
         PERFORM streetgen._check_edit_geometry(subject, NEW.geom);
-        -- The centre lies on the line that halves the angle, and the arc touches both segments.
-        NEW.radius := ST_Distance(bend.vertex, NEW.geom) * abs(sin(bend.half_angle));
+        -- The centre lies on the line that halves the angle, and the arc touches both segments. Far off it lies as for
+        -- the greatest radius.
+        NEW.radius := least(ST_Distance(bend.vertex, NEW.geom) * abs(sin(bend.half_angle)), 4000);
     END IF;
     PERFORM streetgen._check_edit_number('the radius of ' || subject, NEW.radius, 0, 4000, 'm',
         '0 for a sharp bend; delete the row to take back what was decided by hand.');

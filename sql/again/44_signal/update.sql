@@ -118,7 +118,8 @@ BEGIN
     BEGIN
         found := ARRAY(SELECT f FROM _found_signals(junctions) f);
         RETURN QUERY WITH new AS MATERIALIZED (
-            SELECT s.controller_id, s.program, coalesce(sum(s.duration) FILTER (WHERE s.first), 0) AS cycle,
+            SELECT s.controller_id, s.program,
+                coalesce(sum(s.duration ORDER BY s.ordinality) FILTER (WHERE s.first), 0) AS cycle,
                 s.start_offset, s.method, j.geom
             FROM (SELECT *, row_number() OVER (PARTITION BY controller_id, ordinality) = 1 AS first
                 FROM unnest(found)) s

@@ -82,7 +82,12 @@ BEGIN
             'Type orientation to turn it, and axis_id or placement to tie it.');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
+        ELSIF NEW.placement IS NULL AND NEW.geom IS NOT DISTINCT FROM OLD.geom THEN
+            PERFORM streetgen._refuse('23502', format('the placement of object %s cannot be NULL',
+                OLD.street_object_id), hint => 'Type axis, border or absolute, or drag the object.');
         END IF;
+        NEW.orientation := coalesce(NEW.orientation, 0);
+        NEW.orientation_kind := coalesce(NEW.orientation_kind, 'axis');
     END IF;
     IF TG_OP = 'INSERT' AND NEW.geom IS NOT NULL AND NEW.abscissa IS NULL
         OR TG_OP = 'UPDATE' AND NEW.geom IS DISTINCT FROM OLD.geom THEN
