@@ -82,9 +82,13 @@ BEGIN
             CASE WHEN along THEN t ELSE 1 - s END AS until, (m.side = 'right') = (along = (
                 SELECT value IS DISTINCT FROM 'left' FROM setting WHERE name = 'driving_side')) AS at_kerb
         FROM lane m JOIN lane_extent x ON x.lane_id = group_lanes[1],
+            -- A lane that begins or ends within a decimetre of the end of its group parts nothing there.
+            LATERAL (SELECT x.end_abscissa - x.start_abscissa AS length) g,
+            LATERAL (VALUES (round((m.start_abscissa - x.start_abscissa)::numeric, 3)::float8,
+                round((m.end_abscissa - x.start_abscissa)::numeric, 3)::float8)) v(low, high),
             LATERAL (SELECT
-                coalesce((m.start_abscissa - x.start_abscissa) / (x.end_abscissa - x.start_abscissa), 0) AS s,
-                coalesce((m.end_abscissa - x.start_abscissa) / (x.end_abscissa - x.start_abscissa), 1) AS t) e
+                CASE WHEN low > length - 0.1 THEN 1 WHEN low >= 0.1 THEN low / length ELSE 0 END AS s,
+                CASE WHEN high < 0.1 THEN 0 WHEN high <= length - 0.1 THEN high / length ELSE 1 END AS t) e
         WHERE m.edge_id = edge AND m.along_axis = along AND m.kind = 'merging' AND x.end_abscissa
             > x.start_abscissa AND (m.start_abscissa IS NOT NULL OR m.end_abscissa IS NOT NULL)),
     cut AS (
