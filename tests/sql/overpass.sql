@@ -25,6 +25,10 @@ SELECT 'it lies where the edges cross', bool_and(ST_Distance(o.geom, e.geom) < 1
 SELECT 'the clearance is that of the setting', bool_and(clearance = 6) FROM over.overpass;
 
 -- By hand.
+BEGIN;
+UPDATE over.overpass_editing SET axis_above = axis_below, axis_below = axis_above, clearance = NULL WHERE (axis_above, axis_below) = (4, 1);
+SELECT 'a swap that says both axes, and no clearance, is one', count(*) = 1 FROM over.overpass_override WHERE (axis_above, axis_below) = (1, 4) AND clearance IS NULL;
+ROLLBACK;
 UPDATE over.overpass_editing SET axis_above = 1 WHERE (axis_above, axis_below) = (4, 1);
 SELECT 'the other axis typed swaps them', (above, below, method) = (1, 4, 'by_hand') FROM who WHERE 4 IN (above, below);
 UPDATE over.overpass_editing SET clearance = 5.5 WHERE (axis_above, axis_below) = (1, 4);

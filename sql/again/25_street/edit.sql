@@ -10,6 +10,7 @@ DECLARE
     place geometry;
     known bigint;
     written bigint;
+    node bigint;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
@@ -24,15 +25,17 @@ BEGIN
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %I.edge WHERE edge_id = %s',
         TG_TABLE_SCHEMA, OLD.edge_id));
     edge := streetgen._edit_axis_of(TG_TABLE_SCHEMA, subject, OLD.edge_id);
-    IF TG_OP = 'DELETE' OR NEW.abscissa IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
+    IF TG_OP = 'DELETE' OR NEW.abscissa IS NULL AND NEW.geom IS NOT DISTINCT FROM OLD.geom
+        OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM section_limit_override WHERE axis_id = edge.axis_id AND which = OLD.which
             AND CASE OLD.which WHEN 'start' THEN abscissa >= edge.start_abscissa
             AND abscissa < edge.end_abscissa ELSE abscissa > edge.start_abscissa AND abscissa <= edge.end_abscissa END;
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
     END IF;
-    IF (SELECT count(*) FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) n(node_id)
-        WHERE n.node_id = CASE OLD.which WHEN 'start' THEN edge.from_node ELSE edge.to_node END) = 1 THEN
+    node := CASE OLD.which WHEN 'start' THEN edge.from_node ELSE edge.to_node END;
+    IF (SELECT count(*) FROM edge e WHERE e.from_node = node) + (SELECT count(*) FROM edge e WHERE e.to_node = node) = 1
+        THEN
         PERFORM streetgen._refuse('22023', format('%s cannot be moved', subject),
             detail => 'It lies at a dead end, where no intersection ends.',
             hint => 'Draw the axis shorter or longer in axis_editing.');
@@ -118,7 +121,8 @@ BEGIN
         OR ST_Distance(geom, place.node) > 0.001) FROM corner_override
         WHERE (axis_a, axis_b) = (place.axis_a, place.axis_b) AND ST_DWithin(geom, place.node, 3 * tolerance)
             AND (NOT place.twin OR streetgen._on_side(geom, place.node, place.of_a, place.of_b)) INTO known, own;
-    IF TG_OP = 'DELETE' OR NEW.radius IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
+    IF TG_OP = 'DELETE' OR NEW.radius IS NULL AND NEW.geom IS NOT DISTINCT FROM OLD.geom
+        OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM corner_override WHERE corner_override_id = ANY (known);
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN known <> '{}' THEN OLD END;
     END IF;

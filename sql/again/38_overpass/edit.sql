@@ -14,6 +14,10 @@ BEGIN
         PERFORM streetgen._refuse('0A000', 'an overpass cannot be drawn',
             hint => 'It stands where two axes cross without a node: draw these.');
     ELSIF TG_OP = 'UPDATE' THEN
+        -- Whoever swaps them may say both.
+        IF (NEW.axis_above, NEW.axis_below) = (OLD.axis_below, OLD.axis_above) THEN
+            NEW.axis_below := OLD.axis_below;
+        END IF;
         NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{axis_above,clearance,by_hand}',
             'The other axis as axis_above swaps them.');
         IF NEW IS NOT DISTINCT FROM OLD THEN
@@ -30,7 +34,8 @@ BEGIN
             OLD.axis_below), (OLD.axis_below, OLD.axis_above))
             AND ST_Distance(e.geom, o.geom) < ST_Distance(OLD.geom, o.geom)) INTO known;
     IF NOT taken_back THEN
-        taken_back := NEW.clearance IS NULL OR OLD.by_hand AND NOT NEW.by_hand;
+        taken_back := NEW.clearance IS NULL AND NEW.axis_above IS NOT DISTINCT FROM OLD.axis_above
+            OR OLD.by_hand AND NOT NEW.by_hand;
     END IF;
     IF taken_back THEN
         DELETE FROM overpass_override WHERE overpass_override_id = ANY (known);

@@ -55,7 +55,8 @@ BEGIN
     subject := format('the bend at %s m of axis %s', round(OLD.abscissa::numeric, 2), OLD.axis_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
     SELECT geom FROM axis WHERE axis_id = OLD.axis_id INTO axis;
-    IF TG_OP = 'DELETE' OR NEW.radius IS NULL OR OLD.by_hand AND NOT NEW.by_hand THEN
+    IF TG_OP = 'DELETE' OR NEW.radius IS NULL AND NEW.geom IS NOT DISTINCT FROM OLD.geom
+        OR OLD.by_hand AND NOT NEW.by_hand THEN
         DELETE FROM road_override WHERE axis_id = OLD.axis_id AND abs(abscissa - OLD.abscissa) <= 1;
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;

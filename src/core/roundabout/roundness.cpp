@@ -60,13 +60,13 @@ std::size_t count_by_step(const Ring& ring) {
       std::clamp(length(ring) / step, 32.0, static_cast<double>(most_places)));
 }
 
-// About a step apart.
+// About a step apart, from each farthest vertex on: those of a regular ring coincide where they are
+// fewer.
 Line places_on(const Ring& ring) {
-  const std::vector<std::size_t> vertices = farthest_vertices(ring);
-  const std::size_t count = (count_by_step(ring) + vertices.size() - 1) / vertices.size();
   Line places;
-  for (const std::size_t vertex : vertices)
-    for (const Point& place : places_from(vertex, ring, count)) places.push_back(place);
+  for (const std::size_t vertex : farthest_vertices(ring))
+    for (const Point& place : places_from(vertex, ring, count_by_step(ring)))
+      places.push_back(place);
   return places;
 }
 

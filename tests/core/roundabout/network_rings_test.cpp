@@ -239,6 +239,19 @@ TEST(NetworkRings, HaveOneCircleWhereverTheirLineBegins) {
     }
 }
 
+// A ring drawn as a regular polygon, and one with a corner aside by ten micrometres.
+TEST(NetworkRings, OfARegularPolygonItHasTheRadiusThatItHasBesideIt) {
+  const auto radius = [](double aside) {
+    Line ring;
+    for (int k = 0; k < 8; ++k)
+      ring.push_back({(10 + (k == 0 ? aside : 0)) * std::cos(k * M_PI / 4),
+                      10 * std::sin(k * M_PI / 4)});
+    ring.push_back(ring.front());
+    return network_rings({{1, ring}}, {}).at(0).radius;
+  };
+  EXPECT_NEAR(radius(0), radius(1e-5), 0.05);
+}
+
 // An egg whose two ends are as far from its middle: the circle lies on the line between them.
 TEST(NetworkRings, OfASymmetricalLineHaveASymmetricalCircle) {
   Line egg = arc({0, 0}, 14.3, 80, 280, 11);
