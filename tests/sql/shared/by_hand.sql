@@ -12,7 +12,7 @@ UPDATE quarter.sidewalk_editing SET width = width + 0.5 WHERE sidewalk_id = (SEL
 UPDATE quarter.junction_editing SET kind = 'stop' WHERE junction_id = (SELECT min(junction_id) FROM quarter.junction WHERE kind = 'right_before_left');
 UPDATE quarter.controller_editing SET start_offset = 5 WHERE controller_id = (SELECT min(controller_id) FROM quarter.controller);
 UPDATE quarter.ramp_editing SET length = 90, tangent = 30;
-UPDATE quarter.overpass_editing SET clearance = 6 WHERE overpass_id = (SELECT min(overpass_id) FROM quarter.overpass);
+UPDATE quarter.overpass_editing SET clearance = 6.5 WHERE overpass_id = (SELECT min(overpass_id) FROM quarter.overpass);
 UPDATE quarter.roundabout_editing SET confirmed = true WHERE roundabout_id = (SELECT min(roundabout_id) FROM quarter.roundabout);
 UPDATE quarter.block_editing SET kind = 'strip' WHERE block_id = (SELECT min(block_id) FROM quarter.block WHERE kind = 'block');
 UPDATE quarter.road_arc_editing SET radius = 12 WHERE road_arc_id = (SELECT min(road_arc_id) FROM quarter.road_arc_editing);
