@@ -108,7 +108,7 @@ EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE || ' ' || SQLERRM; END $$;
 SELECT 'an abscissa beyond its axis', pg_temp.said('UPDATE town.street_object_editing SET abscissa = 5000 WHERE street_object_id = 2') = '22023 the abscissa of object 2 cannot be 5000';
 SELECT 'a stretch without length', pg_temp.said('UPDATE town.street_object SET abscissa_end = abscissa + 1e-6 WHERE street_object_id = 2') = '22023 the end of object 2 lies at its start';
 SELECT 'an offset of a kilometre', pg_temp.said('UPDATE town.street_object_editing SET axis_offset = 1000 WHERE street_object_id = 2') = '22023 the offset of object 2 cannot be 1000';
-SELECT 'no placement', pg_temp.said('UPDATE town.street_object_editing SET placement = NULL WHERE street_object_id = 2') = '23502 the placement of object 2 cannot be NULL';
+SELECT 'no placement', pg_temp.said('UPDATE town.street_object_editing SET placement = NULL WHERE street_object_id = 2') = '22004 the placement of object 2 cannot be NULL';
 SELECT 'an orientation of NaN', pg_temp.said($$UPDATE town.street_object_editing SET orientation = 'NaN' WHERE street_object_id = 2$$) LIKE '22023 the orientation of object 2 cannot be NaN';
 SELECT 'no place at all', pg_temp.said($$INSERT INTO town.street_object (type) VALUES ('lamp')$$) = '22023 the new object has no place';
 SELECT 'a coordinate that is none', pg_temp.said($$INSERT INTO town.street_object_editing (type, geom) VALUES ('lamp', '01010000206A080000000000000000F87F000000000000F03F')$$) LIKE '22023 the new object has a coordinate that is no place';

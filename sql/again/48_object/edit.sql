@@ -83,7 +83,7 @@ BEGIN
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         ELSIF NEW.placement IS NULL AND NEW.geom IS NOT DISTINCT FROM OLD.geom THEN
-            PERFORM streetgen._refuse('23502', format('the placement of object %s cannot be NULL',
+            PERFORM streetgen._refuse('22004', format('the placement of object %s cannot be NULL',
                 OLD.street_object_id), hint => 'Type axis, border or absolute, or drag the object.');
         END IF;
         NEW.orientation := coalesce(NEW.orientation, 0);
