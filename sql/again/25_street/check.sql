@@ -1,5 +1,15 @@
 -- Rules of check_model for the network and its surfaces.
 
+CREATE OR REPLACE FUNCTION streetgen._node_degrees(model name) RETURNS TABLE(node_id bigint, degree bigint)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT e.end_node, count(*) FROM (SELECT from_node AS end_node FROM edge
+        UNION ALL SELECT to_node FROM edge) e GROUP BY e.end_node;
+END $$;
+COMMENT ON FUNCTION streetgen._node_degrees(name) IS 'How many ends of edges meet at each node of a model.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_network(model name) RETURNS SETOF streetgen.finding
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
@@ -24,9 +34,7 @@ BEGIN
                         (a.kind_backward, a.lane_width_backward, a.turn_backward, a.lanes_backward, u.lanes_backward,
                             a.direction = 'direct')) w(kinds, widths, turns, stated, used, closed)
         WHERE coalesce(w.kinds, w.widths, w.turns, w.stated::text) IS NOT NULL),
-    degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis
-        FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM edge
-        UNION ALL SELECT to_node, axis_id FROM edge) d GROUP BY node_id)
+    degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model))
     SELECT 'error', 'node without an edge', 'node', n.node_id, 0, n.geom FROM node n
         WHERE NOT EXISTS (SELECT FROM degree d WHERE d.node_id = n.node_id)
     UNION ALL
@@ -158,9 +166,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
-    WITH degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis
-        FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM edge
-        UNION ALL SELECT to_node, axis_id FROM edge) d GROUP BY node_id),
+    WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model)),
     not_made AS MATERIALIZED (
         SELECT geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half FROM axis_used u
             WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = u.axis_id)),
@@ -175,7 +181,7 @@ BEGIN
     valid_intersection AS NOT MATERIALIZED (SELECT * FROM intersection
         WHERE node_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'intersection'))),
     -- Neighbours share their border vertex for vertex, so that a relation without a grid would stumble over rounding.
-    -- It costs as much again, so that only what shares ground without one is looked at.
+    -- A grid costs as much again, so that only pairs that share ground without one are looked at.
     -- Levels are compared by difference, since a hash join of a whole level would pass over the spatial index.
     overlap AS MATERIALIZED (
         SELECT relation, id, ST_CollectionExtract(ST_Intersection(a, b, 1e-5), 3) AS shared FROM (

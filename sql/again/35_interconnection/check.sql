@@ -9,9 +9,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
-    WITH degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis
-        FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM edge
-        UNION ALL SELECT to_node, axis_id FROM edge) d GROUP BY node_id),
+    WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model)),
     lane_node AS MATERIALIZED (
         -- A merging lane ends, or begins, between two nodes.
         SELECT l.lane_id, l.geom, v.along, v.leaves, v.enters FROM lane l JOIN edge e USING (edge_id)

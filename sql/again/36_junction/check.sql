@@ -8,9 +8,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
-    WITH degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis
-        FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM edge
-        UNION ALL SELECT to_node, axis_id FROM edge) d GROUP BY node_id)
+    WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model))
     SELECT 'error', 'node of degree three and more without a junction', 'node', d.node_id, d.degree, n.geom
         FROM degree d JOIN node n USING (node_id) WHERE d.degree >= 3
             AND NOT EXISTS (SELECT FROM junction_node j WHERE j.node_id = d.node_id)

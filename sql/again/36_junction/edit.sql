@@ -85,7 +85,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     SELECT count(*) FILTER (WHERE i.edge_id IS NULL) AS arms,
-        streetgen._ring_edges(model, coalesce(array_agg(e.edge_id), '{}')) <> '{}' AS on_ring
+        streetgen._edges_on_rings(model, coalesce(array_agg(e.edge_id), '{}')) <> '{}' AS on_ring
     FROM (SELECT edge_id FROM edge WHERE from_node = ANY (nodes)
             UNION ALL SELECT edge_id FROM edge WHERE to_node = ANY (nodes)) e
         LEFT JOIN junction_edge i ON i.edge_id = e.edge_id INTO found;

@@ -21,14 +21,16 @@ END $$;
 COMMENT ON FUNCTION streetgen._edge_at(name, bigint, geometry) IS
     'Of the edges of an axis the nearest to a place; NULL where the axis has none.';
 
-CREATE OR REPLACE FUNCTION streetgen._ring_edges(model name, edges bigint[]) RETURNS bigint[]
+CREATE OR REPLACE FUNCTION streetgen._edges_on_rings(model name, edges bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    computed constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF 'roundabout' = ANY (streetgen._subjects(model)) AND edges IS NULL THEN
+    IF computed AND edges IS NULL THEN
         RETURN ARRAY(SELECT r.edge_id FROM roundabout_edge r JOIN roundabout USING (roundabout_id) WHERE accepted);
-    ELSIF 'roundabout' = ANY (streetgen._subjects(model)) THEN
+    ELSIF computed THEN
         RETURN ARRAY(SELECT r.edge_id FROM roundabout_edge r JOIN roundabout USING (roundabout_id)
             WHERE accepted AND r.edge_id = ANY (edges));
     ELSIF edges IS NULL THEN
@@ -39,7 +41,7 @@ BEGIN
             WHERE roundabout_tag IN ('roundabout', 'circular') AND edge_id = ANY (edges));
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._ring_edges(name, bigint[]) IS
+COMMENT ON FUNCTION streetgen._edges_on_rings(name, bigint[]) IS
     'Of some edges (NULL: of all) those of roundabouts: of accepted ones, or, where the model looks for none, those of '
     'which the source says so.';
 
@@ -54,7 +56,7 @@ BEGIN
         SET plan_cache_mode = force_generic_plan
         AS $body$
     DECLARE
-        -- What decides whether two nodes are joined lies no farther from them than this.
+        -- The settings bound how far from two nodes lies what joins them.
         rules record;
         near bigint[];
         rings bigint[];
@@ -62,7 +64,7 @@ BEGIN
         controls streetgen.street_control[];
         grown bigint[];
     BEGIN
-        -- Of all nodes most rows are read, where the plan for a change looks them up by keys.
+        -- A run over all nodes reads most rows, and a change looks them up by keys: these are other plans.
         IF touched IS NULL THEN
             PERFORM set_config('plan_cache_mode', 'force_custom_plan', true);
         END IF;
@@ -80,7 +82,7 @@ BEGIN
                     JOIN node n USING (node_id), LATERAL (
                     SELECT edge_id FROM edge e
                     WHERE e.geom && ST_Expand(n.geom, rules.extent + 2 * rules.gap) OFFSET 0) e) END;
-            rings := streetgen._ring_edges(current_schema(), CASE WHEN region IS NOT NULL THEN near END);
+            rings := streetgen._edges_on_rings(current_schema(), CASE WHEN region IS NOT NULL THEN near END);
             edges := ARRAY(
                 SELECT ROW (e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.from_node, e.to_node,
                     ST_Force2D(e.geom)::bytea, e.lanes_forward + e.lanes_both > 0, e.lanes_backward + e.lanes_both > 0,
@@ -133,8 +135,8 @@ BEGIN
     #variable_conflict use_column
     DECLARE
         classifier constant text := (SELECT value FROM setting WHERE name = 'classifier');
-        rings constant bigint[] := streetgen._ring_edges(current_schema(), ARRAY(SELECT m.edge_id FROM unnest(members) m
-            WHERE m.edge_id IS NOT NULL));
+        rings constant bigint[] := streetgen._edges_on_rings(current_schema(),
+            ARRAY(SELECT m.edge_id FROM unnest(members) m WHERE m.edge_id IS NOT NULL));
     BEGIN
         RETURN ARRAY(
             WITH member AS MATERIALIZED (

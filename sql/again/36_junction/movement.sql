@@ -39,8 +39,9 @@ BEGIN
     #variable_conflict use_column
     DECLARE
         srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = current_schema());
-        rings constant bigint[] := streetgen._ring_edges(current_schema(), ARRAY(SELECT e.edge_id FROM junction_node j
-            JOIN edge e ON j.node_id IN (e.from_node, e.to_node) WHERE j.junction_id = ANY (junctions)));
+        rings constant bigint[] := streetgen._edges_on_rings(current_schema(),
+            ARRAY(SELECT e.edge_id FROM junction_node j JOIN edge e ON j.node_id IN (e.from_node, e.to_node)
+                WHERE j.junction_id = ANY (junctions)));
         rules record;
     BEGIN
         SELECT max(value) FILTER (WHERE name = 'u_turn') = 'true' AS u_turn,
@@ -103,7 +104,7 @@ BEGIN
                 FROM member m JOIN node n USING (node_id)
                     JOIN turn_restriction r ON ST_DWithin(r.geom, n.geom, 3 * rules.tolerance)
                 WHERE r.via_axes IS NULL ORDER BY m.junction_id, r.turn_restriction_id),
-            -- Those via axes whose edges all lie in one junction.
+            -- Restrictions via axes hold here where the edges of these axes all lie in one junction.
             ARRAY(SELECT ROW (junction_id, turn_restriction_id, from_axis, to_axis, edge_id, kind,
                     except_kinds)::streetgen.junction_way_restriction
                 FROM (SELECT DISTINCT m.junction_id, r.turn_restriction_id, r.from_axis, r.to_axis, v.edge_id, r.kind,

@@ -220,7 +220,7 @@ BEGIN
         ground AS MATERIALIZED (SELECT value::integer AS level FROM setting WHERE name = 'ground_level'),
         street AS MATERIALIZED (
             SELECT a.axis_id, o.from_node, o.to_node FROM reach, ground, axis a
-            -- As _nearest_axis: the nearest box bounds the distance.
+            -- The nearest box bounds the distance, as in _nearest_axis.
             LEFT JOIN LATERAL (SELECT e.geom FROM edge e WHERE e.axis_id <> a.axis_id AND e.level = ground.level
                 ORDER BY e.geom <#> a.geom LIMIT 1) b ON true
             LEFT JOIN LATERAL (SELECT e.from_node, e.to_node FROM edge e

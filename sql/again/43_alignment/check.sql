@@ -8,9 +8,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
-    WITH degree AS MATERIALIZED (SELECT node_id, count(*) AS degree, max(e_axis) AS of_axis
-        FROM (SELECT from_node AS node_id, axis_id AS e_axis FROM edge
-        UNION ALL SELECT to_node, axis_id FROM edge) d GROUP BY node_id),
+    WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model)),
     -- The ends of each edge in the direction of its road.
     member AS MATERIALIZED (
         SELECT m.road_id, m.position, m.edge_id, m.start_abscissa, e.end_abscissa - e.start_abscissa AS length, e.geom,

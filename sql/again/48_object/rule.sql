@@ -72,7 +72,7 @@ BEGIN
     DECLARE
         bays constant text[] := _types_below('parking_bay');
         crossings constant text[] := _types_below('crossing');
-        rings constant bigint[] := streetgen._ring_edges(current_schema(), CASE WHEN axes IS NOT NULL
+        rings constant bigint[] := streetgen._edges_on_rings(current_schema(), CASE WHEN axes IS NOT NULL
             THEN ARRAY(SELECT edge_id FROM edge WHERE axis_id = ANY (axes)) END);
         any_free constant boolean := EXISTS (SELECT FROM free_place);
         any_former constant boolean := EXISTS (SELECT FROM street_object WHERE placed_by <> 'rule'
@@ -193,7 +193,8 @@ BEGIN
         left_free AS (
             INSERT INTO free_place (rule_id, geom)
             SELECT rule_id, geom FROM former ORDER BY rule_id, axis_id, rule_place),
-        -- What gives way: to what others placed, to earlier rules, and a bay to intersections and crossings.
+        -- An object gives way to objects that others placed and to earlier rules; a bay also to intersections and
+        -- crossings.
         in_the_way AS MATERIALIZED (
             SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (axis_id)
                 WHERE t.distance_least > 0 AND b.rule_id < t.rule_id AND b.at_side IS NOT DISTINCT FROM t.at_side

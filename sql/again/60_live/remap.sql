@@ -39,8 +39,7 @@ BEGIN
     IF 'lane' <> ALL (streetgen._subjects(model)) THEN
         RETURN 0;
     END IF;
-    SELECT count(*) FROM lane WHERE edge_id = (SELECT edge_id FROM edge WHERE axis_id = axis
-        ORDER BY ST_Distance(geom, place), edge_id LIMIT 1) INTO lanes;
+    SELECT count(*) FROM lane WHERE edge_id = streetgen._edge_at(model, axis, place) INTO lanes;
     RETURN lanes;
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_by(name, bigint, geometry) IS

@@ -48,11 +48,8 @@ BEGIN
         WHERE to_regprocedure(format('streetgen._check_%s(name)', s)) IS NOT NULL ORDER BY n);
     FOREACH subject IN ARRAY subjects LOOP
         PERFORM streetgen._tell_check(subject, array_position(subjects, subject), cardinality(subjects));
-        -- A loop: what fails within its query does not show it whole.
-        FOR severity, rule, relation, id, measure, geom IN EXECUTE
-            format('SELECT * FROM streetgen._check_%s($1)', subject) USING model LOOP
-            RETURN NEXT;
-        END LOOP;
+        -- Each of these functions has a loop, so that a query that fails is not shown whole.
+        RETURN QUERY EXECUTE format('SELECT * FROM streetgen._check_%s($1)', subject) USING model;
     END LOOP;
 EXCEPTION WHEN internal_error THEN
     -- PostGIS' name for an overlay that was interrupted. The interrupt still waits, and is taken before RAISE: the call
