@@ -106,6 +106,15 @@ SELECT 'by the view too', count(*) = 0 FROM town.road_override;
 SELECT 'a radius out of range: 22023', test.state($$UPDATE town.road_arc_editing SET radius = -1 WHERE axis_id = 1$$) = '22023' AND test.state($$UPDATE town.road_arc_editing SET radius = 'NaN' WHERE axis_id = 1$$) = '22023';
 SELECT 'a bend cannot be inserted: 0A000', test.state($$INSERT INTO town.road_arc_editing (axis_id, radius) VALUES (1, 5)$$) = '0A000';
 
+-- A radius that wants all of a short segment leaves the next bend its arc.
+INSERT INTO town.axis (axis_id, geom, width) VALUES (20, 'SRID=2154;LINESTRING(650500 6860000, 650505.8 6860002, 650509.2 6860006.5, 650514.9 6860015.2)', 5);
+UPDATE town.road_arc_editing SET radius = 30 WHERE axis_id = 20 AND abscissa < 7;
+SELECT 'a wish takes no arc from the next bend', count(*) = 2 AND min(radius) > 1 AND max(radius) FILTER (WHERE by_hand) BETWEEN 8 AND 30 FROM town.road_arc_editing WHERE axis_id = 20;
+SELECT 'the road has one tangent', count(*) = 0 FROM streetgen.check_model('town') WHERE rule LIKE 'gap of tangent%';
+UPDATE town.road_arc_editing SET radius = 0 WHERE axis_id = 20 AND abscissa < 7;
+SELECT 'what is sharp by hand is no gap', count(*) = 0 FROM streetgen.check_model('town') WHERE rule LIKE 'gap of tangent%';
+DELETE FROM town.axis WHERE axis_id = 20;
+
 -- With smoothing the edges are the roads.
 SELECT streetgen.set('town', 'smoothing', 'arcs') \g /dev/null
 CREATE TEMPORARY TABLE drawn AS SELECT road_id, geom FROM town.road;

@@ -35,11 +35,12 @@ BEGIN
         FROM road r LEFT JOIN (SELECT road_id, sum(length) AS length FROM member GROUP BY road_id) m USING (road_id)
         WHERE abs(r.length - m.length) <= 1e-6 IS NOT TRUE
     UNION ALL
-    -- Edges that turn by more than a right angle, or change their level, meet at a corner.
+    -- Edges that turn by more than a right angle, or change their level, meet at a corner. A bend may be sharp by hand.
     SELECT 'error', 'gap of tangent, degrees', 'road', r.road_id, degrees(k.angle), k.place::geometry
         FROM road r, LATERAL streetgen._arc_road_kinks(r.geom) k
         WHERE NOT EXISTS (SELECT FROM member m JOIN node n ON n.node_id = m.first_node
             WHERE m.road_id = r.road_id AND ST_DWithin(n.geom, k.place::geometry, 1e-3))
+        AND NOT EXISTS (SELECT FROM road_override o WHERE o.radius = 0 AND ST_DWithin(o.geom, k.place::geometry, 1))
     UNION ALL
     SELECT 'notice', 'road with a bend tighter than 5 m, m', 'road', road_id, min(radius),
         ST_Collect(centre) FROM road_arc WHERE radius < 5 GROUP BY road_id

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "alignment/fit_radii.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 
@@ -76,23 +77,34 @@ double tangent_of(const Line& line, std::size_t bend) {
   return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
 }
 
-// A turn straight back stays sharp, and radii by hand that want more of a segment than there is
-// shrink until they fit.
-void shrink_to_fit(const Line& line, Radii& radii) {
-  for (std::size_t i = 1; i + 1 < line.size(); ++i)
-    if (radii[i] && turns_back(line[i] - line[i - 1], line[i + 1] - line[i])) radii[i] = 0;
-  const auto taken = [&](std::size_t i) {
-    return radii[i] && *radii[i] > 0 ? *radii[i] * tangent_of(line, i) : 0;
-  };
-  std::vector<double> share(line.size(), 1);
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const double wanted = taken(i) + taken(i + 1), room = distance(line[i], line[i + 1]);
-    if (wanted <= room) continue;
-    share[i] = std::min(share[i], filled * room / wanted);
-    share[i + 1] = std::min(share[i + 1], filled * room / wanted);
+// A bend whose radius grows as far as somebody asked. Without a wish it keeps the room of a quarter
+// of each of its segments, or less where its arc wants less, so that no wish takes its arc away.
+Bend bend_with_wish(const Line& line, std::size_t i, const std::optional<double>& wish,
+                    double shift) {
+  const Point in = line[i] - line[i - 1], out = line[i + 1] - line[i];
+  Bend bend;
+  if (turns_back(in, out)) return bend;
+  bend.tangent = tangent_of(line, i);
+  const double square = bend.tangent * bend.tangent;
+  if (wish)
+    bend.bound = *wish;
+  else if (bend.tangent > straight_sine)
+    bend.bound = std::min(shift * (std::sqrt(1 + square) + 1) / square,
+                          share_of_segment * std::min(norm(in), norm(out)) / bend.tangent);
+  return bend;
+}
+
+// Radii by hand that want more of a segment than there is become the greatest that fit.
+void make_wishes_fit(const Line& line, Radii& radii, double shift) {
+  std::vector<double> lengths{distance(line[0], line[1])};
+  std::vector<Bend> bends;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    lengths.push_back(distance(line[i], line[i + 1]));
+    bends.push_back(bend_with_wish(line, i, radii[i], shift));
   }
-  for (std::size_t i = 0; i < line.size(); ++i)
-    if (radii[i]) *radii[i] *= share[i];
+  const std::vector<double> fitting = fit_radii(lengths, bends);
+  for (std::size_t i = 1; i + 1 < line.size(); ++i)
+    if (radii[i] && fitting[i - 1] < *radii[i]) radii[i] = fitting[i - 1] * filled;
 }
 
 }  // namespace
@@ -143,7 +155,7 @@ std::optional<ArcRoad> EdgeArcs::of(int e) const {
   if (const auto point = tangent_at(edge.to_node, {e, false}))
     insert(static_cast<std::ptrdiff_t>(bends.size()) - 1, *point);
   if (bends.size() == 2) return std::nullopt;
-  if (!fit.radii.empty()) shrink_to_fit(bends, fit.radii);
+  if (!fit.radii.empty()) make_wishes_fit(bends, fit.radii, shift_);
   return ArcRoad::fit(bends, fit);
 }
 

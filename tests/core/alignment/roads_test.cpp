@@ -192,5 +192,25 @@ TEST(RoadOverride, OfZeroOrMoreAlwaysFits) {
   }
 }
 
+// A wish of one bend leaves its neighbours an arc: the road keeps one tangent everywhere.
+TEST(RoadOverride, TakesNoArcFromOtherBends) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<> size(1, 400), place(-60, 60);
+  for (int run = 0; run < 500; ++run) {
+    Line line{{0, 0, 0}};
+    for (int i = 1; i < 8; ++i)
+      line.push_back(line.back() + Point{place(random), place(random), 0});
+    std::vector<RoadOverride> wishes;
+    double abscissa = 0;
+    for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+      abscissa += distance(line[i - 1], line[i]);
+      if (random() % 2 == 0) wishes.push_back({1, abscissa, size(random)});
+    }
+    // A line that meets itself is cut into several edges, whose ends are no bends.
+    for (const Road& road : roads(of_axes({{1, line, 0}}), {}, shift, wishes))
+      if (road.members.size() == 1) EXPECT_TRUE(ArcRoad::along(road.curve).kinks().empty());
+  }
+}
+
 }  // namespace roads_test
 }  // namespace streetgen
