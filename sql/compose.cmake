@@ -1,8 +1,8 @@
-# The install script: all once-files, all again-files folder by folder, and the end.  An object
-# planted beforehand must make the install fail, so OR REPLACE is taken out.  Its hash is the mark
-# of the build, which the script and the module (HEADER) both carry.
+# The install script: all PARTS in the order of sql/order.txt.  An object planted beforehand must make
+# the install fail, so OR REPLACE is taken out.  Its hash is the mark of the build, which the script
+# and the module (HEADER) both carry.
 set(script "\\echo Use \"CREATE EXTENSION streetgen CASCADE\" to load this file. \\quit\n")
-foreach(part IN LISTS ONCE AGAIN)
+foreach(part IN LISTS PARTS)
   file(READ ${part} text)
   string(REPLACE "CREATE OR REPLACE FUNCTION streetgen." "CREATE FUNCTION streetgen." text "${text}")
   string(APPEND script "\n${text}")
