@@ -1,15 +1,5 @@
 -- The core's part of designed roads: private twins, which take numbers, EWKB and a site.
 
-CREATE OR REPLACE FUNCTION streetgen._ground_heights(tiles bytea[], xs float8[], ys float8[]) RETURNS float8[]
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_ground_heights';
-COMMENT ON FUNCTION streetgen._ground_heights(bytea[], float8[], float8[]) IS
-    'Heights of the ground at places, NaN where there are none; tiles as raster WKB.';
-
-CREATE OR REPLACE FUNCTION streetgen._height_tile_box(tile bytea) RETURNS float8[]
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_height_tile_box';
-COMMENT ON FUNCTION streetgen._height_tile_box(bytea) IS
-    'Left, lower, right and upper side of a tile of heights (raster WKB), and its SRID. Other bytes: 22023.';
-
 CREATE OR REPLACE FUNCTION streetgen._road_path(site streetgen.road_site, places bytea, straight float8[])
     RETURNS TABLE(x float8, y float8, z float8, by_hand boolean, barrier text)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000000 ROWS 50 AS 'MODULE_PATHNAME', 'streetgen_road_path';

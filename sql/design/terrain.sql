@@ -94,18 +94,6 @@ COMMENT ON FUNCTION streetgen.import_terrain(name, regclass) IS
     'ones: 22023; no such column: 42703; a model without a '
     'design: 55000; not its owner: 42501.';
 
-CREATE OR REPLACE FUNCTION streetgen._tiles_of(model name, area geometry) RETURNS bytea[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    tiles bytea[];
-BEGIN
-    EXECUTE format('SELECT coalesce(array_agg(heights ORDER BY terrain_tile_id), ''{}'') FROM %I.terrain_tile
-        WHERE geom && $1 AND NOT rejected', model) INTO tiles USING area;
-    RETURN tiles;
-END $$;
-COMMENT ON FUNCTION streetgen._tiles_of(name, geometry) IS 'The tiles of heights whose boxes meet that of an area.';
-
 CREATE OR REPLACE FUNCTION streetgen._in_model(model name, geom geometry, what text, expected text[] DEFAULT NULL,
     way_out text DEFAULT NULL) RETURNS geometry
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -178,8 +178,3 @@ CREATE OR REPLACE FUNCTION streetgen._lane_group_text(edge_id bigint, along_axis
 COMMENT ON FUNCTION streetgen._lane_group_text(bigint, boolean, integer) IS
     'The name of a lane group in files: the id of its edge, -id against the axis, with .2 for the second of a '
     'direction.';
-
-CREATE OR REPLACE FUNCTION streetgen._xml_text(words text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN regexp_replace(words, '[\x01-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff]', '', 'g');
-COMMENT ON FUNCTION streetgen._xml_text(text) IS 'A text without the characters that XML cannot hold.';

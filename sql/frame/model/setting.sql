@@ -314,3 +314,15 @@ COMMENT ON FUNCTION streetgen.set(name, text, text) IS
     'function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have '
     'ended; rows computed before are stale until generate. A lock_timeout that ends: 55P03, naming who holds the '
     'settings.';
+
+CREATE OR REPLACE FUNCTION streetgen._tolerance(model name) RETURNS float8
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    tolerance float8;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT value::float8 FROM setting WHERE name = 'tolerance' INTO tolerance;
+    RETURN tolerance;
+END $$;
+COMMENT ON FUNCTION streetgen._tolerance(name) IS 'Setting tolerance of a model, metres.';

@@ -1,17 +1,5 @@
 -- Edits of the axes themselves: axis_editing, node_editing, edge_editing.
 
-CREATE OR REPLACE FUNCTION streetgen._tolerance(model name) RETURNS float8
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    tolerance float8;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    SELECT value::float8 FROM setting WHERE name = 'tolerance' INTO tolerance;
-    RETURN tolerance;
-END $$;
-COMMENT ON FUNCTION streetgen._tolerance(name) IS 'Setting tolerance of a model, metres.';
-
 CREATE OR REPLACE FUNCTION streetgen._edit_axis() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

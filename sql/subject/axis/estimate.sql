@@ -80,23 +80,6 @@ COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
     'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width '
     'below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
 
-CREATE OR REPLACE FUNCTION streetgen._island_side(roundabout_tag text, direction text, driving_side text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN roundabout_tag IS NOT NULL AND direction <> 'both'
-        THEN CASE WHEN (direction = 'direct') = (driving_side <> 'left') THEN 'left' ELSE 'right' END END;
-COMMENT ON FUNCTION streetgen._island_side(text, text, text) IS
-    'On which side of its axis a roundabout has its island, left or right. NULL where the source names no roundabout, '
-    'or no direction of the traffic that goes round.';
-
-CREATE OR REPLACE FUNCTION streetgen.estimated_sidewalk(importance integer, walked_along boolean, widths float8[])
-    RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN NOT walked_along THEN 0 ELSE coalesce(streetgen._of_importance(importance, widths), 0) END;
-COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, boolean, float8[]) IS
-    'Width in metres of the sidewalk on each side of an axis that says none, from its importance (1 the highest) and '
-    'the widths from importance 1 on, the last also for what is less important. 0 where people do not walk along its '
-    'class (axis_class.walked_along), and for an importance that is NULL. An argument that is NULL is unknown.';
-
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'general')) +

@@ -121,3 +121,15 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._heights_by_hand(name, bigint, bigint, float8, float8, float8) IS
     'The heights by hand of an edge: of its axis, between two abscissas; length is that of the edge, m.';
+
+CREATE OR REPLACE FUNCTION streetgen._tiles_of(model name, area geometry) RETURNS bytea[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    tiles bytea[];
+BEGIN
+    EXECUTE format('SELECT coalesce(array_agg(heights ORDER BY terrain_tile_id), ''{}'') FROM %I.terrain_tile
+        WHERE geom && $1 AND NOT rejected', model) INTO tiles USING area;
+    RETURN tiles;
+END $$;
+COMMENT ON FUNCTION streetgen._tiles_of(name, geometry) IS 'The tiles of heights whose boxes meet that of an area.';

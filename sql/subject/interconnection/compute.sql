@@ -1,5 +1,14 @@
 -- The one statement, interconnections: pairs of lanes as computed or as decided by hand.
 
+CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint, nodes bigint[], lanes bigint[])
+    RETURNS TABLE(number integer, node_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
+        turn text, angle float8,
+        plausible boolean, reason text, control geometry, geom geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME',
+        'streetgen_computed_interconnection';
+COMMENT ON FUNCTION streetgen._computed_interconnection(bigint, bigint[], bigint[]) IS
+    'The pairs of lanes of streets computed in this statement, and the paths between them.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_interconnection(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template($part$

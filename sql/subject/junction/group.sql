@@ -11,40 +11,6 @@ COMMENT ON FUNCTION streetgen._group_junctions(streetgen.junction_edge_input[], 
         'its nodes apart, and the control points that speak to the traffic which comes to its start and to its end. '
         'gap, extent and control_distance in m. No edges (NULL): no row. Bad geometry, a number out of range: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._edge_at(model name, axis bigint, place geometry) RETURNS bigint
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    RETURN (SELECT e.edge_id FROM edge e WHERE e.axis_id = axis ORDER BY ST_Distance(e.geom, place), e.edge_id LIMIT 1);
-END $$;
-COMMENT ON FUNCTION streetgen._edge_at(name, bigint, geometry) IS
-    'Of the edges of an axis the nearest to a place; NULL where the axis has none.';
-
-CREATE OR REPLACE FUNCTION streetgen._edges_on_rings(model name, edges bigint[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    computed constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
-BEGIN
-    PERFORM streetgen._use_model(model);
-    IF computed AND edges IS NULL THEN
-        RETURN ARRAY(SELECT r.edge_id FROM roundabout_edge r JOIN roundabout USING (roundabout_id) WHERE accepted);
-    ELSIF computed THEN
-        RETURN ARRAY(SELECT r.edge_id FROM roundabout_edge r JOIN roundabout USING (roundabout_id)
-            WHERE accepted AND r.edge_id = ANY (edges));
-    ELSIF edges IS NULL THEN
-        RETURN ARRAY(SELECT edge_id FROM edge JOIN axis USING (axis_id)
-            WHERE roundabout_tag IN ('roundabout', 'circular'));
-    ELSE
-        RETURN ARRAY(SELECT edge_id FROM edge JOIN axis USING (axis_id)
-            WHERE roundabout_tag IN ('roundabout', 'circular') AND edge_id = ANY (edges));
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._edges_on_rings(name, bigint[]) IS
-    'Of some edges (NULL: of all) those of roundabouts: of accepted ones, or, where the model looks for none, those of '
-    'which the source says so.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_junction_members(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -79,3 +79,53 @@ $sql$, model, srid, streetgen._finite('geom'));
 END $$;
 COMMENT ON FUNCTION streetgen._make_junction_override_table(name, integer) IS
     'Makes the table junction_override of a model, where it is missing.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 50 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('junction'::name, 'junction_id'::name, 'key: the smallest of its nodes'),
+    ('junction', 'kind', 'ramp, signals, stop, priority, right_before_left, roundabout, continuation (two arms) or '
+        'end (one arm)'),
+    ('junction', 'method', 'hypothesis: one node; grouped: several; by_hand: its kind was decided by hand'),
+    ('junction', 'geom', 'the middle of its nodes'),
+    ('junction', 'surface', 'the intersections of its nodes and the sections between them as one, islands left out'),
+    ('junction_node', 'node_id', 'the node'),
+    ('junction_node', 'junction_id', 'the junction that it belongs to'),
+    ('junction_edge', 'edge_id', 'the edge'),
+    ('junction_edge', 'junction_id', 'the junction that it lies in'),
+    ('junction_edge', 'role', 'inside, or slip_lane: a way that cuts a corner'),
+    ('junction_movement', 'junction_movement_id', 'key'),
+    ('junction_movement', 'junction_id', 'the junction'),
+    ('junction_movement', 'lane_in', 'the lane that comes in'),
+    ('junction_movement', 'lane_out', 'the lane that goes out'),
+    ('junction_movement', 'along_in', 'does one drive along the axis of lane_in?'),
+    ('junction_movement', 'along_out', 'does one drive along the axis of lane_out?'),
+    ('junction_movement', 'turn', 'through, left, right or u_turn'),
+    ('junction_movement', 'angle', 'from lane to lane, degrees, positive to the left'),
+    ('junction_movement', 'plausible', 'would traffic take it?'),
+    ('junction_movement', 'reason', 'why it is plausible or not, as of an interconnection'),
+    ('junction_movement', 'connecting', 'does traffic go that way: plausible, or decided by hand of a path on the way'),
+    ('junction_movement', 'interconnections', 'paths at single nodes that lead the same way, in their order'),
+    ('junction_movement', 'geom', 'the path, tangent to both lanes'),
+    ('junction_override', 'junction_override_id', 'key'),
+    ('junction_override', 'axis_id', 'an axis of the junction'),
+    ('junction_override', 'geom', 'a place on the edge, or at the node, of that axis'),
+    ('junction_override', 'inside', 'does the edge join its two nodes to one junction? NULL: the row decides a kind'),
+    ('junction_override', 'kind', 'the kind of the junction; NULL: the row decides of an edge'),
+    ('junction_link', 'edge_id', 'the edge'),
+    ('junction_link', 'axis_id', 'its axis'),
+    ('junction_link', 'from_junction', 'the junction at its start, or the node that is none'),
+    ('junction_link', 'to_junction', 'the junction at its end, or the node that is none'),
+    ('junction_link', 'lanes_along', 'lanes from start to end'),
+    ('junction_link', 'lanes_against', 'lanes from end to start'),
+    ('junction_link', 'geom', 'its line'),
+    ('junction_crossing', 'junction_id', 'the junction'),
+    ('junction_crossing', 'control_point_id', 'the control point of kind pedestrian_crossing'),
+    ('junction_crossing', 'node_id', 'the node of the junction that is nearest to it'),
+    ('junction_crossing', 'edge_id', 'the street that is crossed; two rows where the point lies on a node'),
+    ('junction_crossing', 'inside', 'does the street lie within the junction?'),
+    ('junction_crossing', 'width', 'of the roadway there, metres'),
+    ('junction_crossing', 'seconds', 'to cross: 4 s to begin with, and the width at 1.2 m/s'),
+    ('junction_crossing', 'geom', 'the place of the control point') $$;
+COMMENT ON FUNCTION streetgen._junction_column() IS 'The columns of junctions, and what each is.';

@@ -140,3 +140,10 @@ COMMENT ON COLUMN streetgen.junction_made.kind IS 'its kind';
 COMMENT ON COLUMN streetgen.junction_made.method IS 'hypothesis, grouped or by_hand';
 COMMENT ON COLUMN streetgen.junction_made.geom IS 'the middle of its nodes, POINT';
 COMMENT ON COLUMN streetgen.junction_made.nodes IS 'how many nodes it has';
+
+CREATE TYPE streetgen.street_junction AS (axis_id bigint, x float8, y float8, kind text);
+COMMENT ON TYPE streetgen.street_junction IS 'The kind of a node by hand.';
+COMMENT ON COLUMN streetgen.street_junction.axis_id IS 'the axis';
+COMMENT ON COLUMN streetgen.street_junction.x IS 'abscissa of a place near a node of the axis, in the plane';
+COMMENT ON COLUMN streetgen.street_junction.y IS 'its ordinate';
+COMMENT ON COLUMN streetgen.street_junction.kind IS 'a kind of junction';

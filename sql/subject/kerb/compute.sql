@@ -1,5 +1,12 @@
 -- The one statement, kerbs: the border of what is affected, and of what lies beside ground that changed.
 
+CREATE OR REPLACE FUNCTION streetgen._computed_kerb(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, node_id bigint, level integer, side text, part integer, geom geometry,
+        curve geometry, surface geometry, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_kerb';
+COMMENT ON FUNCTION streetgen._computed_kerb(bigint, bigint[], bigint[]) IS
+    'The kerbs of streets computed in this statement: of sections, where node_id is NULL, and of intersections.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_neighbour(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$(

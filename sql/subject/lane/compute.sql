@@ -1,5 +1,28 @@
 -- The one statement, lanes and what is painted on them.
 
+CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text,
+        along_axis boolean, both_ways boolean, kind text,
+        width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text,
+        start_abscissa float8, end_abscissa float8)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
+COMMENT ON FUNCTION streetgen._computed_lane(bigint, bigint[]) IS 'The lanes of streets computed in this statement.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_lane_separator(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, kind text, dashed boolean,
+        leftwards boolean, rightwards boolean, axis_offset float8, geom geometry, surface geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME',
+        'streetgen_computed_lane_separator';
+COMMENT ON FUNCTION streetgen._computed_lane_separator(bigint, bigint[]) IS
+    'The lines between the lanes of streets computed in this statement.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_marking(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, edge_id bigint, lane_position integer, along_axis boolean, node_id bigint, kind text,
+        geom geometry, surface geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_marking';
+COMMENT ON FUNCTION streetgen._computed_marking(bigint, bigint[], bigint[]) IS
+    'What is painted across and on the lanes of streets computed in this statement.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',',

@@ -1,5 +1,12 @@
 -- The one statement, overpasses: those of every written edge. Axes that cross one of these are gathered with it.
 
+CREATE OR REPLACE FUNCTION streetgen._computed_overpass(streets bigint, edges bigint[])
+    RETURNS TABLE(number integer, edge_above bigint, abscissa_above float8, edge_below bigint, abscissa_below float8,
+        geom geometry, clearance float8, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_overpass';
+COMMENT ON FUNCTION streetgen._computed_overpass(bigint, bigint[]) IS
+    'The overpasses of streets computed in this statement; abscissas along the edge, m.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_overpass_override(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$(

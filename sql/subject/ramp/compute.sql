@@ -1,5 +1,14 @@
 -- The one statement, ramps: axes that may be part of one go into the core, which tells ramps and their merging lanes.
 
+CREATE OR REPLACE FUNCTION streetgen._computed_ramp(streets bigint, nodes bigint[], edges bigint[])
+    RETURNS TABLE(number integer, node_id bigint, edge_id bigint, edge_before bigint, edge_after bigint, kind text,
+        side text, lanes_before integer, lanes_ramp integer, lanes_after integer, lanes_missing integer,
+        lanes_merging integer, length float8, taper float8, tangent float8, auxiliary boolean, cut boolean,
+        short_link boolean, geom geometry, method text)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 20 AS 'MODULE_PATHNAME', 'streetgen_computed_ramp';
+COMMENT ON FUNCTION streetgen._computed_ramp(bigint, bigint[], bigint[]) IS
+    'The ramps of streets computed in this statement; columns as of table ramp.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_axis(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$(

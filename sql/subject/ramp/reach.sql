@@ -18,12 +18,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._merging_reach(name) IS
     'How far along a highway a place may depend on a ramp, by its merging lanes and those of others that they meet, m.';
 
-CREATE OR REPLACE FUNCTION streetgen._may_be_highway(kind text, highway_role text) RETURNS boolean
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN kind IS NULL OR highway_role IN ('highway', 'fast_road');
-COMMENT ON FUNCTION streetgen._may_be_highway(text, text) IS
-    'May merging lanes lie on an axis of a class with such a role, whatever its speed?';
-
 CREATE OR REPLACE FUNCTION streetgen._make_merging_run(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -23,3 +23,27 @@ COMMENT ON FUNCTION streetgen._network_rings(bigint[], bytea[], integer[], integ
     '(arm_nodes) that have one arm; inside: nodes of its level within, and loops that hang on it there. The edges of '
     'the ring, face by face, and its arms by axis and abscissas in metres, along: whether traffic that goes round, or '
     'comes to the ring, drives along the axis. A value out of range: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._edges_on_rings(model name, edges bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    computed constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF computed AND edges IS NULL THEN
+        RETURN ARRAY(SELECT r.edge_id FROM roundabout_edge r JOIN roundabout USING (roundabout_id) WHERE accepted);
+    ELSIF computed THEN
+        RETURN ARRAY(SELECT r.edge_id FROM roundabout_edge r JOIN roundabout USING (roundabout_id)
+            WHERE accepted AND r.edge_id = ANY (edges));
+    ELSIF edges IS NULL THEN
+        RETURN ARRAY(SELECT edge_id FROM edge JOIN axis USING (axis_id)
+            WHERE roundabout_tag IN ('roundabout', 'circular'));
+    ELSE
+        RETURN ARRAY(SELECT edge_id FROM edge JOIN axis USING (axis_id)
+            WHERE roundabout_tag IN ('roundabout', 'circular') AND edge_id = ANY (edges));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._edges_on_rings(name, bigint[]) IS
+    'Of some edges (NULL: of all) those of roundabouts: of accepted ones, or, where the model looks for none, those of '
+    'which the source says so.';

@@ -228,3 +228,24 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_kerb_point() IS
     'Trigger of kerb_point_editing: writes kerb_point_override, the axis being the nearest and the width twice the '
     'distance to it. A point beyond the end of its axis, on it or over 100 m from it: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._fill_width() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    axis geometry;
+    moved constant boolean := (NEW.axis_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.axis_id, OLD.geom::bytea);
+BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = NEW.axis_id INTO axis;
+    IF NEW.abscissa IS NULL OR moved AND NEW.abscissa = OLD.abscissa THEN
+        NEW.abscissa := coalesce(ST_LineLocatePoint(axis, NEW.geom) * ST_Length(axis), NEW.abscissa);
+    END IF;
+    IF NEW.width IS NULL OR moved AND NEW.width = OLD.width THEN
+        NEW.width := coalesce(2 * ST_Distance(axis, NEW.geom), NEW.width);
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._fill_width() IS
+    'Trigger of kerb_point_override: abscissa, and width as twice the distance from the axis, where none is given or '
+    'the point moves without it; as they are where the axis is gone.';

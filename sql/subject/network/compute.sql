@@ -1,5 +1,32 @@
 -- The one statement, nodes and edges: which of them are written, and which keep the id of one that is there.
 
+CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
+    RETURNS TABLE(number integer, affected boolean, kerbs_affected boolean, geom geometry, anchor_axis bigint[],
+        anchor_abscissa float8[])
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_node';
+COMMENT ON FUNCTION streetgen._computed_node(bigint) IS
+    'The nodes of streets computed in this statement. number: by which other things computed name it, from 1 on, as '
+    'in all these; affected: its intersection and lanes come out; kerbs_affected: the kerbs of its '
+    'intersection do; axes that have a vertex there and its abscissa on '
+    'each, m. Streets that are not kept: 55000, as in all these. Limits, surfaces, corners, lanes and what is painted '
+    'are given once, so that what they took is free for their tables.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
+    RETURNS TABLE(number integer, affected boolean, lanes_affected boolean, kerbs_affected boolean,
+        spreads_to boolean, axis_id bigint, from_node integer, to_node integer, level integer,
+        start_abscissa float8, end_abscissa float8, geom geometry, curve geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
+COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
+    'The edges of streets computed in this statement: affected: its section comes out; lanes_affected: its lanes do; '
+    'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its '
+    'axis is due; abscissas along the axis, m; curve: the arc road of which geom is chords, NULL where there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
+    RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_report';
+COMMENT ON FUNCTION streetgen._computed_report(bigint) IS
+    'What the network step noticed while it computed streets in this statement.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_written(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$

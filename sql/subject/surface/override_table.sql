@@ -1,5 +1,6 @@
 -- The tables of what a user decides about streets. Each override names input and keeps its place,
 -- so that it finds its axis again; none has a foreign key: one whose axis is gone stays.
+
 CREATE OR REPLACE FUNCTION streetgen._make_override_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
@@ -128,54 +129,3 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_override_tables(name, integer) IS
     'Makes the tables of overrides of a model, or adds what an older model lacks.';
-
-CREATE OR REPLACE FUNCTION streetgen._fill_place() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    axis geometry;
-    place geometry;
-    moved boolean;
-BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
-    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = NEW.axis_id INTO axis;
-    IF axis IS NULL THEN
-        RETURN NEW;
-    END IF;
-    IF TG_TABLE_NAME = 'transition_override' THEN
-        moved := (NEW.axis_id, NEW.which) IS DISTINCT FROM (OLD.axis_id, OLD.which);
-        place := CASE NEW.which WHEN 'start' THEN ST_StartPoint(axis) ELSE ST_EndPoint(axis) END;
-    ELSE
-        moved := (NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.axis_id, OLD.abscissa);
-        place := CASE WHEN NEW.abscissa BETWEEN 0 AND ST_Length(axis)
-            THEN ST_LineInterpolatePoint(axis, NEW.abscissa / ST_Length(axis)) END;
-    END IF;
-    IF NEW.geom IS NULL OR moved AND NEW.geom::bytea = OLD.geom::bytea THEN
-        NEW.geom := place;
-    END IF;
-    RETURN NEW;
-END $$;
-COMMENT ON FUNCTION streetgen._fill_place() IS
-    'Trigger of override tables: the place (geom) from axis and abscissa, or axis and end, where none is given or '
-    'these change without it; NULL beyond the axis.';
-
-CREATE OR REPLACE FUNCTION streetgen._fill_width() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    axis geometry;
-    moved constant boolean := (NEW.axis_id, NEW.geom::bytea) IS DISTINCT FROM (OLD.axis_id, OLD.geom::bytea);
-BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
-    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = NEW.axis_id INTO axis;
-    IF NEW.abscissa IS NULL OR moved AND NEW.abscissa = OLD.abscissa THEN
-        NEW.abscissa := coalesce(ST_LineLocatePoint(axis, NEW.geom) * ST_Length(axis), NEW.abscissa);
-    END IF;
-    IF NEW.width IS NULL OR moved AND NEW.width = OLD.width THEN
-        NEW.width := coalesce(2 * ST_Distance(axis, NEW.geom), NEW.width);
-    END IF;
-    RETURN NEW;
-END $$;
-COMMENT ON FUNCTION streetgen._fill_width() IS
-    'Trigger of kerb_point_override: abscissa, and width as twice the distance from the axis, where none is given or '
-    'the point moves without it; as they are where the axis is gone.';

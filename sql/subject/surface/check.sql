@@ -1,0 +1,121 @@
+-- Rules of check_model for surfaces.
+
+CREATE OR REPLACE FUNCTION streetgen._check_surface(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    tolerance constant float8 := streetgen._tolerance(model);
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model)),
+    not_made AS MATERIALIZED (
+        SELECT geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half FROM axis_used u
+            WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = u.axis_id)),
+    invalid AS MATERIALIZED (
+        SELECT 'section' AS relation, edge_id AS id, surface FROM section
+            WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)
+        UNION ALL SELECT 'intersection', node_id, surface FROM intersection
+            WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)),
+    -- By lists, so that each is left out before its surface meets another.
+    valid_section AS NOT MATERIALIZED (SELECT * FROM section
+        WHERE edge_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'section'))),
+    valid_intersection AS NOT MATERIALIZED (SELECT * FROM intersection
+        WHERE node_id <> ALL (ARRAY(SELECT id FROM invalid WHERE relation = 'intersection'))),
+    -- Neighbours share their border vertex for vertex, so that a relation without a grid would stumble over rounding.
+    -- A grid costs as much again, so that only pairs that share ground without one are looked at.
+    -- Levels are compared by difference, since a hash join of a whole level would pass over the spatial index.
+    overlap AS MATERIALIZED (
+        SELECT relation, id, ST_CollectionExtract(ST_Intersection(a, b, 1e-5), 3) AS shared FROM (
+            SELECT 'section' AS relation, a.edge_id AS id, a.surface AS a, b.surface AS b
+            FROM valid_section a JOIN valid_section b ON a.surface && b.surface AND a.level - b.level = 0
+                AND a.edge_id < b.edge_id
+            UNION ALL SELECT 'section', a.edge_id, a.surface, b.surface
+            FROM valid_section a JOIN valid_intersection b ON a.surface && b.surface AND a.level - b.level = 0
+            UNION ALL SELECT 'intersection', a.node_id, a.surface, b.surface
+            FROM valid_intersection a JOIN valid_intersection b ON a.surface && b.surface AND a.level - b.level = 0
+                AND a.node_id < b.node_id) pair
+        WHERE streetgen._share_ground(a::bytea, b::bytea) AND ST_Area(ST_Intersection(a, b)) > 1e-6),
+    -- A part of an edge on neither its section nor its nodes' intersections, nor, where ground was contested, on other
+    -- roadway. Borders may run along the edge, so that a piece is bare only where its middle is off all of them;
+    -- contested ground is shared out on a grid of 10 micrometres. An axis beside the middle of its roadway leaves it
+    -- where kerbs round a bend.
+    bare AS MATERIALIZED (
+        SELECT edge_id, piece.geom, ST_Length(piece.geom) AS length
+        FROM (SELECT e.edge_id, e.roadway_offset, from_node, to_node, s.contested_area + coalesce(a.contested_area,
+            0) + coalesce(b.contested_area, 0) > 0 AS contested,
+                     ST_Difference(ST_Difference(ST_Difference(ST_Force2D(e.geom), s.surface),
+                         coalesce(a.surface, s.surface)), coalesce(b.surface, s.surface)) AS rest
+              FROM edge e JOIN valid_section s USING (edge_id)
+              LEFT JOIN intersection a ON a.node_id = from_node LEFT JOIN intersection b ON b.node_id = to_node
+              WHERE NOT ARRAY[from_node, to_node] && ARRAY(SELECT id FROM invalid WHERE relation = 'intersection')
+                AND NOT streetgen._lies_on(
+                    e.geom::bytea, s.surface::bytea, coalesce(a.surface, s.surface)::bytea,
+                        coalesce(b.surface, s.surface)::bytea)
+              OFFSET 0) e, ST_Dump(rest) piece,
+             LATERAL (SELECT ST_LineInterpolatePoint(piece.geom, 0.5) AS middle, abs(roadway_offset)
+                 + CASE WHEN contested THEN 1e-5 ELSE 1e-6 END AS off) p
+        WHERE ST_Length(piece.geom) > 1e-6
+          AND NOT EXISTS (SELECT FROM section r WHERE ST_DWithin(surface, middle, off)
+              AND (contested OR r.edge_id = e.edge_id))
+          AND NOT EXISTS (SELECT FROM intersection r WHERE ST_DWithin(surface, middle, off)
+              AND (contested OR node_id IN (from_node, to_node)))
+          -- Ground may wait for a street that is not made yet.
+          AND NOT (contested AND EXISTS (SELECT FROM not_made WHERE ST_DWithin(not_made.geom, middle, half))))
+    SELECT 'error', 'invalid surface', relation, id, ST_Area(surface), surface FROM invalid
+    UNION ALL
+    SELECT 'error', 'overlap on one level, m2', relation, id, ST_Area(shared), shared FROM overlap
+        WHERE ST_Area(shared) > 0.001
+    UNION ALL
+    SELECT 'error', 'node of degree three and more without an intersection', 'node', n.node_id, d.degree, n.geom
+        FROM node n JOIN degree d USING (node_id) LEFT JOIN intersection i USING (node_id) WHERE d.degree >= 3
+            AND (i.node_id IS NULL OR ST_IsEmpty(i.surface) AND i.contested_area = 0)
+    UNION ALL
+    SELECT 'error', 'edge without its two limits', 'edge', e.edge_id, count(l.edge_id), e.geom FROM edge e
+        LEFT JOIN section_limit l USING (edge_id) GROUP BY e.edge_id HAVING count(l.edge_id) <> 2
+    UNION ALL
+    SELECT 'error', 'edge without a section', 'edge', e.edge_id, 0, e.geom FROM edge e
+        WHERE NOT EXISTS (SELECT FROM section s WHERE s.edge_id = e.edge_id)
+    UNION ALL
+    SELECT 'error', 'edge outside the roadway, m', 'edge', edge_id, length, geom FROM bare
+    UNION ALL
+    SELECT 'error', 'limits out of order', 'edge', a.edge_id, a.abscissa - b.abscissa, a.geom
+        FROM section_limit a JOIN section_limit b USING (edge_id) WHERE a.which = 'start' AND b.which = 'end'
+            AND a.abscissa > b.abscissa + 1e-6
+    UNION ALL
+    SELECT 'notice', 'contested, m2', 'section', edge_id, contested_area, surface FROM section
+        WHERE contested_area > 1 AND method <> 'crowded'
+    UNION ALL
+    SELECT 'notice', 'contested, m2', 'intersection', node_id, contested_area, surface FROM intersection
+        WHERE contested_area > 1 AND method <> 'crowded'
+    UNION ALL
+    SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'section', edge_id,
+        contested_area, geom
+        FROM section JOIN edge USING (edge_id) WHERE method = 'crowded'
+    UNION ALL
+    SELECT 'warning', 'ground shared out by rank, surfaces over overlaps_maximal, m2 lost', 'intersection',
+        node_id, contested_area, geom
+        FROM intersection JOIN node USING (node_id) WHERE method = 'crowded'
+    UNION ALL
+    SELECT 'warning', 'transition_override finds no change of width', 'transition_override',
+        o.transition_override_id, 0, u.geom
+        FROM transition_override o LEFT JOIN axis u USING (axis_id) WHERE NOT EXISTS (
+            SELECT FROM edge e JOIN intersection i ON i.node_id = CASE o.which WHEN 'start' THEN e.from_node
+                ELSE e.to_node END JOIN degree d USING (node_id)
+            WHERE e.axis_id = o.axis_id AND d.degree = 2 AND i.method IN ('transition', 'contested', 'crowded')
+                AND NOT EXISTS (SELECT FROM edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start'
+                    THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
+    UNION ALL
+    SELECT 'warning', 'corner override without its corner', 'corner_override', o.corner_override_id, o.radius,
+        o.geom FROM corner_override o
+        WHERE NOT EXISTS (SELECT FROM node n JOIN corner c USING (node_id)
+            JOIN edge a ON a.edge_id = c.edge_a JOIN edge b ON b.edge_id = c.edge_b
+            WHERE (a.axis_id, b.axis_id) = (o.axis_a, o.axis_b) AND c.method <> 'transition'
+                AND ST_DWithin(n.geom, o.geom, 3 * tolerance))
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_surface(name) IS
+    'The rows of streetgen.check_model for sections, intersections and corners.';
