@@ -164,6 +164,20 @@ SELECT 'an object goes with its crossing', count(*) = 0 FROM ruled.street_object
 SELECT 'a rule every 0 m', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0)$$) = '22023 the new rule cannot place an object every 0 m';
 SELECT 'a rule of a million a metre', pg_temp.said($$INSERT INTO ruled.placement_rule (type, every) VALUES ('lamp', 0.000001)$$) = '22023 the new rule cannot place an object every 1e-06 m';
 SELECT 'a crossing wider than its street is long', pg_temp.said($$INSERT INTO ruled.pedestrian_crossing_editing (geom, width) VALUES (pg_temp.line('POINT(20 0)'), 500)$$) = '22023 the width of the new crossing cannot be 500';
+-- What only a street can place is refused where there is none, with the nearest axis and the way out.
+CREATE TEMP VIEW afar(name, statement) AS VALUES
+  ('a crossing dropped', $$INSERT INTO ruled.pedestrian_crossing_editing (geom) VALUES (pg_temp.line('POINT(0 5000)'))$$), ('a bay dropped', $$INSERT INTO ruled.parking_bay_editing (geom) VALUES (pg_temp.line('POINT(0 5000)'))$$),
+  ('an object by a border dropped', $$INSERT INTO ruled.street_object_editing (type, placement, geom) VALUES ('bench', 'border', pg_temp.line('POINT(0 5000)'))$$),
+  ('a crossing dragged', $$UPDATE ruled.pedestrian_crossing_editing SET geom = pg_temp.line('POINT(0 5000)')$$), ('a bay dragged', $$UPDATE ruled.parking_bay_editing SET geom = pg_temp.line('POINT(0 5000)')$$),
+  ('a crossing without its axis', $$UPDATE ruled.pedestrian_crossing_editing SET axis_id = NULL$$), ('a bay without its axis', $$UPDATE ruled.parking_bay_editing SET axis_id = NULL$$);
+BEGIN;
+INSERT INTO ruled.pedestrian_crossing_editing (geom) VALUES (pg_temp.line('POINT(50 0)'));
+INSERT INTO ruled.parking_bay_editing (geom) VALUES (pg_temp.line('POINT(30 4)'));
+SELECT name || ' far from all streets is refused in words', state = '22023' AND said ~ '^(the new (crossing|parking bay|bench)|crossing \d+|bay \d+) stands at no street$' AND detail ~ 'nearest axis, \d+, is 4\d{3}.* m away: setting object_snap is 20 m' = (name !~ 'axis$') AND hint ~ 'axis_id' FROM afar, test.refusal(statement);
+SELECT 'none of them is stored', count(*) = 0 FROM ruled.street_object WHERE method = 'absolute';
+INSERT INTO ruled.street_object (type, geom) VALUES ('crossing', pg_temp.line('POINT(0 5000)')), ('parking_bay', pg_temp.line('POINT(9 5000)'));
+SELECT 'what an import leaves without a street is found', array_agg(rule ORDER BY rule) = '{"parking bay without its ground","pedestrian crossing without its roadway"}' FROM streetgen.check_model('ruled') WHERE rule ~ '^(parking bay|pedestrian crossing) without';
+ROLLBACK;
 -- An arm whose way is cut in two before its section begins, and one that ends there.
 SELECT streetgen.create_model('cut', 2154, subjects => '{object}') \g /dev/null
 INSERT INTO cut.axis (geom, width) VALUES (pg_temp.line('LINESTRING(0 0, 100 0)'), 8), (pg_temp.line('LINESTRING(100 0, 200 0)'), 8), (pg_temp.line('LINESTRING(100 0, 100 6)'), 6), (pg_temp.line('LINESTRING(100 6, 100 80)'), 6);

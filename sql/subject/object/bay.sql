@@ -135,6 +135,8 @@ BEGIN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa, side =
             NEW.side,
             axis_offset = NEW.axis_offset WHERE street_object_id = OLD.street_object_id;
+        PERFORM streetgen._refuse_off_street(TG_TABLE_SCHEMA, subject, NEW.geom) FROM street_object
+            WHERE street_object_id = OLD.street_object_id AND method = 'absolute';
     END IF;
     SELECT coalesce(NEW.length, u.length), coalesce(NEW.width, u.width), coalesce(NEW.angle, 0)
         FROM streetgen._usual_bay() u INTO NEW.length, NEW.width, NEW.angle;
@@ -146,4 +148,4 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._edit_parking_bay() IS
     'Trigger of parking_bay_editing: writes the object and its bay; a size or angle that is left empty is as usual. '
-    'RETURNING gives the row as it is then.';
+    'One without a street, a size or an angle out of its range: 22023. RETURNING gives the row as it is then.';

@@ -27,6 +27,15 @@ BEGIN
     SELECT 'warning', 'object whose axis is gone', 'street_object', o.street_object_id, NULL::float8, o.geom
         FROM street_object o WHERE o.method = 'orphaned'
     UNION ALL
+    -- An orphan is told above.
+    SELECT 'warning', 'pedestrian crossing without its roadway', 'pedestrian_crossing', o.street_object_id,
+        NULL::float8, o.geom FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
+        WHERE c.surface IS NULL AND o.method <> 'orphaned'
+    UNION ALL
+    SELECT 'warning', 'parking bay without its ground', 'parking_bay', o.street_object_id, NULL::float8, o.geom
+        FROM parking_bay b JOIN street_object o USING (street_object_id)
+        WHERE b.surface IS NULL AND o.method <> 'orphaned'
+    UNION ALL
     SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id,
         NULL::float8, geom FROM streetgen._crowding_objects(model)
     UNION ALL

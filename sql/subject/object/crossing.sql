@@ -103,6 +103,8 @@ BEGIN
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa) THEN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa
             WHERE street_object_id = OLD.street_object_id;
+        PERFORM streetgen._refuse_off_street(TG_TABLE_SCHEMA, subject, NEW.geom) FROM street_object
+            WHERE street_object_id = OLD.street_object_id AND method = 'absolute';
     END IF;
     SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
         INTO NEW.width, NEW.angle;
@@ -113,4 +115,5 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._edit_pedestrian_crossing() IS
     'Trigger of pedestrian_crossing_editing: writes the object and its crossing; a width or angle that is left empty '
-    'is as usual. RETURNING gives the row as it is then.';
+    'is as usual. One without a street, a width or an angle out of its range: 22023. RETURNING gives the row as it is '
+    'then.';

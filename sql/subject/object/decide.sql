@@ -14,6 +14,25 @@ END $$;
 COMMENT ON FUNCTION streetgen._snapped_axis(name, geometry) IS
     'The nearest axis within setting object_snap of a place; NULL where there is none.';
 
+CREATE OR REPLACE FUNCTION streetgen._refuse_off_street(model name, subject text, place geometry) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    snap numeric;
+    nearest record;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT value::numeric FROM setting WHERE name = 'object_snap' INTO snap;
+    SELECT axis_id, round(ST_Distance(geom, place)::numeric, 1) AS metres FROM axis ORDER BY geom <-> place LIMIT 1
+        INTO nearest;
+    PERFORM streetgen._refuse('22023', format('%s stands at no street', subject),
+        detail => CASE WHEN nearest.metres > snap THEN format('The nearest axis, %s, is %s m away: setting '
+            'object_snap is %s m.', nearest.axis_id, nearest.metres, snap) ELSE 'It has no axis.' END,
+        hint => 'Drop it at a street, or type axis_id and abscissa.');
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_off_street(name, text, geometry) IS
+    'Raises 22023 for an object that only a street can place, at a place where there is none, naming the nearest axis.';
+
 CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, object bigint, axes bigint[], places geometry[])
     RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -101,7 +120,11 @@ BEGIN
             NEW.axis_id := coalesce((SELECT axis_id FROM streetgen._own_axis_near(TG_TABLE_SCHEMA, NEW.axis_id,
                 dropped) axis_id), streetgen._snapped_axis(TG_TABLE_SCHEMA, dropped));
         END IF;
-        IF NEW.axis_id IS NULL THEN
+        IF NEW.axis_id IS NULL AND NEW.placement IN ('axis', 'border')
+            AND NEW.placement IS DISTINCT FROM OLD.placement THEN
+            PERFORM streetgen._refuse_off_street(TG_TABLE_SCHEMA, CASE TG_OP WHEN 'INSERT'
+                THEN 'the new ' || replace(NEW.type, '_', ' ') ELSE 'object ' || OLD.street_object_id END, dropped);
+        ELSIF NEW.axis_id IS NULL THEN
             NEW.placement := 'absolute';
         END IF;
     ELSIF TG_OP = 'UPDATE' AND NEW.placement IN ('axis', 'border') AND NEW.placement IS DISTINCT FROM OLD.placement
@@ -147,7 +170,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_street_object() IS
     'Trigger of street_object_editing: a point that is dropped or dragged gets the abscissa and offset of the place '
     'at its axis, or at the nearest one within setting object_snap, on the roadway from the axis and beside it from '
-    'the border; farther away it stands absolute. Typed values count as they are.';
+    'the border; farther away it stands absolute, or is refused where placement axis or border is typed (22023). '
+    'Typed values count as they are.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_foot(model name, axis bigint, abscissa float8) RETURNS geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
