@@ -206,17 +206,26 @@ DECLARE
     link constant bigint := coalesce(was, is_now) ->> 'design_link_id';
     released constant boolean := is_now @> '{"by_hand": false}' AND was @> '{"by_hand": true}';
     at constant float8 := was ->> 'ordinality';
+    turn float8;
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_one_build();
     LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
     IF relation = 'alignment_element' THEN
-        -- Tighter coils have more chords than can be drawn.
+        -- Coils have more chords and crossings than can be computed.
         PERFORM streetgen._check_edit_number(format('the %s of alignment element %s', bend,
             coalesce(is_now ->> 'alignment_element_id', 'that is new')), (is_now ->> bend)::float8, -0.2, 0.2, '1/m',
             'No road bends by a radius under 5 m.')
         FROM unnest('{curvature_start,curvature_end}'::text[]) bend
             WHERE is_now -> bend IS DISTINCT FROM coalesce(was, '{}') -> bend;
+        turn := ((is_now ->> 'curvature_start')::float8 + (is_now ->> 'curvature_end')::float8) / 2
+            * (is_now ->> 'length')::float8;
+        IF abs(turn) > 2 * pi() AND is_now IS DISTINCT FROM was THEN
+            PERFORM streetgen._refuse('22023', format('alignment element %s would turn by %s degrees',
+                coalesce(is_now ->> 'alignment_element_id', 'that is new'), round(degrees(turn))),
+                detail => 'An element turns by 360 degrees at most, either way.',
+                hint => 'Make it shorter, or its curvature smaller.');
+        END IF;
     ELSIF relation <> 'design_vertex' THEN
         RETURN;
     ELSIF released THEN
@@ -233,9 +242,9 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
-    'Before an edit of a design: other edits and runs wait. A curvature of a radius under 5 m: 22023. An edit of a '
-    'vertex makes all vertices of its link vertices by hand with straight sides; one that is taken back leaves the '
-    'sides to its neighbours to the search.';
+    'Before an edit of a design: other edits and runs wait. A curvature of a radius under 5 m, or a turn beyond '
+    '360 degrees: 22023. An edit of a vertex makes all vertices of its link vertices by hand with straight sides; one '
+    'that is taken back leaves the sides to its neighbours to the search.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_crossed(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog

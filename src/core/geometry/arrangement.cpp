@@ -163,6 +163,7 @@ class Meetings {
       }
     };
     for (const auto& [i, j] : near_) {
+      poll_cancel();
       come_of(i, j);
       come_of(j, i);
     }
@@ -308,6 +309,7 @@ void Arrangement::node(const std::vector<LineView>& lines, Asked asked) {
   edges.reserve(segments.size() + meetings.all().size());
   auto meeting = meetings.all().begin();
   for (std::size_t i = 0; i < segments.size(); ++i) {
+    poll_cancel();
     const Segment& s = segments[i];
     int last = node_of[s.first];
     if (asked == Asked::ways) passed.begin_segment(last);
@@ -473,6 +475,7 @@ MultiPolygon Arrangement::joined(const std::vector<bool>& kept, Vertices vertice
     return signed_area(out[i].front()) < signed_area(out[j].front());
   });
   for (auto& [place, hole] : holes) {
+    poll_cancel();
     const auto shell = std::find_if(by_size.begin(), by_size.end(),
                                     [&](std::size_t i) { return holds(shells[i], place); });
     if (shell != by_size.end()) out[*shell].push_back(std::move(hole));

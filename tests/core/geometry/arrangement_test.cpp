@@ -8,6 +8,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "streetgen/cancel.hpp"
 
 namespace streetgen {
 namespace arrangement_test {
@@ -130,6 +131,22 @@ TEST(Arrangement, MakesFacesOfWhatNearlyCoincides) {
       EXPECT_NEAR(area(joined), area(rectangle), 1e-5) << seed;
     }
   }
+}
+
+// A hundred diameters of a circle, each of which crosses all others: what is done for each pair asks
+// whether to stop.
+TEST(Arrangement, CanBeCancelledBetweenTwoPairs) {
+  std::vector<Line> diameters;
+  for (int i = 0; i < 100; ++i) {
+    const Point end{std::cos(i * 0.03), std::sin(i * 0.03), 0};
+    diameters.push_back({end * -50, end * 50});
+  }
+  static int polls;
+  polls = 0;
+  set_cancel_check([]() noexcept { return ++polls < 0; });
+  faces_of(diameters);
+  set_cancel_check(nullptr);
+  EXPECT_GE(polls, 100 * 99 / 2);
 }
 
 }  // namespace arrangement_test
