@@ -58,18 +58,20 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_design(name) IS 'The rows of streetgen.check_model for the design of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen._design_summary() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $part$
-(SELECT 'nodes of the design, ' || kind, count(*)::numeric, NULL::text FROM %1$I.design_node WHERE NOT rejected
-    GROUP BY kind ORDER BY kind)
-UNION ALL
-(SELECT 'links of the design, ' || network, count(*), NULL FROM %1$I.design_link WHERE NOT rejected
-    GROUP BY network ORDER BY network)
-UNION ALL
-(SELECT 'links of the design, ' || network || ', length', round((sum(ST_Length(geom)) / 1000)::numeric, 3), 'km'
-    FROM %1$I.design_link WHERE NOT rejected AND geom IS NOT NULL GROUP BY network ORDER BY network)
-UNION ALL
-(SELECT 'structures of the design, ' || kind, count(*), NULL FROM %1$I.structure WHERE NOT rejected
-    GROUP BY kind ORDER BY kind)$part$ $$;
-COMMENT ON FUNCTION streetgen._design_summary() IS 'What streetgen.summary counts of the design of model %1$I.';
+CREATE OR REPLACE FUNCTION streetgen._design_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1000, 'design', $part$
+    (SELECT 'nodes of the design, ' || kind, count(*), NULL FROM %1$I.design_node WHERE NOT rejected
+        GROUP BY kind ORDER BY kind)$part$),
+    (1001, 'design', $part$
+    (SELECT 'links of the design, ' || network, count(*), NULL FROM %1$I.design_link WHERE NOT rejected
+        GROUP BY network ORDER BY network)$part$),
+    (1002, 'design', $part$
+    (SELECT 'links of the design, ' || network || ', length', round((sum(ST_Length(geom)) / 1000)::numeric, 3), 'km'
+        FROM %1$I.design_link WHERE NOT rejected AND geom IS NOT NULL GROUP BY network ORDER BY network)$part$),
+    (1003, 'design', $part$
+    (SELECT 'structures of the design, ' || kind, count(*), NULL FROM %1$I.structure WHERE NOT rejected
+        GROUP BY kind ORDER BY kind)$part$) $$;
+COMMENT ON FUNCTION streetgen._design_summary() IS 'What streetgen.summary counts of designs.';

@@ -89,11 +89,6 @@ COMMENT ON FUNCTION streetgen._rows_by_hand() IS
     'Query of the rows by hand of links of model %1$I: relation, id, design_link_id and geom; a crossing is of both '
     'its links.';
 
-CREATE OR REPLACE FUNCTION streetgen._has_design(model name) RETURNS boolean
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT to_regclass(format('%I.design_link', model)) IS NOT NULL $$;
-COMMENT ON FUNCTION streetgen._has_design(name) IS 'Does a model have the tables of a design?';
-
 CREATE OR REPLACE FUNCTION streetgen._require_design(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -129,4 +124,3 @@ CREATE OR REPLACE FUNCTION streetgen._default_design_class()
     AS $$ VALUES ('highway', 120::float8, 40::float8, 2, 2, 10.5::float8, 8::float8, 200::float8, 1),
     ('secondary', 80, 16, 1, 2, 9, 0, 0, 2), ('rural', 60, 12, 1, 2, 7, 0, 0, 3) $$;
 COMMENT ON FUNCTION streetgen._default_design_class() IS 'What the roads of the three networks are, until changed.';
-

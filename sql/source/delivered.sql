@@ -44,7 +44,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_delivered_tables(name) IS
     'Makes the tables of a model that keep what sources said last and the conflicts with it, where they are missing.';
 
-CREATE OR REPLACE FUNCTION streetgen._delivered_column()
+CREATE OR REPLACE FUNCTION streetgen._source_column()
     RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
     AS $$ VALUES
@@ -75,7 +75,7 @@ CREATE OR REPLACE FUNCTION streetgen._delivered_column()
     ('import_conflict', 'row_id', 'the key of the row'),
     ('import_conflict', 'source', 'the source, as in that table'),
     ('import_conflict', 'source_ref', 'its identity in the source') $$;
-COMMENT ON FUNCTION streetgen._delivered_column() IS
+COMMENT ON FUNCTION streetgen._source_column() IS
     'The columns of what was delivered and of the conflicts with it, and what each is.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_import_conflict_view(model name) RETURNS void

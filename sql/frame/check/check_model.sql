@@ -43,8 +43,7 @@ DECLARE
     subject text;
 BEGIN
     PERFORM streetgen._require_reader(model);
-    subjects := ARRAY(SELECT s FROM unnest(streetgen._subjects(model)
-        || CASE WHEN streetgen._has_design(model) THEN '{design}'::text[] ELSE '{}' END) WITH ORDINALITY u(s, n)
+    subjects := ARRAY(SELECT s FROM unnest(streetgen._rooms_of(model)) WITH ORDINALITY u(s, n)
         WHERE to_regprocedure(format('streetgen._check_%s(name)', s)) IS NOT NULL ORDER BY n);
     FOREACH subject IN ARRAY subjects LOOP
         PERFORM streetgen._tell_check(subject, array_position(subjects, subject), cardinality(subjects));

@@ -60,122 +60,23 @@ COMMENT ON FUNCTION streetgen._svg_beside_legend(text, integer, numeric, float8,
     'A map (SVG of width by height, in pixels of so many metres) with the legend of its styles and a scale on white '
     'beside it.';
 
-CREATE OR REPLACE FUNCTION streetgen._drawn_part() RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
-    AS $$ VALUES
-    (1, 'surface', $part$
-    SELECT 1 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'section contested' ELSE 'section' END,
-        false, surface, edge_id FROM %1$I.section$part$),
-    (2, 'surface', $part$
-    SELECT 2 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'intersection contested'
-        WHEN method = 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id
-        FROM %1$I.intersection$part$),
-    -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
-    (3, 'lane', $part$
-    SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
-    (4, 'lane', $part$
-    SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
-    -- Below the line in the middle of the street, which runs along it.
-    (5, 'network', $part$
-    SELECT 3 + level * 10, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3$part$),
-    (6, 'surface', $part$
-    SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size
-        WHERE method = 'hypothesis' AND pixel < 3$part$),
-    (7, 'surface', $part$
-    SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, ST_CurveToLine(arc, 16),
-        corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3$part$),
-    (8, 'interconnection', $part$
-    SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path'
-        ELSE 'path implausible' END, true, geom, interconnection_id FROM %1$I.interconnection, size
-        WHERE pixel < 0.5$part$),
-    -- Lanes between crossed limits join paths.
-    (9, 'lane', $part$
-    SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits'
-        AND pixel < 0.5$part$),
-    -- Below the roadway of the ground.
-    (11, 'block', $part$
-    SELECT -1 + g.level * 10, CASE kind WHEN 'block' THEN 'block' ELSE 'block ' || kind END, false, surface, block_id
-        FROM %1$I.block, (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level') g$part$),
-    (12, 'kerb', $part$
-    SELECT 0.5 + level * 10, 'kerb', false, surface, kerb_id FROM %1$I.kerb, size WHERE pixel < 0.5$part$),
-    (45, 'roundabout', $part$
-    SELECT 904, CASE WHEN accepted THEN 'ring' ELSE 'ring refused' END, true, ST_Collect(geom, ST_SetSRID(ST_MakeLine(
-        ST_MakePoint(ST_X(centre) - radius * score / 2, ST_Y(centre)),
-        ST_MakePoint(ST_X(centre) + radius * score / 2, ST_Y(centre))), ST_SRID(geom))), roundabout_id
-        FROM %1$I.roundabout, size WHERE pixel < 3$part$),
-    (35, 'sidewalk', $part$
-    SELECT k.level * 10, 'sidewalk', false, w.surface, w.sidewalk_id FROM %1$I.sidewalk w
-        JOIN %1$I.kerb k USING (edge_id, side, part), size WHERE pixel < 3$part$),
-    (40, 'junction', $part$
-    SELECT 3 + i.level * 10, 'junction', false, j.surface, j.junction_id FROM %1$I.junction j
-        JOIN %1$I.intersection i ON i.node_id = j.junction_id, size WHERE j.method <> 'hypothesis' AND pixel < 3$part$),
-    (41, 'junction', $part$
-    SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.rim_marking m
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
-    (42, 'junction', $part$
-    SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path' ELSE 'path implausible' END,
-        true, geom, interconnections[1] FROM %1$I.movement, size WHERE pixel < 0.5$part$),
-    (60, 'signal', $part$
-    SELECT 905, 'signal head', false, ST_Buffer(geom, 0.6, 4), lane_id FROM %1$I.signal_head, size
-        WHERE pixel < 0.5$part$),
-    (44, 'junction', $part$
-    SELECT 901, 'limit', true, l.border_line, l.section_limit_id FROM %1$I.section_limit l, size
-        WHERE l.method = 'hypothesis' AND pixel < 3 AND NOT EXISTS (SELECT FROM %1$I.junction_edge j
-            WHERE j.edge_id = l.edge_id)$part$),
-    -- Arcs inside a junction are no kerb.
-    (43, 'junction', $part$
-    SELECT 902, CASE c.method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, d.geom, c.corner_id
-        FROM size, %1$I.corner c LEFT JOIN %1$I.junction_node n USING (node_id)
-            LEFT JOIN %1$I.junction j ON j.junction_id = n.junction_id AND j.method <> 'hypothesis'
-            CROSS JOIN LATERAL ST_CurveToLine(c.arc, 16) whole CROSS JOIN LATERAL ST_Dump(CASE WHEN j.surface IS NULL
-                THEN whole ELSE ST_Intersection(whole, ST_Buffer(ST_Boundary(j.surface), 0.05)) END) d
-        WHERE c.arc IS NOT NULL AND pixel < 3 AND (j.surface IS NULL OR ST_Length(d.geom) > 0.5)$part$),
-    -- A deck lies over what is painted on its level, and has its own paint.
-    (50, 'bridge', $part$
-    SELECT CASE method WHEN 'overpass' THEN 5.5 ELSE 0.5 END + e.level * 10, 'bridge', false, b.surface, b.bridge_id
-        FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
-    (51, 'bridge,lane', $part$
-    SELECT 6.5 + e.level * 10, 'paint', false, ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3),
-        b.bridge_id FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), LATERAL (
-            SELECT surface FROM %1$I.lane_separator l WHERE l.edge_id = b.edge_id
-            UNION ALL SELECT surface FROM %1$I.marking m WHERE m.edge_id = b.edge_id) p, size
-        WHERE b.method = 'overpass' AND pixel < 0.5 AND b.surface && size.box$part$),
-    -- The sun stands in the north-west.
-    (52, 'bridge', $part$
-    SELECT CASE method WHEN 'overpass' THEN 4.5 ELSE -0.5 END + e.level * 10, 'shadow', false,
-        ST_Translate(b.surface, 2, -2), b.bridge_id
-        FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
-    (53, 'bridge', $part$
-    SELECT 8.5, 'tunnel', true, ST_Boundary(surface), tunnel_id FROM %1$I.tunnel, size WHERE pixel < 3$part$),
-    (54, 'object', $part$
-    SELECT 950, CASE t.category WHEN 'green' THEN 'object green' ELSE 'object' END, false,
-        streetgen._object_symbol(o.geom, o.angle, t.symbol, greatest(t.size, 4 * pixel)), o.street_object_id
-        FROM %1$I.street_object o JOIN %1$I.object_type t USING (type), size
-        WHERE pixel < 0.5 AND t.symbol NOT IN ('crossing', 'bay')$part$),
-    (55, 'object', $part$
-    SELECT 7, 'paint', false, stripes, street_object_id FROM %1$I.pedestrian_crossing, size WHERE pixel < 0.5
-    UNION ALL SELECT 7, 'bay', false, surface, street_object_id FROM %1$I.parking_bay, size
-        WHERE pixel < 0.5$part$),
-    (10, 'network', $part$
-    SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report$part$),
-    (11, 'alignment', $part$
-    SELECT 904, 'road', true, geom, road_id FROM %1$I.road, size WHERE pixel < 3$part$),
-    -- As figure 6b of Wilkie, Sewall and Lin: from the ends of an arc to its centre.
-    (12, 'alignment', $part$
-    SELECT 905, 'road radius', true, ST_MakeLine(ARRAY[ST_StartPoint(arc), centre, ST_EndPoint(arc)]), road_arc_id
-        FROM %1$I.road_arc, size WHERE pixel < 0.5 AND radius < 100$part$) $$;
+CREATE OR REPLACE FUNCTION streetgen._drawn_part()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('drawn');
+END $$;
+COMMENT ON FUNCTION streetgen._drawn_part() IS
+    'What streetgen.svg draws, query by query, over a model %1$I and the query size of the drawing, from functions '
+    '_ROOM_drawn: layer (drawn in ascending order), style, is it a line, geometry and key. subject: the query stands '
+    'only in models that compute it, or all of several.';
+
 CREATE OR REPLACE FUNCTION streetgen._drawn_instead() RETURNS TABLE(place integer, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES (4, 'junction'), (6, 'junction'), (7, 'junction'), (8, 'junction'), (9, 'junction') $$;
 COMMENT ON FUNCTION streetgen._drawn_instead() IS
     'The queries of streetgen._drawn_part that do not stand in models which compute a subject: its own show more.';
-
-COMMENT ON FUNCTION streetgen._drawn_part() IS
-    'What streetgen.svg draws, query by query, over a model %1$I and the query size of the drawing: layer (drawn in '
-    'ascending order), style, is it a line, geometry and key. subject: the query stands only in models that compute '
-    'it, or all of several.';
 
 CREATE OR REPLACE FUNCTION streetgen._curve_as_svg(curve geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

@@ -55,3 +55,14 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_alignment(name) IS
     'The rows of streetgen.check_model for roads.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (30, 'alignment', $part$
+    (SELECT 'roads' || CASE WHEN closed THEN ', closed' ELSE '' END, count(*), NULL FROM %1$I.road GROUP BY closed
+    ORDER BY closed)$part$),
+    (31, 'alignment', $part$
+    SELECT 'roads, length', round((coalesce(sum(length), 0) / 1000)::numeric, 3), 'km' FROM %1$I.road$part$) $$;
+COMMENT ON FUNCTION streetgen._alignment_summary() IS 'What streetgen.summary counts of roads.';

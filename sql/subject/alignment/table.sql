@@ -29,3 +29,25 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_alignment_tables(name, integer) IS
     'Makes the tables road and road_edge of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 16 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('road'::name, 'road_id'::name, 'key; kept while the first edge of the road is in it'),
+    ('road', 'from_node', 'node where it starts'),
+    ('road', 'to_node', 'node where it ends; the same one where it is closed'),
+    ('road', 'closed', 'is it a ring that meets no other edge?'),
+    ('road', 'length', 'metres, of its edges along their axes'),
+    ('road', 'geom', 'straight pieces and arcs: the arc roads of its edges, one after the other'),
+    ('road_edge', 'edge_id', 'key; the edge'),
+    ('road_edge', 'road_id', 'the road that it is in'),
+    ('road_edge', 'position', 'number along the road, from 1'),
+    ('road_edge', 'along_road', 'does the edge run along the road?'),
+    ('road_edge', 'start_abscissa', 'where it begins, metres along the road'),
+    ('road_override', 'road_override_id', 'key'),
+    ('road_override', 'axis_id', 'the axis'),
+    ('road_override', 'abscissa', 'where the bend is, metres along the axis'),
+    ('road_override', 'radius', 'radius of the bend, metres; 0: it stays sharp'),
+    ('road_override', 'geom', 'its place: that of the axis at the abscissa; filled where left out') $$;
+COMMENT ON FUNCTION streetgen._alignment_column() IS 'The columns of roads, and what each is.';

@@ -31,3 +31,17 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_block(name) IS
     'The rows of streetgen.check_model for blocks.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    (20, 'block', $part$
+    (SELECT 'blocks, ' || kind, count(*), NULL FROM %1$I.block GROUP BY kind ORDER BY kind)$part$),
+    (21, 'block', $part$
+    SELECT 'blocks, ground', round((coalesce(sum(ST_Area(surface)), 0) / 1e6)::numeric, 6), 'km2'
+        FROM %1$I.block$part$),
+    (22, 'block', $part$
+    (SELECT 'blocks, ' || method, count(*), NULL FROM %1$I.block WHERE method <> 'hypothesis' GROUP BY method
+        ORDER BY method)$part$) $$;
+COMMENT ON FUNCTION streetgen._block_summary() IS 'What streetgen.summary counts of blocks.';

@@ -58,3 +58,10 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._axes_at_blocks(name, jsonb[]) IS
     'An axis at each block that holds the place of a row of block_override: a run for it renews the block.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_input_rule()
+    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('block_override'::name, 'kind'::name, 'block, island or strip', 'Delete the row to have it computed.') $$;
+COMMENT ON FUNCTION streetgen._block_input_rule() IS 'What may be typed into tables of blocks, and the way out.';

@@ -21,3 +21,17 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_bridge(name) IS
     'The rows of streetgen.check_model for bridges.';
+
+CREATE OR REPLACE FUNCTION streetgen._bridge_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (24, 'bridge', $part$
+    (SELECT kind || 's, ' || method, count(*), NULL FROM (SELECT 'bridge' AS kind, method FROM %1$I.bridge
+        UNION ALL SELECT 'tunnel', method FROM %1$I.tunnel) b GROUP BY 1 ORDER BY 1)$part$),
+    (25, 'bridge', $part$
+    (SELECT kind || 's, length', round(sum(length)::numeric, 1), 'm' FROM (
+        SELECT 'bridge' AS kind, end_abscissa - start_abscissa AS length FROM %1$I.bridge
+        UNION ALL SELECT 'tunnel', end_abscissa - start_abscissa FROM %1$I.tunnel) b GROUP BY kind
+        ORDER BY kind)$part$) $$;
+COMMENT ON FUNCTION streetgen._bridge_summary() IS 'What streetgen.summary counts of bridges and tunnels.';

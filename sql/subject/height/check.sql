@@ -36,3 +36,11 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_height(name) IS
     'The rows of streetgen.check_model for heights.';
+
+CREATE OR REPLACE FUNCTION streetgen._height_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (23, 'height', $part$
+    (SELECT 'profiles, ' || method, count(*), NULL FROM %1$I.profile GROUP BY method ORDER BY method)$part$) $$;
+COMMENT ON FUNCTION streetgen._height_summary() IS 'What streetgen.summary counts of heights.';

@@ -48,3 +48,24 @@ COMMENT ON TRIGGER fill_place ON %1$I.height_override IS 'Fills geom where it is
 END $$;
 COMMENT ON FUNCTION streetgen._make_height_override_table(name, integer) IS
     'Makes the table height_override of a model, also of an older one.';
+
+CREATE OR REPLACE FUNCTION streetgen._height_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 11 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('height_override'::name, 'height_override_id'::name, 'key'),
+    ('height_override', 'axis_id', 'the axis'),
+    ('height_override', 'abscissa', 'the place, metres along the axis'),
+    ('height_override', 'height', 'the road lies at least so high there, metres'),
+    ('height_override', 'geom', 'its place: that of the axis at the abscissa; filled where left out'),
+    ('profile', 'edge_id', 'the edge'),
+    ('profile', 'geom', 'the line of the edge with the heights of the roadway, metres, and further points where its '
+        'grade changes'),
+    ('profile', 'grade_max', 'greatest rise for each metre along it: setting grade_maximal, more where its ground is '
+        'steeper'),
+    ('profile', 'method', 'how it came about: ground (as the ground), lifted (somewhere above it) or sunk (somewhere '
+        'below it)'),
+    ('profile', 'tied_from', 'are the heights of all edges at the node where it begins found together? They are where '
+        'one of them left the ground there in any step, wherever it lies in the end'),
+    ('profile', 'tied_to', 'the same at the node where it ends') $$;
+COMMENT ON FUNCTION streetgen._height_column() IS 'The columns of heights, and what each is.';

@@ -87,3 +87,12 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_interconnection(name) IS
     'The rows of streetgen.check_model for paths across nodes.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (17, 'interconnection', $part$
+    (SELECT 'interconnections, ' || CASE WHEN plausible THEN 'plausible by ' ELSE 'not plausible by ' END || reason,
+    count(*), NULL FROM %1$I.interconnection GROUP BY plausible, reason ORDER BY plausible DESC, reason)$part$) $$;
+COMMENT ON FUNCTION streetgen._interconnection_summary() IS 'What streetgen.summary counts of interconnections.';

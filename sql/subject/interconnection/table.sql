@@ -88,3 +88,65 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_interconnection_tables(name, integer) IS
     'Makes the table interconnection of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 44 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('conflict'::name, 'junction_id'::name, 'the junction, where the model computes junctions'),
+    ('conflict', 'junction_movement_a', 'one of the paths, across a junction of several nodes'),
+    ('conflict', 'junction_movement_b', 'the other one'),
+    ('turn_restriction', 'turn_restriction_id', 'key'),
+    ('turn_restriction', 'from_axis', 'the axis that traffic comes by'),
+    ('turn_restriction', 'to_axis', 'the axis that it may not, or only may, go on by'),
+    ('turn_restriction', 'geom', 'place of the node, within three tolerances of it'),
+    ('turn_restriction', 'kind', 'no or only'),
+    ('turn_restriction', 'turn',
+        'through, left, right or u_turn: which edges are meant where an axis goes on beyond the node; NULL: all'),
+    ('turn_restriction', 'except_kinds',
+        'kinds of lanes that it does not bind, whether one comes or goes on by them: bus, cycle or bus|cycle; NULL: '
+        'it binds all'),
+    ('turn_restriction', 'via_axes', 'axes that it leads via, in their order; NULL: from axis to axis at one node'),
+    ('turn_restriction', 'via_geom', 'a place on each of these axes'),
+    ('turn_restriction', 'to_geom', 'place of the node where traffic leaves the last of these axes; geom is where it '
+        'comes upon the first'),
+    ('turn_restriction', 'source', 'table that it was imported from'),
+    ('turn_restriction', 'source_ref', 'its identity in the source'),
+    ('interconnection', 'interconnection_id', 'key; kept while its two lanes are there'),
+    ('interconnection', 'node_id', 'the node'),
+    ('interconnection', 'lane_in', 'the lane that comes in'),
+    ('interconnection', 'lane_out', 'the lane that goes out'),
+    ('interconnection', 'along_in',
+        'does traffic run along the axis in lane_in; as lane.along_axis, unless both directions use the lane'),
+    ('interconnection', 'along_out', 'the same of lane_out'),
+    ('interconnection', 'turn', 'through and u_turn where the lanes are parallel, else left or right'),
+    ('interconnection', 'angle', 'from lane to lane, degrees from -180 to 180, positive to the left'),
+    ('interconnection', 'plausible', 'would traffic take it'),
+    ('interconnection', 'reason',
+        'why it is plausible or not: lane_order, turn_lanes, only_way, restriction, lane_kind, u_turn, radius, '
+        'not_drivable, ring'),
+    ('interconnection', 'connecting', 'the user''s choice, else as plausible'),
+    ('interconnection', 'control',
+        'control point of the path: of its Bezier curve, or where the tangents of its arcs meet; NULL by a function '
+        'of the user''s'),
+    ('interconnection', 'geom',
+        'path from where traffic leaves lane_in to where it enters lane_out, in its direction; where these touch, a '
+        'line of two equal points'),
+    ('interconnection', 'method', 'hypothesis, or by_hand where a user decided something'),
+    ('interconnection_override', 'interconnection_override_id', 'key'),
+    ('interconnection_override', 'geom', 'place of the node, within three tolerances of it'),
+    ('interconnection_override', 'axis_in', 'axis of the lane that comes in'),
+    ('interconnection_override', 'lane_in', 'its ordinality'),
+    ('interconnection_override', 'axis_out', 'axis of the lane that goes out'),
+    ('interconnection_override', 'lane_out', 'its ordinality'),
+    ('interconnection_override', 'along_in',
+        'of a lane that both directions use: does traffic come along its axis; NULL: either way'),
+    ('interconnection_override', 'along_out', 'the same of the lane that goes out'),
+    ('interconnection_override', 'connecting', 'whether it connects; NULL: as plausible'),
+    ('interconnection_override', 'control', 'control point of its path, a Bezier curve then; NULL: by the setting'),
+    ('conflict', 'node_id', 'the node'),
+    ('conflict', 'interconnection_a', 'one of the two, the smaller key'),
+    ('conflict', 'interconnection_b', 'the other'),
+    ('conflict', 'kind', 'crossing, merging in one lane, or opposing: one enters the lane that the other leaves'),
+    ('conflict', 'geom', 'where they cross, or the end of the lane in which they merge or meet') $$;
+COMMENT ON FUNCTION streetgen._interconnection_column() IS 'The columns of interconnections, and what each is.';

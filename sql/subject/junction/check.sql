@@ -42,3 +42,17 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_junction(name) IS
     'The rows of streetgen.check_model for junctions.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    (40, 'junction', $part$
+    (SELECT 'junctions, ' || kind, count(*), NULL FROM %1$I.junction GROUP BY kind ORDER BY kind)$part$),
+    (41, 'junction', $part$
+    SELECT 'junctions of several nodes', count(*), NULL FROM %1$I.junction WHERE method = 'grouped'$part$),
+    (42, 'junction', $part$
+    (SELECT 'edges in junctions, ' || role, count(*), NULL FROM %1$I.junction_edge GROUP BY role ORDER BY role)$part$),
+    (43, 'junction', $part$
+    SELECT 'paths across junctions, plausible', count(*), NULL FROM %1$I.junction_movement WHERE plausible$part$) $$;
+COMMENT ON FUNCTION streetgen._junction_summary() IS 'What streetgen.summary counts of junctions.';

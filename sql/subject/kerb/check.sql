@@ -19,3 +19,12 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_kerb(name) IS
     'The rows of streetgen.check_model for kerbs.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (18, 'kerb', $part$
+    SELECT 'kerbs, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km'
+        FROM %1$I.kerb$part$) $$;
+COMMENT ON FUNCTION streetgen._kerb_summary() IS 'What streetgen.summary counts of kerbs.';

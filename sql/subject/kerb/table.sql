@@ -27,3 +27,30 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_kerb_tables(name, integer) IS 'Makes the table kerb of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 14 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('kerb'::name, 'kerb_id'::name, 'key; kept while the side has a part of this number'),
+    ('kerb', 'edge_id', 'the edge of the section; of the corner of an intersection its edge_a in table corner'),
+    ('kerb', 'node_id', 'the node of the intersection; NULL: a kerb of the section'),
+    ('kerb', 'level', 'level of the roadway that it borders'),
+    ('kerb', 'side',
+        'of a section left, right, start or end, in the direction of the edge: the last two across it. Of an '
+        'intersection corner_at_start or corner_at_end, the corner from that end of the edge counter-clockwise, and '
+        'across_start or across_end, towards the section of an edge on another level'),
+    ('kerb', 'part', 'number from 1 on each side, in the direction of geom'),
+    ('kerb', 'geom', 'the border, with the roadway on its right: vertex for vertex that of the surfaces'),
+    ('kerb', 'curve', 'true arc where the kerb is that of its corner or a piece of it; else NULL'),
+    ('kerb', 'surface', 'strip of kerb stones behind it, as wide as setting kerb_stone_width'),
+    ('kerb', 'method',
+        'hypothesis; radius_reduced: of the corner; followed: of the corner; nose: of the corner; radius_minimal: of '
+        'the corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the '
+        'side; '
+        'level_change: the roadway goes on there on another level; by_hand'),
+    ('corner_on_kerb', 'corner_id', 'the corner'),
+    ('corner_on_kerb', 'node_id', 'its node'),
+    ('corner_on_kerb', 'on_kerb', 'share of the arc that lies on the border of the roadway of its level, 0 to 1'),
+    ('corner_on_kerb', 'arc', 'the arc') $$;
+COMMENT ON FUNCTION streetgen._kerb_column() IS 'The columns of kerbs, and what each is.';

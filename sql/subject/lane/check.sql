@@ -44,3 +44,22 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_lane(name) IS
     'The rows of streetgen.check_model for lanes.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    AS $$ VALUES
+    (9, 'lane', $part$
+    (SELECT 'lanes, ' || kind, count(*), NULL FROM %1$I.lane GROUP BY kind ORDER BY kind)$part$),
+    (10, 'lane', $part$
+    SELECT 'lanes, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km' FROM %1$I.lane$part$),
+    (11, 'lane', $part$
+    SELECT 'lanes that say where they turn', count(*), NULL FROM %1$I.lane WHERE turn IS NOT NULL$part$),
+    (12, 'lane', $part$
+    (SELECT 'lanes, ' || method, count(*), NULL FROM %1$I.lane WHERE method <> 'hypothesis' GROUP BY method
+        ORDER BY method)$part$),
+    (13, 'lane', $part$
+    (SELECT 'lane separators, ' || kind, count(*), NULL FROM %1$I.lane_separator GROUP BY kind ORDER BY kind)$part$),
+    (14, 'lane', $part$
+    (SELECT 'markings, ' || kind, count(*), NULL FROM %1$I.marking GROUP BY kind ORDER BY kind)$part$) $$;
+COMMENT ON FUNCTION streetgen._lane_summary() IS 'What streetgen.summary counts of lanes.';

@@ -156,3 +156,22 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_network(name) IS
     'The rows of streetgen.check_model for the network: axes, edges and nodes, and what is by hand on them.';
+
+CREATE OR REPLACE FUNCTION streetgen._network_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'network', $part$
+    SELECT 'axes', count(*)::numeric, NULL::text FROM %1$I.axis$part$),
+    (2, 'network', $part$
+    SELECT 'axes, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km' FROM %1$I.axis$part$),
+    (3, 'network', $part$
+    SELECT 'nodes', count(*), NULL FROM %1$I.node$part$),
+    (4, 'network', $part$
+    SELECT 'edges', count(*), NULL FROM %1$I.edge$part$),
+    (5, 'network', $part$
+    (SELECT 'edges with estimated ' || what, count(*), NULL FROM %1$I.edge, unnest(estimated) what
+        GROUP BY what ORDER BY what)$part$),
+    (99, 'network', $part$
+    (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)$part$) $$;
+COMMENT ON FUNCTION streetgen._network_summary() IS 'What streetgen.summary counts of nodes, edges and reports.';

@@ -137,3 +137,40 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_street_tables(name, integer, integer) IS
     'Makes the tables of settings, classes, axes, nodes, edges, surfaces and reports.';
+
+CREATE OR REPLACE FUNCTION streetgen._network_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('node'::name, 'node_id'::name, 'key; kept while one of the axis ends or shared vertices that made it is there'),
+    ('node', 'geom', 'place'),
+    ('edge', 'edge_id', 'key; kept while the edge starts at the same node of the same axis'),
+    ('edge', 'axis_id', 'the axis that it is a piece of'),
+    ('edge', 'from_node', 'node at its start'),
+    ('edge', 'to_node', 'node at its end; from_node for a loop'),
+    ('edge', 'level', 'level of the axis'),
+    ('edge', 'start_abscissa', 'where along the axis it starts, metres'),
+    ('edge', 'end_abscissa', 'where along the axis it ends, metres'),
+    ('edge', 'geom', 'the piece of the axis, snapped to its nodes; smoothed where setting smoothing says so'),
+    ('edge', 'curve', 'the arc road of which geom is chords; NULL: the edge is straight, or not smoothed'),
+    ('edge', 'width', 'width of the axis at its start that was used, metres'),
+    ('edge', 'width_end', 'width of the axis at its end that was used, metres'),
+    ('edge', 'roadway_offset', 'metres from geom to the middle of the roadway that were used, left positive'),
+    ('edge', 'lane_count', 'number of general and bus lanes that was used, the sum of the next three'),
+    ('edge', 'lanes_forward', 'general and bus lanes along the axis that were used'),
+    ('edge', 'lanes_backward', 'general and bus lanes against the axis that were used'),
+    ('edge', 'lanes_both', 'lanes that both directions use'),
+    ('edge', 'sidewalk_left', 'width of the sidewalk on its left that was used, metres; 0: none'),
+    ('edge', 'sidewalk_right', 'the same on its right'),
+    ('edge', 'speed', 'speed that was used, km/h'),
+    ('edge', 'importance', 'importance that was used'),
+    ('edge', 'estimated', 'which of these values were estimated'),
+    ('edge', 'input_hash', 'hash of the axis and the values used: check_model sees what changed since; 0: what is '
+        'said of its turns, or a neighbour, did'),
+    ('edge', 'setting_hash', 'hash of the settings used'),
+    ('report', 'issue', 'wide_cluster, crossing or collapsed_axis'),
+    ('report', 'axis_a', 'the axis'),
+    ('report', 'axis_b', 'the other axis, or the same'),
+    ('report', 'measure', 'width of the cluster or length of the axis, metres'),
+    ('report', 'geom', 'place') $$;
+COMMENT ON FUNCTION streetgen._network_column() IS 'The columns of nodes, edges and reports, and what each is.';

@@ -70,3 +70,13 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_object(name) IS
     'The rows of streetgen.check_model for objects.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (70, 'object', $part$
+    (SELECT 'objects, ' || type, count(*), NULL FROM %1$I.street_object GROUP BY type ORDER BY type)$part$),
+    (71, 'object', $part$
+    (SELECT 'objects, ' || method, count(*), NULL FROM %1$I.street_object GROUP BY method ORDER BY method)$part$) $$;
+COMMENT ON FUNCTION streetgen._object_summary() IS 'What streetgen.summary counts of objects.';

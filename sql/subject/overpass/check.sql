@@ -20,3 +20,11 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_overpass(name) IS
     'The rows of streetgen.check_model for overpasses.';
+
+CREATE OR REPLACE FUNCTION streetgen._overpass_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (19, 'overpass', $part$
+    (SELECT 'overpasses by ' || method, count(*), NULL FROM %1$I.overpass GROUP BY method ORDER BY method)$part$) $$;
+COMMENT ON FUNCTION streetgen._overpass_summary() IS 'What streetgen.summary counts of overpasses.';

@@ -69,20 +69,5 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_column()
     ('overpass', 'clearance', 'wanted from roadway to roadway, metres'),
     ('overpass', 'method', 'how it is known who is above: by_hand, level (the levels differ), importance (of one '
         'level, the more important axis is above) or order (of one level and importance, the longer axis is, '
-        'else the greater axis_id, and of one axis what is nearer to its middle)'),
-    ('height_override', 'height_override_id', 'key'),
-    ('height_override', 'axis_id', 'the axis'),
-    ('height_override', 'abscissa', 'the place, metres along the axis'),
-    ('height_override', 'height', 'the road lies at least so high there, metres'),
-    ('height_override', 'geom', 'its place: that of the axis at the abscissa; filled where left out'),
-    ('profile', 'edge_id', 'the edge'),
-    ('profile', 'geom', 'the line of the edge with the heights of the roadway, metres, and further points where its '
-        'grade changes'),
-    ('profile', 'grade_max', 'greatest rise for each metre along it: setting grade_maximal, more where its ground is '
-        'steeper'),
-    ('profile', 'method', 'how it came about: ground (as the ground), lifted (somewhere above it) or sunk (somewhere '
-        'below it)'),
-    ('profile', 'tied_from', 'are the heights of all edges at the node where it begins found together? They are where '
-        'one of them left the ground there in any step, wherever it lies in the end'),
-    ('profile', 'tied_to', 'the same at the node where it ends') $$;
-COMMENT ON FUNCTION streetgen._overpass_column() IS 'The columns of overpasses and heights, and what each is.';
+        'else the greater axis_id, and of one axis what is nearer to its middle)') $$;
+COMMENT ON FUNCTION streetgen._overpass_column() IS 'The columns of overpasses, and what each is.';

@@ -24,3 +24,11 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_ramp(name) IS
     'The rows of streetgen.check_model for ramps.';
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (45, 'ramp', $part$
+    (SELECT 'ramps, ' || kind, count(*), NULL FROM %1$I.ramp GROUP BY kind ORDER BY kind)$part$) $$;
+COMMENT ON FUNCTION streetgen._ramp_summary() IS 'What streetgen.summary counts of ramps.';

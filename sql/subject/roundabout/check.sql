@@ -31,3 +31,12 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_roundabout(name) IS
     'The rows of streetgen.check_model for roundabouts.';
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (30, 'roundabout', $part$
+    (SELECT 'roundabouts, ' || CASE WHEN accepted THEN kind ELSE 'not accepted' END, count(*), NULL FROM %1$I.roundabout
+        GROUP BY 1 ORDER BY 1)$part$) $$;
+COMMENT ON FUNCTION streetgen._roundabout_summary() IS 'What streetgen.summary counts of roundabouts.';

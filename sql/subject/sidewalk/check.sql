@@ -21,3 +21,11 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_sidewalk(name) IS
     'The rows of streetgen.check_model for sidewalks.';
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (35, 'sidewalk', $part$
+    SELECT 'sidewalks', round(coalesce(sum(ST_Area(surface)), 0)::numeric, 1), 'm2' FROM %1$I.sidewalk$part$) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_summary() IS 'What streetgen.summary counts of sidewalks.';

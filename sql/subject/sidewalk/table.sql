@@ -27,3 +27,23 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_sidewalk_tables(name, integer) IS 'Makes the table sidewalk of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 14 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('sidewalk'::name, 'sidewalk_id'::name, 'key'),
+    ('sidewalk', 'edge_id', 'the edge of its kerb'),
+    ('sidewalk', 'node_id', 'the node of the intersection whose kerb it lies behind; NULL: the kerb of a section'),
+    ('sidewalk', 'side', 'side of the kerb, as kerb.side'),
+    ('sidewalk', 'part', 'part of the kerb, as kerb.part'),
+    ('sidewalk', 'width', 'width that is wanted, metres; behind a corner the mean of those at its ends'),
+    ('sidewalk', 'surface', 'its ground'),
+    ('sidewalk', 'method', 'hypothesis; contested: other kerbs hold part of it; by_hand: the width is an override'),
+    ('sidewalk_override', 'sidewalk_override_id', 'key'),
+    ('sidewalk_override', 'axis_id', 'the axis'),
+    ('sidewalk_override', 'abscissa', 'a place on the edge, metres along the axis'),
+    ('sidewalk_override', 'side', 'left or right of the axis'),
+    ('sidewalk_override', 'width', 'width of the sidewalk, metres; 0: none'),
+    ('sidewalk_override', 'geom', 'the place on the axis') $$;
+COMMENT ON FUNCTION streetgen._sidewalk_column() IS 'The columns of sidewalks, and what each is.';

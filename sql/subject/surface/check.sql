@@ -119,3 +119,21 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_surface(name) IS
     'The rows of streetgen.check_model for sections, intersections and corners.';
+
+CREATE OR REPLACE FUNCTION streetgen._surface_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$ VALUES
+    (6, 'surface', $part$
+    (SELECT 'sections, ' || method, count(*), NULL FROM %1$I.section GROUP BY method ORDER BY method)$part$),
+    (7, 'surface', $part$
+    (SELECT 'intersections, ' || method, count(*), NULL FROM %1$I.intersection GROUP BY method ORDER BY method)$part$),
+    (8, 'surface', $part$
+    (SELECT 'corners, ' || method, count(*), NULL FROM %1$I.corner GROUP BY method ORDER BY method)$part$),
+    (15, 'surface', $part$
+    SELECT 'roadway', round((coalesce((SELECT sum(ST_Area(surface)) FROM %1$I.section), 0)
+    + coalesce((SELECT sum(ST_Area(surface)) FROM %1$I.intersection), 0))::numeric, 1), 'm2'$part$),
+    (16, 'surface', $part$
+    SELECT 'contested', round((coalesce((SELECT sum(contested_area) FROM %1$I.section), 0)
+    + coalesce((SELECT sum(contested_area) FROM %1$I.intersection), 0))::numeric, 1), 'm2'$part$) $$;
+COMMENT ON FUNCTION streetgen._surface_summary() IS 'What streetgen.summary counts of the roadway.';

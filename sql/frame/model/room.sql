@@ -1,0 +1,32 @@
+-- What each room gives to a list of the frame, by a function that is found by its name: kerb's settings by
+-- streetgen._kerb_setting(), its checks by streetgen._check_kerb(model).
+
+CREATE OR REPLACE FUNCTION streetgen._rooms() RETURNS text[]
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT '{frame,axis}'::text[] || array_agg(s.subject ORDER BY s.place) || '{design,source}'::text[]
+        FROM streetgen._subject() s $$;
+COMMENT ON FUNCTION streetgen._rooms() IS
+    'The rooms that give something to lists of the frame, in their order: the frame itself, axes, all subjects, '
+    'designs and sources.';
+
+CREATE OR REPLACE FUNCTION streetgen._rooms_of(model name) RETURNS text[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN streetgen._subjects(model) || CASE WHEN streetgen._has_design(model) THEN '{design}'::text[] ELSE '{}' END;
+END $$;
+COMMENT ON FUNCTION streetgen._rooms_of(name) IS
+    'The rooms of which a model has rows: the subjects that it computes, and design where it has one.';
+
+CREATE OR REPLACE FUNCTION streetgen._rows_of_rooms(list text) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT string_agg(format('SELECT * FROM streetgen.%I()', name), ' UNION ALL ' ORDER BY n)
+        FROM unnest(streetgen._rooms()) WITH ORDINALITY u(room, n), format('_%s_%s', room, list) name
+        WHERE to_regprocedure(format('streetgen.%I()', name)) IS NOT NULL $$;
+COMMENT ON FUNCTION streetgen._rows_of_rooms(text) IS
+    'The query of all rows that rooms give to a list, by their functions _ROOM_<list>().';
+
+CREATE OR REPLACE FUNCTION streetgen._has_design(model name) RETURNS boolean
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT to_regclass(format('%I.design_link', model)) IS NOT NULL $$;
+COMMENT ON FUNCTION streetgen._has_design(name) IS 'Does a model have the tables of a design?';

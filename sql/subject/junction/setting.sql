@@ -1,0 +1,14 @@
+-- The settings of junctions.
+
+CREATE OR REPLACE FUNCTION streetgen._junction_setting()
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('junction_gap', '35', 'm', 'longest edge that makes one junction of the two carriageways which it links', 0, 200,
+        NULL::text[]),
+    ('junction_extent', '80', 'm', 'a junction by such links and slip lanes is no wider', 0, 500, NULL),
+    ('classifier', 'streetgen.junction_kind', NULL,
+        'the kind of a junction from its arms: streetgen.junction_kind, paper (a ramp where a highway takes part, else '
+        'signals), or a function (arms streetgen.junction_arm[]) returning text, with its schema', NULL, NULL,
+        ARRAY['streetgen.junction_kind', 'paper']) $$;
+COMMENT ON FUNCTION streetgen._junction_setting() IS 'The settings of junctions, with their defaults and ranges.';

@@ -1,0 +1,9 @@
+-- How kerbs are drawn.
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_drawn()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (12, 'kerb', $part$
+    SELECT 0.5 + level * 10, 'kerb', false, surface, kerb_id FROM %1$I.kerb, size WHERE pixel < 0.5$part$) $$;
+COMMENT ON FUNCTION streetgen._kerb_drawn() IS 'What streetgen.svg draws of kerbs.';

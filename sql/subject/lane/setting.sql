@@ -1,0 +1,17 @@
+-- The settings of lanes.
+
+CREATE OR REPLACE FUNCTION streetgen._lane_setting()
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL::text[]),
+    ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10,
+        NULL),
+    ('cycle_lane_width', '1.5', 'm', 'width of a cycle lane that says none; 0: as the other lanes', 0, 10, NULL),
+    ('parking_lane_width', '2', 'm', 'width of a parking lane that says none; 0: as the other lanes', 0, 10, NULL),
+    ('lane_order', 'left_first', NULL, 'lanes are numbered from the middle outwards: left_first or right_first', NULL,
+        NULL, ARRAY['left_first', 'right_first']),
+    ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
+    ('control_distance', '50', 'm',
+        'a control point farther before its junction than this stands in the middle of its block', 0, 1000, NULL) $$;
+COMMENT ON FUNCTION streetgen._lane_setting() IS 'The settings of lanes, with their defaults and ranges.';

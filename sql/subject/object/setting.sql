@@ -1,0 +1,14 @@
+-- The settings of objects.
+
+CREATE OR REPLACE FUNCTION streetgen._object_setting()
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('placement_function', 'none', NULL::text,
+        'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
+        'streetgen.placement, with its schema', NULL::float8, NULL::float8, ARRAY['none']),
+    ('object_names', 'plain', NULL,
+        'how import_objects compares names of streets: plain (alike but for capital letters) or fuzzy (by the '
+        'similarity of pg_trgm)', NULL, NULL, ARRAY['plain', 'fuzzy']),
+    ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL) $$;
+COMMENT ON FUNCTION streetgen._object_setting() IS 'The settings of objects, with their defaults and ranges.';

@@ -1,0 +1,12 @@
+-- How roundabouts are drawn.
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_drawn()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (45, 'roundabout', $part$
+    SELECT 904, CASE WHEN accepted THEN 'ring' ELSE 'ring refused' END, true, ST_Collect(geom, ST_SetSRID(ST_MakeLine(
+        ST_MakePoint(ST_X(centre) - radius * score / 2, ST_Y(centre)),
+        ST_MakePoint(ST_X(centre) + radius * score / 2, ST_Y(centre))), ST_SRID(geom))), roundabout_id
+        FROM %1$I.roundabout, size WHERE pixel < 3$part$) $$;
+COMMENT ON FUNCTION streetgen._roundabout_drawn() IS 'What streetgen.svg draws of roundabouts.';

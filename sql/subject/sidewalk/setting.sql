@@ -1,0 +1,17 @@
+-- The settings of sidewalks.
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_setting()
+    RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('sidewalk_by_importance', '{"1": 3, "2": 3, "3": 2.5, "4": 2, "5": 1.5}', 'm',
+        'width of the sidewalks of an axis that says none, by importance; an entry holds up to the next one, the '
+        'first also before itself; motorways, their links, runways and taxiways have none', NULL::float8, NULL::float8,
+        NULL::text[]),
+    ('sidewalk_width_minimal', '0.5', 'm', 'import_sidewalk_widths reports a narrower sidewalk and leaves it out', 0, 5,
+        NULL),
+    ('sidewalk_width_maximal', '8', 'm', 'import_sidewalk_widths reports a wider sidewalk and leaves it out', 1, 50,
+        NULL),
+    ('sidewalk_transition', '5', 'm', 'metres of kerb over which the width of sidewalks changes at a corner', 0, 100,
+        NULL) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_setting() IS 'The settings of sidewalks, with their defaults and ranges.';
