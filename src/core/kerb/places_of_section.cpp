@@ -75,7 +75,7 @@ class SectionSides {
         nearest = i;
       }
     }
-    return beside(nearest, middle);
+    return beside(nearest, piece, middle);
   }
 
  private:
@@ -84,7 +84,7 @@ class SectionSides {
     return k < 2 ? border.front() : border.back();
   }
 
-  KerbSide beside(std::size_t segment, const Point& p) const {
+  KerbSide beside(std::size_t segment, const BorderPiece& piece, const Point& p) const {
     const Point along = unit(line_[segment] - line_[segment - 1]);
     const Point from_start = p - line_[segment - 1], from_end = p - line_[segment];
     if (segment == 1 && dot(from_start, along) < -same_place) return KerbSide::start;
@@ -92,7 +92,11 @@ class SectionSides {
     // Beyond a vertex both of its segments are as near.
     const Point direction =
         dot(from_end, along) > 0 ? along + unit(line_[segment + 1] - line_[segment]) : along;
-    return cross(direction, from_end) > 0 ? KerbSide::left : KerbSide::right;
+    const double offset = cross(unit(direction), from_end);
+    // On the axis itself the way of the border tells, which has the surface on its right.
+    if (std::abs(offset) <= same_place)
+      return dot(piece.to - piece.from, direction) > 0 ? KerbSide::left : KerbSide::right;
+    return offset > 0 ? KerbSide::left : KerbSide::right;
   }
 
   const Line &line_, &start_, &end_;

@@ -9,6 +9,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "kerb/kerb_place.hpp"
 #include "random_town.hpp"
 #include "rounds.hpp"
 #include "streetgen/streets.hpp"
@@ -224,6 +225,26 @@ TEST(Kerb, OfContestedGroundIsWhatBordersTheRoadway) {
   bool contested = false;
   for (const Kerb& kerb : town.kerbs) contested = contested || kerb.method == Method::contested;
   EXPECT_TRUE(contested);
+}
+
+// Of a section that a neighbour has cut down to the right of its axis; rounding puts the border on
+// either side of the axis.
+TEST(Kerb, OnTheAxisIsLeftOfTheGroundOnItsRight) {
+  const StreetSettings settings;
+  for (const double noise : {-1e-10, 0.0, 1e-10}) {
+    Layout layout({axis(1, {{0, 0}, {10, 0}}, 8, 5)}, settings, {});
+    layout.streets.limits.resize(2);
+    layout.streets.limits[0].border_line = {{0, 4}, {0, -4}};
+    layout.streets.limits[1].border_line = {{10, 4}, {10, -4}};
+    const BorderLoop loop{{{0, -3}, {0, noise}},
+                          {{0, noise}, {10, noise}},
+                          {{10, noise}, {10, -3}},
+                          {{10, -3}, {0, -3}}};
+    std::vector<KerbSide> sides;
+    for (const KerbPlace& place : places_of_section(layout, 0, loop)) sides.push_back(place.side);
+    EXPECT_EQ(sides, (std::vector<KerbSide>{KerbSide::start, KerbSide::left, KerbSide::end,
+                                            KerbSide::right}));
+  }
 }
 
 TEST(Kerb, OfRoundKinksIsTheBorderOfTheRoadway) {
