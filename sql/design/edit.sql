@@ -131,9 +131,10 @@ BEGIN
         IF TG_OP = 'INSERT' THEN
             given := ARRAY(SELECT c FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
                 WHERE is_now ->> c IS NOT NULL AND c <> 'by_hand');
-            EXECUTE format('INSERT INTO %I.%I (%s, by_hand) SELECT %s, true', TG_TABLE_SCHEMA, relation,
-                (SELECT string_agg(quote_ident(c), ', ') FROM unnest(given) c),
-                (SELECT string_agg(format('($1).%I', c), ', ') FROM unnest(given) c)) USING NEW;
+            EXECUTE format('INSERT INTO %I.%I (%s) SELECT %s', TG_TABLE_SCHEMA, relation,
+                (SELECT string_agg(quote_ident(c), ', ') FROM unnest(ARRAY['by_hand'::name] || given) c),
+                concat_ws(', ', 'true', (SELECT string_agg(format('($1).%I', c), ', ') FROM unnest(given) c)))
+                USING NEW;
         ELSIF TG_OP = 'UPDATE' THEN
             EXECUTE format('UPDATE %I.%I SET %s WHERE %I = ($2).%I', TG_TABLE_SCHEMA, relation,
                 (SELECT string_agg(CASE c WHEN 'by_hand' THEN 'by_hand = '

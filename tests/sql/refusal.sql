@@ -1,7 +1,7 @@
 \set ECHO none
 \ir shared/truths.sql
 -- What input tables refuse: the row, the value, what is expected and the way out.  Each test is a row (name, holds).
-SELECT streetgen.create_model('town', 2154), streetgen.create_model('older', 2154) \g /dev/null
+SELECT streetgen.create_model('town', 2154, subjects => '{object,interconnection}'), streetgen.create_model('older', 2154) \g /dev/null
 INSERT INTO town.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7);
 CREATE TABLE tried (statement text, wanted text, message text);
 INSERT INTO tried VALUES
@@ -44,13 +44,13 @@ COMMIT;
 
 -- Words and constraints agree.
 CREATE VIEW worded AS SELECT c.relname, n.attribute, n.condition, n.sqlstate, r.expected FROM pg_class c CROSS JOIN streetgen._conditions(c.oid) n LEFT JOIN streetgen._input_rule() r ON (r.relation, r.attribute) = (c.relname, n.attribute)
-  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'axis_class', 'turn_restriction', 'control_point') OR relname LIKE '%\_override');
+  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND relname = ANY (streetgen._edited_tables('town') || 'axis_class'::name);
 SELECT format('%s.%s says what it expects', relname, attribute), expected <> '' OR attribute = 'geom' FROM worded WHERE sqlstate = '23514' ORDER BY relname, attribute, condition;
 SELECT format('%s.%s: its bounds are those of the constraint', relname, attribute), bool_and(condition ~ format('\m%s\M', replace(bound[1], '-', ''))) FROM worded, regexp_matches(expected, '\d+(?:\.\d+)?', 'g') bound
   WHERE sqlstate = '23514' AND expected ~ '^-?[0-9.]+ to [0-9]+( |$)' GROUP BY relname, attribute ORDER BY relname, attribute;
 SELECT 'each rule is one of a column: ' || r.relation || '.' || r.attribute, EXISTS (SELECT FROM worded w WHERE (w.relname, w.attribute) = (r.relation, r.attribute) AND sqlstate = '23514') FROM streetgen._input_rule() r ORDER BY r.relation, r.attribute;
 SELECT 'each constraint of one column is looked at', (SELECT count(*) FROM worded WHERE sqlstate = '23514')
-  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND cardinality(conkey) = 1 AND relnamespace = 'town'::regnamespace AND (relname IN ('axis', 'axis_class', 'turn_restriction', 'control_point') OR relname LIKE '%\_override'));
+  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND cardinality(conkey) = 1 AND relnamespace = 'town'::regnamespace AND relname = ANY (streetgen._edited_tables('town') || 'axis_class'::name));
 
 -- A model of an older build; one that lost a constraint.
 DO $$

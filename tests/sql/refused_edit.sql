@@ -39,9 +39,11 @@ CREATE TABLE public.written AS SELECT c.oid::regclass::text AS relation, attname
 DELETE FROM public.written WHERE NOT inserts AND NOT updates;
 CREATE TABLE public.odd (type text, value text);
 INSERT INTO public.odd VALUES ('bigint', '-5'), ('integer', '-70'), ('double precision', '''NaN'''), ('text', '''no such'''), ('geometry', '''SRID=2154;POINT(NaN 1)'''), ('geometry', '''SRID=2154;LINESTRING(0 0,NaN 1)''');
--- Of each column a value that it can hardly have, of each table a row that is there twice.
+-- Of each column a value that it can hardly have and NULL, of each table a row that is there twice.
 CREATE TABLE public.tried AS SELECT relation, statement, NULL::text AS state, NULL::text AS said, NULL::text AS hint, NULL::text AS context FROM (
-  SELECT relation, format('UPDATE %s SET %I = %s WHERE %4$I = (SELECT min(%4$I) FROM %1$s)', relation, attname, value, key) AS statement FROM public.written JOIN public.odd USING (type) WHERE updates AND (type <> 'text' OR relation LIKE '%editing')
+  SELECT relation, format('UPDATE %s SET %I = %s WHERE %4$I = (SELECT min(%4$I) FROM %1$s)', relation, attname, value, key) AS statement FROM public.written JOIN public.odd USING (type) WHERE updates
+  UNION SELECT relation, format('UPDATE %s SET %I = NULL WHERE %3$I = (SELECT min(%3$I) FROM %1$s)', relation, attname, key) FROM public.written WHERE updates
+  UNION SELECT relation, format('INSERT INTO %s (%I) VALUES (NULL)', relation, attname) FROM public.written WHERE inserts
   UNION SELECT relation, format('INSERT INTO %s (%I) VALUES (%s)', relation, attname, value) FROM public.written JOIN public.odd USING (type) WHERE inserts
   UNION SELECT relation, format('INSERT INTO %s SELECT * FROM %1$s LIMIT 1', relation) FROM public.written WHERE inserts) s;
 GRANT SELECT, UPDATE ON public.tried TO refused_editor;
@@ -52,7 +54,20 @@ RESET client_min_messages;
 RESET ROLE;
 SELECT format('an edit of %s is refused', relation), count(*) FILTER (WHERE state <> 'none') > 0 FROM public.tried GROUP BY relation ORDER BY relation;
 SELECT format('an edit of %s is refused in at most a line of CONTEXT', relation), bool_and(context NOT LIKE E'%\n%') FROM public.tried WHERE state <> 'none' GROUP BY relation ORDER BY relation;
+-- But what the type of a column refuses before a trigger sees it, and a key of a table that is there twice or not at all.
+SELECT format('an edit of %s that is refused names a way out', relation), bool_and(hint <> '') FROM public.tried WHERE state NOT IN ('none', '23503', '23505') AND said !~ '^(Geometry type|Column has Z)' GROUP BY relation ORDER BY relation;
+SELECT 'NULL is told as NULL', NOT EXISTS (SELECT FROM public.tried WHERE statement ~ 'NULL' AND said ~ 'NaN');
 SELECT 'none is refused by an error of the server or of SQL', NOT EXISTS (SELECT FROM public.tried WHERE state ~ '^(XX|42)');
+-- A word that a column does not know is refused, and the words that it takes are told.
+SELECT format('%s.%s takes none but its words', relation, attribute), state = '23514' AND detail ~ words
+  FROM (VALUES ('axis', 'roundabout_tag', 'roundabout, circular or Rond-point'), ('object_type', 'symbol', 'circle, .* or triangle'), ('object_type', 'geometry', 'point or line'), ('placement_rule', 'along', 'border, axis, arm or corner'), ('placement_rule', 'side', 'left, right, both or alternating'), ('placement_rule', 'turn', 'left'), ('street_object', 'placed_by', 'user, import or rule')) v(relation, attribute, words),
+  test.refusal(format('UPDATE town.%I SET %I = ''donut''', relation, attribute));
+SELECT 'a rule takes no type that is none', state = '22023' AND hint ~ 'object_type' FROM test.refusal($$UPDATE town.placement_rule SET type = 'donut'$$);
+SELECT 'a rule for all kinds is no finding', count(*) = 0 FROM streetgen.check_model('town') WHERE rule ~ 'kind that no street';
+UPDATE town.placement_rule SET kind = '{primary,donut}';
+SELECT 'a rule for a kind that no street has is found', count(*) = 1 FROM streetgen.check_model('town') WHERE rule ~ 'kind that no street';
+UPDATE town.placement_rule SET kind = NULL;
+SELECT 'the angle of a bay says both ranges', detail = 'Expected 0, or 20 to 160 degrees.' FROM test.refusal('UPDATE town.parking_bay_editing SET angle = 10');
 REVOKE ALL ON public.tried FROM refused_editor;
 
 -- What is typed into a column that an editor may write is stored, or refused.

@@ -139,9 +139,6 @@ BEGIN
     IF streetgen._lacks_column(model, 'axis', 'source_hash') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
     END IF;
-    IF streetgen._lacks_column(model, 'axis', 'roundabout_tag') THEN
-        EXECUTE format('ALTER TABLE %I.axis ADD roundabout_tag text', model);
-    END IF;
     IF streetgen._lacks_column(model, 'axis', 'flow') THEN
         EXECUTE format('ALTER TABLE %I.axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000)', model);
     END IF;
@@ -152,7 +149,8 @@ BEGIN
         EXECUTE format('ALTER TABLE %1$I.axis ADD change_forward text CHECK (change_forward ~ %2$L),
             ADD change_backward text CHECK (change_backward ~ %2$L)', model, streetgen._lane_list_pattern('change'));
     END IF;
-    PERFORM streetgen._add_width_by_hand(model), streetgen._make_override_tables(model, srid),
+    PERFORM streetgen._add_roundabout_tag(model), streetgen._add_width_by_hand(model),
+        streetgen._make_override_tables(model, srid),
         streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
         streetgen._make_controller_override_table(model, srid), streetgen._make_ramp_override_table(model, srid),
         streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),

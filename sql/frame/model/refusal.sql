@@ -97,7 +97,7 @@ BEGIN
         -- Columns that others added keep to their constraints: a trigger would bar them from being dropped or altered.
         JOIN streetgen._model_column() USING (attribute)
         WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace
-            AND relname = ANY (streetgen._street_input(model) || 'axis_class'::name)
+            AND relname = ANY (streetgen._edited_tables(model) || 'axis_class'::name)
         GROUP BY c.oid
     LOOP
         -- The condition is read with the row; the function is called for a row that breaks it.

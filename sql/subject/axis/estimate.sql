@@ -146,13 +146,18 @@ COMMENT ON FUNCTION streetgen.lane_kinds(integer, text, boolean, text, boolean, 
     'where there are two and more), cycle lanes and beyond them parking at the near kerb and the far one. NULL where '
     'all are general, or driving is not 0 to 40. An argument that is NULL is unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen._turn_words() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT
+        'reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none'
+    $$;
+COMMENT ON FUNCTION streetgen._turn_words() IS 'The turns that a lane can be marked for, parted by |.';
+
 CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|cycle|parking' WHEN 'width'
         THEN '(\d{1,2}(\.\d{1,6})?)?' WHEN 'change' THEN '(yes|no|not_left|not_right|only_left|only_right)?'
-        WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}',
-        'reverse|sharp_left|left|slight_left|merge_to_left|through|merge_to_right|slight_right|right|sharp_right|none')
-            END) $$;
+        WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}', streetgen._turn_words()) END) $$;
 COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS
     'The form of a list of lanes as a regular expression, for streetgen.is_lane_list and the constraints of axis.';
 

@@ -144,6 +144,8 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input_rule()
         'Leave it empty where nothing is known of single lanes.'),
     ('axis', 'change_backward', 'words such as yes|not_right|no',
         'Leave it empty where nothing is known of single lanes.'),
+    ('axis', 'roundabout_tag', 'roundabout, circular or Rond-point',
+        'Leave it empty where the source says nothing of a roundabout.'),
     ('axis_class', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
     ('axis_class', 'speed', '0 to 400 km/h', 'Leave it empty to have it estimated.'),
     ('axis_class', 'importance', '1 to 99, 1 the highest', 'Leave it empty for setting importance_default.'),
@@ -154,3 +156,20 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input_rule()
     ('control_point', 'axis_distance', '0 m or more from the axis', 'Leave it empty: it follows from the place.'),
     ('control_point', 'direction', 'direct, reverse or both', 'Leave it empty where it is unknown.') $$;
 COMMENT ON FUNCTION streetgen._axis_input_rule() IS 'What may be typed into tables of axes, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_roundabout_tag(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    ALTER TABLE axis ADD IF NOT EXISTS roundabout_tag text;
+    IF NOT EXISTS (SELECT FROM pg_constraint WHERE conrelid = 'axis'::regclass
+        AND conname = 'axis_roundabout_tag_check') THEN
+        -- A word that an older build took stays.
+        ALTER TABLE axis ADD CONSTRAINT axis_roundabout_tag_check
+            CHECK (roundabout_tag IN ('roundabout', 'circular', 'Rond-point')) NOT VALID;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._add_roundabout_tag(name) IS
+    'Adds the word of the source for a roundabout, and which words it may be, where a model was made before.';

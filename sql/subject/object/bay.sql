@@ -122,9 +122,10 @@ BEGIN
             (streetgen._usual_bay()).length || ' is usual.'),
         streetgen._check_edit_number('the width of ' || subject, NEW.width, 1, 10, 'm',
             (streetgen._usual_bay()).width || ' is usual.');
-    IF NEW.angle <> 0 THEN
-        PERFORM streetgen._check_edit_number('the angle of ' || subject, NEW.angle, 20, 160, 'degrees',
-            '0 is parallel to the border, 90 perpendicular.');
+    IF NEW.angle <> 0 AND NOT NEW.angle BETWEEN 20 AND 160 THEN
+        PERFORM streetgen._refuse('22023', format('the angle of %s cannot be %s', subject, NEW.angle),
+            detail => 'Expected 0, or 20 to 160 degrees.',
+            hint => '0 is parallel to the border, 90 perpendicular; beyond 90 it leans against the traffic.');
     END IF;
     IF TG_OP = 'INSERT' THEN
         INSERT INTO street_object_editing (type, geom, placement, axis_id, abscissa, side, axis_offset)

@@ -36,6 +36,11 @@ BEGIN
         FROM parking_bay b JOIN street_object o USING (street_object_id)
         WHERE b.surface IS NULL AND o.method <> 'orphaned'
     UNION ALL
+    SELECT 'notice', 'placement rule for a kind that no street has', 'placement_rule', rule_id, NULL::float8,
+        NULL::geometry FROM placement_rule r WHERE EXISTS (SELECT FROM unnest(r.kind) k
+            WHERE NOT EXISTS (SELECT FROM axis_class c WHERE c.class = k)
+                AND NOT EXISTS (SELECT FROM axis a WHERE a.kind = k))
+    UNION ALL
     SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id,
         NULL::float8, geom FROM streetgen._crowding_objects(model)
     UNION ALL

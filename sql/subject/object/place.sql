@@ -216,6 +216,18 @@ END $$;
 COMMENT ON FUNCTION streetgen._changed_columns(record, record) IS
     'What differs between two rows of street_object: type, orientation (with its kind), geom (all that places it).';
 
+CREATE OR REPLACE FUNCTION streetgen._refuse_type(model name, subject text, type text) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._refuse('22023',
+        CASE WHEN type IS NULL THEN subject || ' has no type'
+            ELSE format('there is no object type "%s"', type) END,
+        hint => format('SELECT type FROM %I.object_type lists them; a row there makes another.', model));
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_type(name, text, text) IS
+    'Raises 22023 for a type of objects that is none, or NULL.';
+
 CREATE OR REPLACE FUNCTION streetgen._place_object() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -260,10 +272,7 @@ BEGIN
         NEW.rule_place := NULL;
     END IF;
     IF NOT known THEN
-        PERFORM streetgen._refuse('22023',
-            CASE WHEN NEW.type IS NULL THEN subject || ' has no type'
-                ELSE format('there is no object type "%s"', NEW.type) END,
-            hint => format('SELECT type FROM %I.object_type lists them; a row there makes another.', TG_TABLE_SCHEMA));
+        PERFORM streetgen._refuse_type(TG_TABLE_SCHEMA, subject, NEW.type);
     ELSIF NEW.side NOT IN ('left', 'right') THEN
         PERFORM streetgen._refuse('22023', format('the side of %s cannot be "%s"', subject, NEW.side),
             hint => 'It is left or right.');

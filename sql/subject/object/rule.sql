@@ -10,6 +10,14 @@ DECLARE
     least float8;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    IF NOT EXISTS (SELECT FROM object_type WHERE type = NEW.type) THEN
+        PERFORM streetgen._refuse_type(TG_TABLE_SCHEMA, subject, NEW.type);
+    END IF;
+    IF NEW.turn IS DISTINCT FROM OLD.turn AND NEW.turn <> ALL (string_to_array(streetgen._turn_words(), '|')) THEN
+        PERFORM streetgen._refuse('23514', format('the turn of %s cannot be "%s"', subject, NEW.turn),
+            detail => format('Expected %s.', replace(streetgen._turn_words(), '|', ', ')),
+            hint => 'Leave it empty for all arms.');
+    END IF;
     IF NEW.every < 0.5 THEN
         SELECT coalesce(sum(ST_Length2D(geom)), 0) FROM axis INTO length;
         PERFORM streetgen._refuse('22023', format('%s cannot place an object every %s m', subject, NEW.every),
@@ -36,8 +44,8 @@ BEGIN
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._check_placement_rule() IS
-    'Trigger of placement_rule: a distance under 0.5 m or under what a bay takes of its border, or a number out of its '
-    'range, 22023.';
+    'Trigger of placement_rule: a distance under 0.5 m or under what a bay takes of its border, a number out of its '
+    'range, or a type that is none: 22023; a turn that is none: 23514.';
 
 CREATE OR REPLACE FUNCTION streetgen._rule_takes(axis bigint, rule bigint, place integer, density float8)
     RETURNS boolean

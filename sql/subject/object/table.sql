@@ -204,12 +204,19 @@ BEGIN
         PERFORM streetgen._refuse('22023', format('object type "%s" cannot stand below "%s"', NEW.type, NEW.parent),
             detail => format('%I stands below %I itself.', NEW.parent, NEW.type),
             hint => 'Take another parent, or none.');
+    ELSIF NEW.symbol IS DISTINCT FROM OLD.symbol AND NEW.symbol NOT IN ('arrow', 'bay', 'circle', 'crossing', 'diamond',
+        'line', 'rectangle', 'square', 'star', 'tree', 'triangle') THEN
+        PERFORM streetgen._refuse('23514', format('the symbol of object type "%s" cannot be "%s"', NEW.type,
+                NEW.symbol),
+            detail => 'Expected arrow, bay, circle, crossing, diamond, line, rectangle, square, star, tree or '
+                'triangle.',
+            hint => 'Leave it out for a circle.');
     END IF;
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._check_object_type() IS
     'Trigger of object_type: a type that would stand below itself, or another name for crossing or parking_bay, is '
-    'refused, 22023.';
+    'refused, 22023; a symbol that is none: 23514.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_column()
     RETURNS TABLE(relation name, attribute name, description text)
@@ -219,7 +226,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('object_type', 'category', 'a word for several types; free'),
     ('object_type', 'parent', 'the type that it is a kind of'),
     ('object_type', 'geometry', 'point, or line: a stretch along an axis'),
-    ('object_type', 'symbol', 'how it is drawn: circle, square, rectangle, diamond, triangle, star, tree, arrow, line'),
+    ('object_type', 'symbol', 'how it is drawn: circle, square, rectangle, diamond, triangle, star, tree, arrow, line, '
+        'crossing or bay, of which the ground is drawn'),
     ('object_type', 'size', 'how large it is drawn, metres'),
     ('object_type', 'description', 'what it is; free'),
     ('object_type', 'distance_least', 'what a rule places keeps so far from other objects, metres; 0: it does not '

@@ -199,7 +199,11 @@ BEGIN
     foot := ST_LineInterpolatePoint(axis, at);
     -- A width that was typed puts the point where it means that width.
     IF NEW.width IS DISTINCT FROM OLD.width AND (TG_OP = 'INSERT' OR NOT moved) THEN
-        PERFORM streetgen._check_edit_number('the width of ' || subject, coalesce(NEW.width, 'NaN'), 0.001, 200, 'm',
+        IF NEW.width IS NULL THEN
+            PERFORM streetgen._refuse('22023', format('the width of %s cannot be NULL', subject),
+                detail => 'Expected 0.001 to 200 m.', hint => 'Delete the point to take it back.');
+        END IF;
+        PERFORM streetgen._check_edit_number('the width of ' || subject, NEW.width, 0.001, 200, 'm',
             'Delete the point to take it back.');
         IF ST_Distance(foot, NEW.geom) > 0 THEN
             NEW.geom := ST_SetSRID(ST_MakePoint(ST_X(foot) + (ST_X(NEW.geom) - ST_X(foot)) * NEW.width / 2 /
