@@ -7,11 +7,14 @@ rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
 floors=(
   'support'
   'geometry'
-  'network mesh object virtual_city'
-  'alignment'
-  'roadway roundabout'
-  'ownership'
-  'kerb sidewalk traffic terrain block'
+  'network road height overpass mesh object design virtual_city'
+  'layout block roundabout'
+  'ramp strip'
+  'roadway sidewalk'
+  'ownership lane'
+  'kerb interconnection'
+  'junction'
+  'signal'
   'pipeline'
 )
 

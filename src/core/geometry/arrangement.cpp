@@ -162,8 +162,10 @@ class Meetings {
         come(segment, segments_[segment], place, places_[place]);
       }
     };
+    int last = -1;
     for (const auto& [i, j] : near_) {
-      poll_cancel();
+      if (i != last) poll_cancel();
+      last = i;
       come_of(i, j);
       come_of(j, i);
     }
@@ -309,7 +311,6 @@ void Arrangement::node(const std::vector<LineView>& lines, Asked asked) {
   edges.reserve(segments.size() + meetings.all().size());
   auto meeting = meetings.all().begin();
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    poll_cancel();
     const Segment& s = segments[i];
     int last = node_of[s.first];
     if (asked == Asked::ways) passed.begin_segment(last);

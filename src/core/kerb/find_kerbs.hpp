@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "layout/layout.hpp"
 #include "roadway/find_affected.hpp"
-#include "roadway/layout.hpp"
 
 namespace streetgen {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "kerb/free_border.hpp"
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

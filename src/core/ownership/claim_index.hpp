@@ -6,8 +6,8 @@
 
 #include "geometry/box.hpp"
 #include "geometry/box_index.hpp"
+#include "layout/surface_ring.hpp"
 #include "ownership/ownership.hpp"
-#include "roadway/surface_ring.hpp"
 
 namespace streetgen {
 

@@ -7,7 +7,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "geometry/voronoi_border.hpp"
-#include "roadway/surface_ring.hpp"
+#include "layout/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/infinite.hpp"
 

@@ -3,8 +3,8 @@
 
 #include <map>
 
+#include "layout/layout.hpp"
 #include "roadway/find_affected.hpp"
-#include "roadway/layout.hpp"
 
 namespace streetgen {
 

@@ -1,8 +1,8 @@
 // Claims of the surfaces of edges and nodes.
 #pragma once
 
+#include "layout/layout.hpp"
 #include "ownership/claim.hpp"
-#include "roadway/layout.hpp"
 
 namespace streetgen {
 

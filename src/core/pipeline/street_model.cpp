@@ -3,9 +3,9 @@
 #include <unordered_map>
 
 #include "geometry/polyline.hpp"
+#include "lane/ramp_lanes.hpp"
 #include "pipeline/invariants.hpp"
 #include "streetgen/streets.hpp"
-#include "traffic/ramp_lanes.hpp"
 
 namespace streetgen {
 

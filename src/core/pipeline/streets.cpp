@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "kerb/find_kerbs.hpp"
+#include "layout/layout.hpp"
 #include "ownership/settle_owners.hpp"
 #include "pipeline/invariants.hpp"
+#include "ramp/find_ramps.hpp"
+#include "ramp/merging_lanes.hpp"
 #include "roadway/find_affected.hpp"
-#include "roadway/find_ramps.hpp"
-#include "roadway/layout.hpp"
-#include "roadway/merging_lanes.hpp"
 #include "roadway/settle_limits.hpp"
 #include "roadway/solve_corners.hpp"
 #include "roadway/street_override.hpp"

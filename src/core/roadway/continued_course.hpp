@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "roadway/course.hpp"
-#include "roadway/layout.hpp"
+#include "layout/course.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

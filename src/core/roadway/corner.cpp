@@ -6,7 +6,7 @@
 #include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/course.hpp"
+#include "layout/course.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/infinite.hpp"
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <utility>
 
-#include "alignment/curve_chords.hpp"
 #include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/ring_simplicity.hpp"
+#include "road/curve_chords.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/surface.hpp"
 

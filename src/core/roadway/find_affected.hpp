@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

@@ -8,7 +8,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/surface_ring.hpp"
+#include "layout/surface_ring.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/infinite.hpp"
 

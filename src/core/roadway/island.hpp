@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "roadway/layout.hpp"
-#include "roadway/node_corner.hpp"
+#include "layout/layout.hpp"
+#include "layout/node_corner.hpp"
 
 namespace streetgen {
 

@@ -5,7 +5,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/surface_ring.hpp"
+#include "layout/surface_ring.hpp"
 
 namespace streetgen {
 

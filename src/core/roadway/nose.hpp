@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "roadway/course.hpp"
-#include "roadway/node_corner.hpp"
+#include "layout/course.hpp"
+#include "layout/node_corner.hpp"
 #include "streetgen/street.hpp"
 
 namespace streetgen {

@@ -6,7 +6,7 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/width_transition.hpp"
+#include "layout/width_transition.hpp"
 
 namespace streetgen {
 

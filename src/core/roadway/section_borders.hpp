@@ -1,7 +1,7 @@
 // The borders of a roadway beside its axis, from node to node.
 #pragma once
 
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

@@ -7,8 +7,8 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/node_corner.hpp"
-#include "roadway/width_transition.hpp"
+#include "layout/node_corner.hpp"
+#include "layout/width_transition.hpp"
 
 namespace streetgen {
 

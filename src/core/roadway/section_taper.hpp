@@ -1,7 +1,7 @@
 // Changes of width that go on within sections.
 #pragma once
 
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

@@ -4,8 +4,8 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/merging_lanes.hpp"
-#include "roadway/node_corner.hpp"
+#include "layout/node_corner.hpp"
+#include "ramp/merging_lanes.hpp"
 #include "roadway/section_taper.hpp"
 
 namespace streetgen {

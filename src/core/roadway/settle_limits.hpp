@@ -1,7 +1,7 @@
 // Where the section of each edge ends and the intersections at its nodes begin.
 #pragma once
 
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 #include "roadway/street_override.hpp"
 
 namespace streetgen {

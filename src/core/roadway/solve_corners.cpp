@@ -5,12 +5,12 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
+#include "layout/node_corner.hpp"
+#include "layout/width_transition.hpp"
+#include "ramp/find_ramps.hpp"
 #include "roadway/continued_course.hpp"
-#include "roadway/find_ramps.hpp"
 #include "roadway/island.hpp"
-#include "roadway/node_corner.hpp"
 #include "roadway/nose.hpp"
-#include "roadway/width_transition.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
 

@@ -1,7 +1,7 @@
 // The corners of every node.  StreetGen paper, section 2.4.
 #pragma once
 
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 #include "roadway/street_override.hpp"
 
 namespace streetgen {

@@ -4,7 +4,7 @@
 
 #include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
-#include "roadway/node_corner.hpp"
+#include "layout/node_corner.hpp"
 
 namespace streetgen {
 

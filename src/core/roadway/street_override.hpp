@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

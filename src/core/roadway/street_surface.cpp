@@ -1,8 +1,8 @@
 #include "roadway/street_surface.hpp"
 
 #include "geometry/fill_holes.hpp"
+#include "layout/width_transition.hpp"
 #include "roadway/round_kink.hpp"
-#include "roadway/width_transition.hpp"
 
 namespace streetgen {
 

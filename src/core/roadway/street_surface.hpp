@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/geos.hpp"
-#include "roadway/layout.hpp"
+#include "layout/layout.hpp"
 
 namespace streetgen {
 

@@ -6,9 +6,9 @@
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/node_corner.hpp"
-#include "roadway/surface_pieces.hpp"
-#include "roadway/surface_ring.hpp"
+#include "layout/node_corner.hpp"
+#include "layout/surface_pieces.hpp"
+#include "layout/surface_ring.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {

@@ -9,10 +9,10 @@
 #include "geometry/ring_simplicity.hpp"
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
-#include "roadway/back_line.hpp"
-#include "roadway/bend.hpp"
-#include "roadway/kerb_front.hpp"
 #include "streetgen/cancel.hpp"
+#include "strip/back_line.hpp"
+#include "strip/bend.hpp"
+#include "strip/kerb_front.hpp"
 
 namespace streetgen {
 

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "geometry/polyline.hpp"
+#include "layout/node_corner.hpp"
 #include "ownership/hole.hpp"
-#include "roadway/node_corner.hpp"
 
 namespace streetgen {
 namespace claim_index_test {

@@ -1,0 +1,499 @@
+#include "interconnection/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geometry/polyline.hpp"
+#include "interconnection/mirrored_legs.hpp"
+#include "interconnection/movement_angle.hpp"
+#include "interconnection/turn.hpp"
+#include "support/infinite.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double slight = 0.9;     // of the angle of a slight turn: parallel lanes
+constexpr double sharp = 100;      // degrees: beyond it a tight movement is one that none takes
+constexpr double noticeable = 20;  // degrees: a path that turns less has no tight radius
+constexpr double importance_weight = 10;  // degrees that a step of importance is worth
+
+struct MarkedTurn {
+  unsigned bit;
+  double angle;
+};
+constexpr MarkedTurn marked_turns[] = {
+    {turn::sharp_left, 135},   {turn::left, 90},   {turn::slight_left, 35},
+    {turn::merge_left, 0},     {turn::through, 0}, {turn::merge_right, 0},
+    {turn::slight_right, -35}, {turn::right, -90}, {turn::sharp_right, -135},
+};
+
+// The lanes of one kind of a leg, by their index among all.
+using Group = std::vector<int>;
+
+// One movement as its approach sees it.
+struct Way {
+  Movement* movement;
+  const Leg* to;
+  double angle;   // of the movement; one that turns back is the outermost on its side
+  double order;   // the greater, the farther to the left: by the angle and by where it leads
+  Group goals{};  // where lanes of the kind that is assigned go on
+};
+
+Group group_of(const std::vector<LaneEnd>& lanes, LaneKind kind) {
+  Group group;
+  for (int i = 0; i < static_cast<int>(lanes.size()); ++i)
+    if (lanes[i].kind == kind) group.push_back(i);
+  return group;
+}
+
+// The lanes in which those of a kind go on: lanes of their kind, else the general ones.
+Group targets(const Leg& leg, LaneKind kind) {
+  Group same = group_of(leg.out, kind);
+  return same.empty() && kind != LaneKind::general ? group_of(leg.out, LaneKind::general) : same;
+}
+
+class Plausibility {
+ public:
+  Plausibility(const std::vector<Leg>& legs, std::vector<Movement>& movements)
+      : legs_(legs), movements_(movements) {}
+
+  void run() {
+    for (Movement& movement : movements_) {
+      const Leg &from = legs_[movement.from], &to = legs_[movement.to];
+      const double order = movement_order(from, to) + 360 * movement.side;
+      movement.verdicts.resize(from.in.size() * to.out.size());
+      ways_.push_back({&movement, &to, movement_angle(from, to), order});
+    }
+    for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg) approach(leg);
+    reach_every_lane();
+    drop_tight();
+  }
+
+ private:
+  const Leg& from(const Way& way) const { return legs_[way.movement->from]; }
+  static Verdict& at(const Way& way, int in, int out) {
+    return way.movement->verdicts[in * way.to->out.size() + out];
+  }
+  static double radius(const Way& way, int in, int out) {
+    return way.movement->radius[in * way.to->out.size() + out];
+  }
+  bool turns_back(const Way& way) const {
+    return way.movement->from == way.movement->to ||
+           (turn_of(way.angle) == Turn::u_turn && !from(way).on_ring && !way.to->on_ring);
+  }
+  static bool drivable(const Way& way, int in, int out) {
+    return way.movement->drivable[in * way.to->out.size() + out];
+  }
+  static bool tight(const Way& way, int in, int out) {
+    return !drivable(way, in, out) ||
+           (std::abs(way.angle) > noticeable && radius(way, in, out) < way.movement->least_radius);
+  }
+
+  void approach(int leg) {
+    unsigned marked = 0;
+    for (const LaneEnd& lane : legs_[leg].in) marked |= lane.turns;
+    for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle}) {
+      const Group lanes = group_of(legs_[leg].in, kind);
+      if (!lanes.empty()) assign(lanes, kind, open_ways(leg, lanes, kind, marked & turn::reverse));
+    }
+  }
+
+  // The ways that lanes of a kind may take, from left to right; of the others it says why not.
+  std::vector<Way> open_ways(int leg, const Group& lanes, LaneKind kind, bool may_turn_back) {
+    std::vector<Way> open;
+    bool onwards = false;
+    for (const Way& way : ways_)
+      if (way.movement->from == leg && !way.movement->forbidden(kind))
+        onwards = onwards || !turns_back(way);
+    for (const Way& way : ways_) {
+      if (way.movement->from != leg) continue;
+      const bool back = onwards && turns_back(way) && !may_turn_back;
+      if (way.movement->forbidden(kind) || back)
+        judge_all(way, lanes, back ? Reason::u_turn : Reason::lane_kind);
+      else
+        open.push_back(way);
+    }
+    std::stable_sort(open.begin(), open.end(),
+                     [](const Way& a, const Way& b) { return a.order > b.order; });
+    return open;
+  }
+
+  // A restriction that holds is the reason.
+  void judge_all(const Way& way, const Group& lanes, Reason reason) const {
+    for (const int in : lanes)
+      for (int out = 0; out < static_cast<int>(way.to->out.size()); ++out)
+        at(way, in, out) = {false, forbidden(way, in, out) ? Reason::restriction : reason};
+  }
+
+  void assign(const Group& lanes, LaneKind kind, const std::vector<Way>& open) {
+    std::vector<Way> ways;
+    unsigned marked = 0;
+    for (const int i : lanes) marked |= from_lane(open, i).turns;
+    const Reason reason = marked ? Reason::turn_lanes : Reason::lane_order;
+    for (const Way& way : open) {
+      Group goals = targets(*way.to, kind);
+      for (const int i : lanes)
+        for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
+          at(way, i, o).reason =
+              std::find(goals.begin(), goals.end(), o) == goals.end() ? Reason::lane_kind : reason;
+      if (goals.empty()) continue;
+      ways.push_back(way);
+      ways.back().goals = std::move(goals);
+    }
+    if (ways.empty()) return;
+    const auto served = marked ? serve_marked(lanes, ways) : serve_in_order(lanes, ways);
+    for (std::size_t j = 0; j < ways.size(); ++j)
+      if (!served[j].empty()) connect(ways[j], served[j], reason);
+  }
+
+  const LaneEnd& from_lane(const std::vector<Way>& ways, int i) const {
+    static const LaneEnd none;
+    return ways.empty() ? none : from(ways.front()).in[i];
+  }
+
+  // For each way, the lanes that take it: by what is marked on them.
+  std::vector<Group> serve_marked(const Group& lanes, const std::vector<Way>& ways) const {
+    std::vector<double> said;  // angles, from left to right
+    std::vector<std::size_t> onwards;
+    const auto bears = [&](int lane, double angle) {
+      const unsigned turns = from_lane(ways, lane).turns;
+      if (turns == 0) return angle == 0;
+      return std::any_of(std::begin(marked_turns), std::end(marked_turns),
+                         [&](const MarkedTurn& m) { return turns & m.bit && m.angle == angle; });
+    };
+    for (const MarkedTurn& mark : marked_turns)
+      if ((said.empty() || said.back() != mark.angle) &&
+          std::any_of(lanes.begin(), lanes.end(), [&](int i) { return bears(i, mark.angle); }))
+        said.push_back(mark.angle);
+    for (std::size_t j = 0; j < ways.size(); ++j)
+      if (!turns_back(ways[j])) onwards.push_back(j);
+    std::vector<Group> served(ways.size());
+    for (std::size_t k = 0; k < said.size(); ++k) {
+      // As many marks as ways: one to one from left to right; else the way nearest to the mark,
+      // and those of its kind that no mark is nearer to.
+      std::vector<std::size_t> meant;
+      if (said.size() == onwards.size()) {
+        meant = {onwards[k]};
+      } else {
+        meant = {nearest_way(ways, said[k])};
+        for (const std::size_t j : onwards)
+          if (j != meant.front() && nearest_mark(said, ways[j].angle) == k &&
+              turn_of(ways[j].angle) == turn_of(said[k] * slight))
+            meant.push_back(j);
+        std::sort(meant.begin(), meant.end());
+      }
+      Group bearing;
+      std::vector<Way> subset;
+      for (const int i : lanes)
+        if (bears(i, said[k])) bearing.push_back(i);
+      for (const std::size_t j : meant) subset.push_back(ways[j]);
+      const std::vector<Group> shared = serve_in_order(bearing, subset);
+      for (std::size_t j = 0; j < meant.size(); ++j) add(served[meant[j]], shared[j]);
+    }
+    for (std::size_t j = 0; j < ways.size(); ++j)
+      if (turns_back(ways[j]))
+        for (const int i : lanes)
+          if (from_lane(ways, i).turns & turn::reverse) add(served[j], {i});
+    return served;
+  }
+
+  static void add(Group& group, const Group& more) {
+    group.insert(group.end(), more.begin(), more.end());
+    std::sort(group.begin(), group.end());
+    group.erase(std::unique(group.begin(), group.end()), group.end());
+  }
+
+  static std::size_t nearest_way(const std::vector<Way>& ways, double angle) {
+    return std::min_element(ways.begin(), ways.end(),
+                            [&](const Way& a, const Way& b) {
+                              return in_steps(std::abs(a.angle - angle)) <
+                                     in_steps(std::abs(b.angle - angle));
+                            }) -
+           ways.begin();
+  }
+
+  static std::size_t nearest_mark(const std::vector<double>& said, double angle) {
+    return std::min_element(said.begin(), said.end(),
+                            [&](double a, double b) {
+                              return in_steps(std::abs(a - angle)) < in_steps(std::abs(b - angle));
+                            }) -
+           said.begin();
+  }
+
+  // For each way, the lanes that take it: from left to right, the way straight on first.
+  std::vector<Group> serve_in_order(const Group& lanes, const std::vector<Way>& ways) const {
+    const int n = static_cast<int>(lanes.size()), k = static_cast<int>(ways.size());
+    std::vector<Group> served(k);
+    const auto serve = [&](int j, int first, int last) {
+      for (int i = first; i < last; ++i) served[j].push_back(lanes[i]);
+    };
+    const auto width = [&](int j) { return static_cast<int>(ways[j].goals.size()); };
+    const int through = way_through(ways);
+    if (through < 0) {
+      int total = 0, before = 0;
+      for (int j = 0; j < k; ++j) total += width(j);
+      for (int j = 0; j < k; ++j) {
+        serve(j, n * before / total, (n * (before + width(j)) + total - 1) / total);
+        before += width(j);
+      }
+      return served;
+    }
+    int left = 0, right = 0, extra = std::max(0, n - width(through));
+    int left_wanted = 0, right_wanted = 0;
+    for (int j = 0; j < through; ++j) left_wanted = std::max(left_wanted, width(j));
+    for (int j = through + 1; j < k; ++j) right_wanted = std::max(right_wanted, width(j));
+    while (extra > 0 && (left < left_wanted || right < right_wanted)) {
+      const bool to_left = left < left_wanted && (left <= right || right == right_wanted);
+      ++(to_left ? left : right);
+      --extra;
+    }
+    serve(through, left, n - right);
+    for (int j = 0; j < through; ++j) serve(j, 0, std::max(left, 1));
+    for (int j = through + 1; j < k; ++j) serve(j, n - std::max(right, 1), n);
+    return served;
+  }
+
+  // The way that goes on nearest to straight, a change of importance set against the angle.
+  int way_through(const std::vector<Way>& ways) const {
+    int best = -1;
+    long long least = 0;
+    for (int j = 0; j < static_cast<int>(ways.size()); ++j) {
+      if (in_steps(std::abs(ways[j].angle)) > in_steps(45)) continue;
+      const long long cost =
+          in_steps(std::abs(ways[j].angle) +
+                   importance_weight * std::abs(ways[j].to->importance - from(ways[j]).importance));
+      if (best >= 0 && cost >= least) continue;
+      least = cost;
+      best = j;
+    }
+    return best;
+  }
+
+  // Lane by lane without crossing: lanes[i] goes on to goals[i + shift], the outermost twice.
+  void connect(const Way& way, const Group& lanes, Reason reason) {
+    const Group& goals = way.goals;
+    const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());
+    const int low = std::min(0, m - n), high = std::max(0, m - n);
+    const auto goal = [&](int i, int shift) { return goals[std::clamp(i + shift, 0, m - 1)]; };
+    int shift = 0;
+    if (turn_of(way.angle) == Turn::through) {
+      shift = shift_straight_on(way, lanes, low, high);
+    } else {
+      // Along the kerb that it turns about, or as near to it as the radius allows.
+      const int side = turns_back(way) ? (inner_left(way) ? 1 : -1) : (way.angle > 0 ? 1 : -1);
+      const int first = side > 0 ? 0 : m - n;
+      shift = first;
+      for (int s = first; s >= low && s <= high; s += side) {
+        bool fits = true;
+        for (int i = 0; i < n; ++i) fits = fits && !tight(way, lanes[i], goal(i, s));
+        if (fits) {
+          shift = s;
+          break;
+        }
+      }
+    }
+    for (int i = 0; i < n; ++i)
+      at(way, lanes[i], drivable_goal(way, lanes[i], goal(i, shift))) = {true, reason};
+  }
+
+  // In the place of a lane that no car comes to, the nearest one where the turn is wide enough.
+  static int drivable_goal(const Way& way, int in, int wanted) {
+    if (drivable(way, in, wanted)) return wanted;
+    int best = -1;
+    for (const int o : way.goals)
+      if (!tight(way, in, o) && (best < 0 || std::abs(o - wanted) < std::abs(best - wanted)))
+        best = o;
+    return best < 0 ? wanted : best;
+  }
+
+  // Lanes that others enter from one side are left to them; else the least move sideways.
+  int shift_straight_on(const Way& way, const Group& lanes, int low, int high) const {
+    const Group& goals = way.goals;
+    if (low == high) return low;
+    if (high > 0) {
+      bool from_left = false, from_right = false;
+      for (const Way& other : ways_)
+        if (other.to == way.to && other.movement != way.movement &&
+            !other.movement->forbidden(LaneKind::general) && !turns_back(other))
+          (other.order > way.order ? from_left : from_right) = true;
+      if (from_left != from_right) return from_left ? high : 0;
+    }
+    const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());
+    int best = low;
+    double least = infinite;
+    for (int shift = low; shift <= high; ++shift) {
+      double moved = 0;
+      for (int i = 0; i < n; ++i) {
+        const LaneEnd& in = from(way).in[lanes[i]];
+        const LaneEnd& out = way.to->out[goals[std::clamp(i + shift, 0, m - 1)]];
+        const double aside = cross(unit(in.direction + out.direction), out.place - in.place);
+        moved += aside * aside;
+      }
+      if (moved < least - 1e-6) {
+        least = moved;
+        best = shift;
+      }
+    }
+    return best;
+  }
+
+  // Whether the lanes beside the other direction are the left ones.
+  bool inner_left(const Way& way) const {
+    const auto &in = from(way).in, &out = way.to->out;
+    return distance(in.front().place, out.front().place) <=
+           distance(in.back().place, out.back().place);
+  }
+
+  bool spreads(int leg, int in, const Verdict* besides = nullptr) const {
+    for (const Way& way : ways_)
+      if (way.movement->from == leg)
+        for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
+          if (at(way, in, o).plausible && &at(way, in, o) != besides) return true;
+    return false;
+  }
+
+  bool reached(int leg, int out, const Verdict* besides = nullptr) const {
+    for (const Way& way : ways_)
+      if (way.movement->to == leg)
+        for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
+          if (at(way, i, out).plausible && &at(way, i, out) != besides) return true;
+    return false;
+  }
+
+  bool taken(const Movement& movement, const Verdict* besides) const {
+    return std::any_of(movement.verdicts.begin(), movement.verdicts.end(),
+                       [&](const Verdict& v) { return v.plausible && &v != besides; });
+  }
+
+  // Whether the lane takes the movement, to whichever lane.
+  static bool takes(const Way& way, int in) {
+    for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
+      if (at(way, in, o).plausible) return true;
+    return false;
+  }
+
+  // The less, the likelier.  Of equals the first in the order of legs and lanes.
+  using Cost = std::tuple<bool, bool, bool, long long>;
+
+  // The distance of the pair from what else goes the same way, in lanes.
+  double astray(const Way& way, int in, int out) const {
+    double least = 10;
+    const auto &ins = from(way).in, &outs = way.to->out;
+    for (int i = 0; i < static_cast<int>(ins.size()); ++i)
+      for (int o = 0; o < static_cast<int>(outs.size()); ++o)
+        if (at(way, i, o).plausible) {
+          const bool crosses = (i - in) * (o - out) < 0;
+          least = std::min(least, std::abs(i - in) + std::abs(o - out) + (crosses ? 2. : 0.));
+        }
+    return least;
+  }
+
+  Cost cost(const Way& way, int in, int out) const {
+    const Verdict& verdict = at(way, in, out);
+    return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
+            tight(way, in, out),
+            in_steps(std::abs(way.angle) + importance_weight * astray(way, in, out))};
+  }
+
+  bool forbidden(const Way& way, int in, int out) const {
+    return way.movement->forbidden(from(way).in[in].kind, way.to->out[out].kind);
+  }
+
+  bool may(const Way& way, int i, int o) const {
+    const LaneKind in = from(way).in[i].kind, out = way.to->out[o].kind;
+    return !way.movement->forbidden(in, out) &&
+           (in == out || in == LaneKind::general || out == LaneKind::general);
+  }
+
+  struct Pair {
+    Verdict* verdict = nullptr;
+    bool easy = false;  // neither tight nor back
+  };
+
+  // Pairs that another kind of lane, or what is marked, would rule out are better than none.
+  template <class Wanted>
+  Pair likeliest(Wanted wanted) {
+    Pair best;
+    Cost least;
+    for (const Way& way : ways_)
+      for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
+        for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
+          if (!wanted(way, i, o) || !may(way, i, o)) continue;
+          const Cost now = cost(way, i, o);
+          if (best.verdict && !(now < least)) continue;
+          best = {&at(way, i, o), !tight(way, i, o) && !turns_back(way)};
+          least = now;
+        }
+    return best;
+  }
+
+  Pair likeliest_on(int leg, int lane) {
+    return likeliest(
+        [&](const Way& way, int in, int) { return way.movement->from == leg && in == lane; });
+  }
+
+  Pair likeliest_to(int leg, int lane) {
+    return likeliest([&](const Way& way, int, int out) {
+      return way.movement->to == leg && out == lane && way.movement->from != leg;
+    });
+  }
+
+  void reach_every_lane() {
+    const auto add = [](const Pair& pair) {
+      if (pair.verdict) *pair.verdict = {true, Reason::only_way};
+    };
+    for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
+      for (int i = 0; i < static_cast<int>(legs_[leg].in.size()); ++i)
+        if (!spreads(leg, i)) add(likeliest_on(leg, i));
+    for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
+      for (int o = 0; o < static_cast<int>(legs_[leg].out.size()); ++o)
+        if (!reached(leg, o)) add(likeliest_to(leg, o));
+  }
+
+  // A tight path goes where both its lanes have another, or one that is neither tight nor back; of
+  // an ordinary turn, its movement too. One with a corner says so where it stays as the only way.
+  void drop_tight() {
+    for (const Way& way : ways_)
+      for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
+        for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
+          Verdict& verdict = at(way, i, o);
+          if (!verdict.plausible || !tight(way, i, o)) continue;
+          const bool corner = !drivable(way, i, o);
+          if (!corner && (verdict.reason == Reason::turn_lanes ||
+                          (std::abs(way.angle) <= sharp && !taken(*way.movement, &verdict))))
+            continue;
+          std::vector<Pair> instead;
+          if (!spreads(way.movement->from, i, &verdict))
+            instead.push_back(likeliest_on(way.movement->from, i));
+          if (!reached(way.movement->to, o, &verdict))
+            instead.push_back(likeliest_to(way.movement->to, o));
+          if (corner) verdict.reason = Reason::not_drivable;
+          if (!std::all_of(instead.begin(), instead.end(), [](const Pair& p) { return p.easy; }))
+            continue;
+          for (const Pair& pair : instead) *pair.verdict = {true, Reason::only_way};
+          verdict = {false, corner ? Reason::not_drivable : Reason::radius};
+        }
+  }
+
+  const std::vector<Leg>& legs_;
+  std::vector<Movement>& movements_;
+  std::vector<Way> ways_;
+};
+
+}  // namespace
+
+void choose_lanes(const std::vector<Leg>& legs, std::vector<Movement>& movements,
+                  DrivingSide driving_side) {
+  if (driving_side == DrivingSide::right) {
+    Plausibility(legs, movements).run();
+    return;
+  }
+  std::vector<Leg> seen = legs;
+  mirror(seen, movements);
+  Plausibility(seen, movements).run();
+  mirror(seen, movements);
+}
+
+}  // namespace streetgen

@@ -1,0 +1,345 @@
+#include "streetgen/lane.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "geometry/geos.hpp"
+#include "geometry/offset.hpp"
+#include "geometry/polyline.hpp"
+#include "lane/lane_change.hpp"
+#include "lane/lane_layout.hpp"
+#include "lane/lane_taper.hpp"
+#include "lane/lane_wishes.hpp"
+#include "lane/marking.hpp"
+#include "roadway/round_kink.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/progress.hpp"
+#include "streetgen/surface.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Metres; where wanted limits nearly meet, lanes still have a direction.
+constexpr double least_length = 0.01;
+
+LaneStrip strip_of(const Streets& streets, int e) {
+  const SectionLimit &start = streets.limits[2 * e], &end = streets.limits[2 * e + 1];
+  const Roadway& roadway = streets.roadways[e];
+  LaneStrip strip{distinct(planar(streets.network.edges[e].line)),
+                  roadway.width / 2,
+                  roadway.width_end / 2,
+                  start.abscissa,
+                  end.abscissa,
+                  start.border_line,
+                  end.border_line,
+                  {},
+                  roadway.roadway_offset};
+  if (!limits_crossed(streets, e)) {
+    strip.profile = roadway.profile;
+    strip.merging = roadway.merging;
+    return strip;
+  }
+  const double total = length(strip.axis);
+  std::tie(strip.from, strip.to) = std::minmax({start.wanted_abscissa, end.wanted_abscissa});
+  if (strip.to - strip.from < least_length) {
+    strip.from = std::clamp((strip.from + strip.to - least_length) / 2, 0.0,
+                            std::max(0.0, total - least_length));
+    strip.to = std::min(total, strip.from + least_length);
+  }
+  strip.from_border =
+      border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from), strip.roadway_offset);
+  strip.to_border =
+      border_line(strip.axis, strip.to, 2 * strip.half_at(strip.to), strip.roadway_offset);
+  return strip;
+}
+
+// A quadrilateral that turns left at each corner needs no proof of validity.
+bool convex(const Ring& ring) {
+  if (ring.size() != 5) return false;
+  for (int i = 0; i < 4; ++i)
+    if (cross(ring[i + 1] - ring[i], ring[(i + 2) % 4] - ring[i + 1]) <= 0) return false;
+  return true;
+}
+
+// Between the lines along its two sides.
+MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const Line& middle,
+                          double width) {
+  Ring ring;
+  ring.reserve(left.size() + right.size() + 1);
+  ring = right;
+  ring.insert(ring.end(), left.rbegin(), left.rend());
+  ring.push_back(ring.front());
+  MultiPolygon surface(1);
+  surface.front().push_back(std::move(ring));
+  if (convex(surface.front().front()) || geos.valid(surface)) return surface;
+  const std::vector<double> half(middle.size(), width / 2);
+  return variable_buffer(middle, half);
+}
+
+// The lanes of one edge with the lines between them.
+struct LanesOfEdge {
+  std::vector<Lane> lanes;
+  std::vector<LaneSeparator> separators;
+};
+
+// A lane in its place across the roadway; a merging lane with its stretch.
+struct PlacedLane {
+  LaneWish wish;
+  int ordinality = 0;
+  LaneSide side = LaneSide::centre;
+  const MergingStretch* stretch = nullptr;
+};
+
+LaneWish merging_wish(const MergingStretch& stretch) {
+  const bool right = (stretch.side < 0) == stretch.along_axis;
+  LaneWish wish{LaneKind::merging, stretch.along_axis, false, stretch.width / stretch.lanes};
+  if (stretch.leaves)
+    wish.turns = right ? turn::slight_right : turn::slight_left;
+  else
+    wish.turns = right ? turn::merge_left : turn::merge_right;
+  return wish;
+}
+
+// From the left kerb to the right one, merging lanes outside.
+std::vector<PlacedLane> placed_lanes(const LaneStrip& strip, const std::vector<LaneWish>& wishes,
+                                     LaneOrder order) {
+  const int count = static_cast<int>(wishes.size());
+  std::vector<PlacedLane> placed;
+  int last = count;
+  const auto add_merging = [&](int side) {
+    for (const MergingStretch& stretch : strip.merging)
+      for (int i = 0; stretch.side == side && i < stretch.lanes; ++i)
+        placed.push_back(
+            {merging_wish(stretch), ++last, side > 0 ? LaneSide::left : LaneSide::right, &stretch});
+  };
+  add_merging(+1);
+  for (int p = 1; p <= count; ++p)
+    placed.push_back({wishes[p - 1], ordinality_of(p, count, order), side_of(p, count)});
+  add_merging(-1);
+  return placed;
+}
+
+// The part of a strip on which a merging lane lies.
+LaneStrip part_of(const LaneStrip& strip, const MergingStretch& stretch) {
+  LaneStrip part = strip;
+  const auto across = [&](double abscissa) {
+    const WidthProfile::Place place = strip.profile.at(abscissa);
+    return border_line(strip.axis, abscissa, place.left + place.right,
+                       (place.left - place.right) / 2);
+  };
+  if (!stretch.begins_at_limit()) {
+    part.from = stretch.from;
+    part.from_border = across(part.from);
+  }
+  if (!stretch.ends_at_limit()) {
+    part.to = stretch.to;
+    part.to_border = across(part.to);
+  }
+  return part;
+}
+
+struct LineBetween {
+  SeparatorKind kind = SeparatorKind::edge;
+  bool dashed = false;
+};
+
+// Into and out of a lane that both directions use one may cross the line, a centre line too.
+LineBetween line_between(const std::vector<PlacedLane>& lanes, int position) {
+  if (position == 0 || position == static_cast<int>(lanes.size())) return {};
+  const LaneWish &left = lanes[position - 1].wish, &right = lanes[position].wish;
+  if (left.both_ways || right.both_ways) {
+    const bool parts = left.both_ways != right.both_ways && drives(left.kind) && drives(right.kind);
+    return {parts ? SeparatorKind::centre : SeparatorKind::same_direction, true};
+  }
+  if (left.along_axis == right.along_axis) return {SeparatorKind::same_direction, true};
+  const auto driven = std::count_if(lanes.begin(), lanes.end(),
+                                    [](const PlacedLane& lane) { return drives(lane.wish.kind); });
+  return {SeparatorKind::centre, driven <= 2};
+}
+
+LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWish>& wishes,
+                     const TaperedLanes& tapered, bool with_surface, const LaneSettings& settings) {
+  const std::vector<PlacedLane> placed = placed_lanes(strip, wishes, settings.order);
+  const int count = static_cast<int>(placed.size());
+  const std::vector<double> own = lane_shares(wishes, strip.width(), settings.narrowest);
+  const std::vector<LaneShares> shares = tapered_shares(strip, own, tapered);
+  const auto strip_at = [&](int p) {
+    return placed[p - 1].stretch ? part_of(strip, *placed[p - 1].stretch) : strip;
+  };
+  LanesOfEdge out;
+  std::vector<Line> borders;
+  for (const LaneShares& border : shares) borders.push_back(line_at_shares(strip, border));
+  for (Line* kerb : {&borders.front(), &borders.back()})
+    *kerb =
+        with_round_kinks(*kerb, settings.kerb_radius_minimal, {strip.from_border, strip.to_border});
+  for (int p = 1, ordinary = 0; p <= count; ++p) {
+    const auto& [wish, ordinality, side, stretch] = placed[p - 1];
+    LaneShares middle;
+    for (std::size_t i = 0; i < shares[p].size(); ++i)
+      middle.push_back((shares[p - 1][i] + shares[p][i]) / 2);
+    Lane lane;
+    lane.ordinality = ordinality;
+    lane.position = p;
+    lane.side = side;
+    lane.along_axis = wish.along_axis;
+    lane.both_ways = wish.both_ways;
+    lane.kind = wish.kind;
+    lane.turns = wish.turns;
+    if (stretch == nullptr) {
+      lane.width = (own[ordinary + 1] - own[ordinary]) * strip.width();
+      ++ordinary;
+      lane.axis_offset = strip.offset_at(strip.from, middle);
+      lane.line = line_at_shares(strip, middle);
+      if (with_surface)
+        lane.surface = lane_surface(geos, borders[p - 1], borders[p], lane.line, lane.width);
+    } else {
+      const LaneStrip part = strip_at(p);
+      const double widest = (stretch->full_from + stretch->full_to) / 2;
+      lane.width = wish.width;
+      lane.axis_offset = strip.offset_at(std::clamp(widest, part.from, part.to), middle);
+      lane.line = line_at_shares(part, middle);
+      if (!stretch->begins_at_limit()) lane.start = stretch->from;
+      if (!stretch->ends_at_limit()) lane.end = stretch->to;
+      if (with_surface)
+        lane.surface = lane_surface(geos, line_at_shares(part, shares[p - 1]),
+                                    line_at_shares(part, shares[p]), lane.line, lane.width);
+    }
+    out.lanes.push_back(std::move(lane));
+  }
+  for (int p = 0; p <= count; ++p) {
+    LaneSeparator separator;
+    separator.position = p;
+    const LineBetween between = line_between(placed, p);
+    separator.kind = between.kind;
+    separator.dashed = between.dashed;
+    if (separator.kind == SeparatorKind::edge && !settings.edge_lines) continue;
+    separator.axis_offset = strip.offset_at(strip.from, shares[p]);
+    separator.line = std::move(borders[p]);
+    separator.painted = with_surface;
+    // Beside a merging lane as far as the outer one of both goes.
+    if (p > 0 && p < count)
+      for (const int outer : {p, p + 1})
+        if (placed[outer - 1].stretch && (outer == p) == (placed[outer - 1].stretch->side > 0))
+          separator.line = line_at_shares(strip_at(outer), shares[p]);
+    out.separators.push_back(std::move(separator));
+  }
+  return out;
+}
+
+// The lane along a line by hand.
+void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_surface) {
+  lane.line = distinct(planar(by_hand));
+  if (nearest_abscissa(lane.line.front(), strip.axis) >
+      nearest_abscissa(lane.line.back(), strip.axis))
+    lane.line = reversed(std::move(lane.line));
+  const Point &left = strip.from_border[0], &right = strip.from_border[1];
+  lane.axis_offset =
+      dot(lane.line.front() - (left + right) * 0.5, unit(left - right)) + strip.roadway_offset;
+  if (with_surface)
+    lane.surface =
+        variable_buffer(lane.line, std::vector<double>(lane.line.size(), lane.width / 2));
+}
+
+class LaneBuilder {
+ public:
+  LaneBuilder(const Streets& streets, std::vector<LanesOfAxis> axes,
+              std::vector<LaneOverride> overrides, const LaneSettings& settings,
+              const std::vector<ControlPoint>& controls,
+              const std::vector<Circulation>& circulations, const PaintRules& paint)
+      : streets_(streets),
+        settings_(settings),
+        controls_(end_controls(streets.network, axes, controls, settings.control_distance,
+                               paint.junctions)),
+        changes_(paint.changes, paint.leaving),
+        wishes_(std::move(axes), std::move(overrides), circulations, settings) {}
+
+  Lanes run() {
+    const std::vector<NodeRank> ranks = ranks_of(streets_);
+    Lanes out;
+    for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
+      if (!meets_affected(e)) continue;
+      poll_cancel();
+      tell_progress("lanes", e, streets_.network.edges.size());
+      const LaneStrip strip = strip_of(streets_, e);
+      const bool crossed = limits_crossed(streets_, e);
+      const auto [wishes, decisions] = wishes_.of(streets_.network.edges[e]);
+      const TaperedLanes tapered = tapered_lanes(strip.profile, wishes);
+      LanesOfEdge made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
+      std::size_t ordinary = 0;
+      for (Lane& lane : made.lanes) {
+        const bool merging = lane.kind == LaneKind::merging;
+        const auto decision = merging ? LaneWishes::Decision{} : decisions[ordinary++];
+        lane.edge = e;
+        lane.method = decision.by_hand ? Method::by_hand
+                      : crossed        ? Method::crossed_limits
+                                       : Method::hypothesis;
+        if (decision.line != nullptr) draw(lane, strip, *decision.line, !crossed);
+      }
+      for (LaneSeparator& separator : made.separators) separator.edge = e;
+      changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
+      if (!crossed) {
+        append_end_markings(streets_, ranks, controls_, strip, made.lanes, settings_.driving_side,
+                            out.markings);
+        append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
+      }
+      std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
+      std::move(made.separators.begin(), made.separators.end(), std::back_inserter(out.separators));
+    }
+    return out;
+  }
+
+ private:
+  bool meets_affected(int e) const {
+    const Edge& edge = streets_.network.edges[e];
+    return streets_.affected_nodes[edge.from_node] || streets_.affected_nodes[edge.to_node];
+  }
+
+  TaperedLanes tapered_lanes(const WidthProfile& profile,
+                             const std::vector<LaneWish>& wishes) const {
+    TaperedLanes tapered;
+    const auto at_end = [&](bool at_start, const WidthProfile::Beyond& beyond) {
+      if (beyond.edge < 0) return ChangingLanes{};
+      const std::vector<LaneWish> there = wishes_.of(streets_.network.edges[beyond.edge]).lanes;
+      return changing_lanes({wishes, at_start}, {there, beyond.at_start}, settings_.driving_side);
+    };
+    tapered.start = at_end(true, profile.beyond_start);
+    tapered.end = at_end(false, profile.beyond_end);
+    return tapered;
+  }
+
+  const Streets& streets_;
+  const LaneSettings& settings_;
+  std::vector<EndControl> controls_;  // by slot
+  LaneChanges changes_;
+  LaneWishes wishes_;
+  Geos geos_;
+};
+
+}  // namespace
+
+Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
+            std::vector<LaneOverride> overrides, const LaneSettings& settings,
+            const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations,
+            const PaintRules& paint) {
+  return LaneBuilder(streets, std::move(axes), std::move(overrides), settings, controls,
+                     circulations, paint)
+      .run();
+}
+
+std::vector<Lane> axis_lanes(const Line& axis, double width, double width_end,
+                             const AxisLanes& wanted, const LaneSettings& settings) {
+  Geos geos;
+  LaneStrip strip{distinct(planar(axis)), width / 2, width_end / 2, 0, 0, {}, {}};
+  strip.to = length(strip.axis);
+  strip.from_border = border_line(strip.axis, strip.from, width);
+  strip.to_border = border_line(strip.axis, strip.to, width_end);
+  return lanes_of(geos, strip, across(wanted, settings.driving_side), {}, true, settings).lanes;
+}
+
+Line offset_line(const Line& axis, double offset, double offset_end) {
+  const Line line = distinct(planar(axis));
+  return offset_line(line, 0, length(line), offset, offset_end);
+}
+
+}  // namespace streetgen

@@ -1,0 +1,36 @@
+// The lanes that each edge wants, with what was decided about them.
+#pragma once
+
+#include <vector>
+
+#include "roundabout/circulation.hpp"
+#include "streetgen/lane.hpp"
+
+namespace streetgen {
+
+class LaneWishes {
+ public:
+  LaneWishes(std::vector<LanesOfAxis> axes, std::vector<LaneOverride> overrides,
+             const std::vector<Circulation>& circulations, const LaneSettings& settings);
+
+  struct Decision {
+    bool by_hand = false;
+    const Line* line = nullptr;  // null: it follows the axis
+  };
+  struct OfEdge {
+    std::vector<LaneWish> lanes;      // from the left kerb to the right one
+    std::vector<Decision> decisions;  // of each lane
+  };
+  // The wishes of the source for the axis, then of roundabouts, then of overrides.
+  OfEdge of(const Edge& edge) const;
+
+ private:
+  void decide(const Edge& edge, OfEdge& found) const;
+
+  std::vector<LanesOfAxis> axes_;
+  std::vector<LaneOverride> overrides_;
+  Circulations circulations_;
+  LaneSettings settings_;
+};
+
+}  // namespace streetgen

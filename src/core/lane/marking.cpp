@@ -1,0 +1,302 @@
+#include "lane/marking.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closed_ring.hpp"
+#include "geometry/offset.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
+#include "streetgen/surface.hpp"
+
+namespace streetgen {
+
+namespace {
+
+// Metres.
+constexpr double stripe = 0.1, dash = 1.5, gap = 5;
+constexpr double longest_dashed = 1e5;  // beyond it dashes would be without number
+constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a section, for the line
+constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
+constexpr double arrow_lane = 2.5;      // the lane width that an arrow of full size asks for
+constexpr double arrow_before_end = 5;  // a crossing before the line has its room
+constexpr double shortest_band = 1e-9;
+constexpr double least_paint = 0.5;  // lanes narrower than this bear none
+
+bool painted(const Lane& lane) {
+  return lane.kind != LaneKind::parking && lane.width >= least_paint;
+}
+
+// Gives the pieces of a line between abscissas that grow, in one walk.
+template <class Use>
+void cut(const Line& line, const std::vector<std::pair<double, double>>& spans, Use use) {
+  std::size_t segment = 1;
+  double before = 0, size = distance(line[0], line[1]);
+  Line piece;
+  const auto advance_to = [&](double abscissa) {
+    while (segment + 1 < line.size() && before + size < abscissa) {
+      if (!piece.empty()) piece.push_back(line[segment]);
+      before += size;
+      ++segment;
+      size = distance(line[segment - 1], line[segment]);
+    }
+    const double t = size > 0 ? std::clamp((abscissa - before) / size, 0.0, 1.0) : 0;
+    piece.push_back(line[segment - 1] + (line[segment] - line[segment - 1]) * t);
+  };
+  for (const auto& [from, to] : spans) {
+    piece.clear();
+    advance_to(from);
+    advance_to(to);
+    use(piece);
+  }
+}
+
+Ring quad(const Point& from, const Point& to, const Point& across) {
+  return {from - across, to - across, to + across, from + across, from - across};
+}
+
+void append_band(const Line& line, double half, MultiPolygon& out) {
+  // Most dashes are straight.
+  if (line.size() == 2) {
+    const Point along = line[1] - line[0];
+    if (norm(along) > shortest_band)
+      out.emplace_back().push_back(quad(line[0], line[1], left_normal(unit(along)) * half));
+    return;
+  }
+  const Line middle = distinct(line);
+  if (middle.size() < 2) return;
+  const double total = length(middle);
+  const KerbLine right = kerb_line(middle, 0, total, half, half, -1);
+  const KerbLine left = kerb_line(middle, total, 0, half, half, +1);
+  Ring ring = right.line;
+  ring.insert(ring.end(), left.line.begin(), left.line.end());
+  ring = closed(std::move(ring));
+  if (ring.empty()) return;
+  if (middle.size() == 2 || (right.whole && left.whole && Geos().valid(MultiPolygon{{ring}}))) {
+    out.emplace_back().push_back(std::move(ring));
+    return;
+  }
+  const MultiPolygon built = variable_buffer(middle, std::vector<double>(middle.size(), half));
+  out.insert(out.end(), built.begin(), built.end());
+}
+
+// As many dashes as fit, as far from one end as from the other.
+std::vector<std::pair<double, double>> dashes(double total, double on, double off) {
+  const int count = std::max(1, static_cast<int>((total + off) / (on + off)));
+  const double start = std::max(0.0, (total - count * (on + off) + off) / 2);
+  std::vector<std::pair<double, double>> spans;
+  spans.reserve(count);
+  for (int i = 0; i < count; ++i)
+    spans.emplace_back(start + i * (on + off), std::min(total, start + i * (on + off) + on));
+  return spans;
+}
+
+void append_stripe(const Line& line, bool dashed, MultiPolygon& out) {
+  const double total = length(line);
+  if (!dashed || total > longest_dashed) {
+    append_band(line, stripe / 2, out);
+    return;
+  }
+  const auto spans = dashes(total, dash, gap);
+  out.reserve(out.size() + spans.size());
+  cut(line, spans, [&](const Line& piece) { append_band(piece, stripe / 2, out); });
+}
+
+// Whether all of the line goes within a sixth of a turn of one direction, so that it gets on by
+// half of its length at least and never comes back.
+bool goes_on(const Line& line) {
+  double turned = 0, least = 0, most = 0;
+  Point before;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point along = line[i] - line[i - 1];
+    if (norm(along) == 0) continue;
+    turned += norm(before) == 0 ? 0 : std::atan2(cross(before, along), dot(before, along));
+    least = std::min(least, turned);
+    most = std::max(most, turned);
+    before = along;
+  }
+  return most - least < 2 * M_PI / 3 - same_angle;
+}
+
+// Arrows are drawn towards x, from the origin, at full size.
+MultiPolygon straight_arrow() {
+  const double neck = arrow_length - arrow_head, s = arrow_shaft / 2, h = arrow_head_half;
+  return {{{{0, -s},
+            {neck, -s},
+            {neck, -h},
+            {arrow_length, 0},
+            {neck, h},
+            {neck, s},
+            {0, s},
+            {0, -s}}}};
+}
+
+constexpr double degree = M_PI / 180;
+
+// A branch from the bend of the arrow, turned by `angle` to the left.
+void append_branch(double angle, std::vector<MultiPolygon>& parts) {
+  const double bend = angle == 0 ? arrow_length - arrow_head : 1.8;
+  const Point from{bend, 0};
+  if (angle == 0) {
+    parts.push_back(straight_arrow());
+    return;
+  }
+  const Point direction{std::cos(angle), std::sin(angle)}, side = left_normal(direction);
+  const Point neck = from + direction * (std::abs(angle) > M_PI_2 + same_angle ? 1.0 : 0.6);
+  parts.push_back({{quad({0, 0}, from, {0, arrow_shaft / 2})}});
+  parts.push_back({{quad(from - direction * (arrow_shaft / 2), neck, side * (arrow_shaft / 2))}});
+  const Point tip = neck + direction * (arrow_head * 0.7);
+  parts.push_back({{{neck - side * arrow_head_half, tip, neck + side * arrow_head_half,
+                     neck - side * arrow_head_half}}});
+}
+
+// From `foot`, `direction` for a full size of one metre.
+MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& direction) {
+  constexpr std::pair<unsigned, double> branches[] = {
+      {turn::reverse, 165 * degree},     {turn::sharp_left, 135 * degree},
+      {turn::left, 90 * degree},         {turn::slight_left, 45 * degree},
+      {turn::merge_left, 30 * degree},   {turn::through, 0},
+      {turn::merge_right, -30 * degree}, {turn::slight_right, -45 * degree},
+      {turn::right, -90 * degree},       {turn::sharp_right, -135 * degree}};
+  std::vector<MultiPolygon> parts;
+  for (const auto& [bit, angle] : branches)
+    if (turns & bit) append_branch(angle, parts);
+  if (parts.empty()) parts.push_back(straight_arrow());
+  const Point side = left_normal(direction);
+  for (MultiPolygon& part : parts)
+    for (Polygon& polygon : part)
+      for (Ring& ring : polygon)
+        for (Point& p : ring) p = foot + direction * p.x + side * p.y;
+  return parts.size() == 1 ? std::move(parts.front()) : geos.polygons(geos.unite(parts).get());
+}
+
+// The line across the lanes that come by an end: `lower` is its importance less than that of the
+// most important edge at the node.
+std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank& rank, int lower,
+                                       bool merges) {
+  const std::optional<JunctionKind> by_hand = control.decided;
+  const bool waits_by_hand = by_hand == JunctionKind::stop || by_hand == JunctionKind::priority;
+  if (by_hand == JunctionKind::right_before_left) return std::nullopt;
+  if (control.own == ControlKind::stop) return MarkingKind::stop;
+  if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
+    return MarkingKind::yield;
+  if (by_hand == JunctionKind::signals) return MarkingKind::stop;
+  if (control.at_node == ControlKind::signals && !waits_by_hand) return MarkingKind::stop;
+  if (merges) return std::nullopt;
+  if (by_hand == JunctionKind::stop) {
+    const bool all = rank.lowest == rank.importance && control.at_node != ControlKind::stop;
+    return all || lower > 0 ? std::optional(MarkingKind::stop) : std::nullopt;
+  }
+  if (lower > 1 && by_hand != JunctionKind::priority) return MarkingKind::stop;
+  return lower > 0 ? std::optional(MarkingKind::yield) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<NodeRank> ranks_of(const Streets& streets) {
+  std::vector<NodeRank> ranks(streets.network.nodes.size());
+  for (std::size_t e = 0; e < streets.network.edges.size(); ++e)
+    for (const int node : {streets.network.edges[e].from_node, streets.network.edges[e].to_node}) {
+      ++ranks[node].degree;
+      ranks[node].importance = std::min(ranks[node].importance, streets.roadways[e].importance);
+      ranks[node].lowest = std::max(ranks[node].lowest, streets.roadways[e].importance);
+    }
+  for (const Ramp& ramp : streets.ramps)
+    if (ramp.on &&
+        ramp.merging + std::max(0, ramp.lanes_after - ramp.lanes_before) >= ramp.lanes_ramp)
+      ranks[ramp.node].merging_link = ramp.link;
+  return ranks;
+}
+
+MultiPolygon paint_of(const LaneSeparator& separator) {
+  if (!separator.painted) return {};
+  MultiPolygon surface;
+  if (separator.leftwards == separator.rightwards) {
+    append_stripe(separator.line, separator.dashed, surface);
+  } else {
+    for (const int side : {+1, -1}) {
+      const Line beside = offset_line(separator.line, side * stripe, side * stripe);
+      if (beside.size() > 1)
+        append_stripe(beside, side > 0 ? separator.rightwards : separator.leftwards, surface);
+    }
+  }
+  if (goes_on(separator.line)) return surface;
+  // Dashes of a line that comes back may lie on each other.
+  Geos geos;
+  return geos.valid(surface) ? surface : geos.polygons(geos.unite({surface}).get());
+}
+
+void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
+                         const std::vector<EndControl>& controls, const LaneStrip& strip,
+                         const std::vector<Lane>& lanes, DrivingSide driving_side,
+                         std::vector<Marking>& out) {
+  if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
+  const Edge& edge = streets.network.edges[lanes.front().edge];
+  for (const bool at_start : {true, false}) {
+    const int node = at_start ? edge.from_node : edge.to_node;
+    if (ranks[node].degree < 3) continue;
+    const std::optional<MarkingKind> kind =
+        end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)], ranks[node],
+                    streets.roadways[lanes.front().edge].importance - ranks[node].importance,
+                    ranks[node].merging_link == lanes.front().edge);
+    if (!kind) continue;
+    for (const Lane& lane : lanes) {
+      const bool comes = lane.both_ways || lane.along_axis != at_start;
+      if (!comes || !lane.reaches(at_start) || !painted(lane)) continue;
+      const Line end =
+          at_start ? substring(lane.line, 0, stop_width)
+                   : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
+      const Point inwards = end.back() - end.front();
+      const Point across = unit((at_start ? strip.from_border : strip.to_border)[1] -
+                                (at_start ? strip.from_border : strip.to_border)[0]) *
+                           (lane.width / 2);
+      const Point middle = end.front() + inwards * 0.5;
+      // Against the axis one drives on its other side.
+      const bool right_half = at_start != (driving_side == DrivingSide::right);
+      const double width = lane.both_ways ? lane.width / 2 : lane.width;
+      Marking marking;
+      marking.kind = *kind;
+      marking.edge = lane.edge;
+      marking.position = lane.position;
+      marking.along_axis = !at_start;
+      marking.node = node;
+      marking.line = {lane.both_ways && right_half ? middle : middle - across,
+                      lane.both_ways && !right_half ? middle : middle + across};
+      const auto spans = *kind == MarkingKind::stop
+                             ? std::vector<std::pair<double, double>>{{0, width}}
+                             : dashes(width, yield_dash, yield_dash);
+      for (const auto& [from, to] : spans) {
+        const Line piece = substring(marking.line, from, to);
+        marking.surface.push_back(
+            {quad(piece.front(), piece.back(), left_normal(unit(across)) * (stop_width / 2))});
+      }
+      out.push_back(std::move(marking));
+    }
+  }
+}
+
+void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
+                   std::vector<Marking>& out) {
+  for (const Lane& lane : lanes) {
+    if (lane.both_ways || !lane.reaches(!lane.along_axis) || !painted(lane)) continue;
+    const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
+    const Line way = lane.along_axis ? lane.line : reversed(lane.line);
+    const double total = length(way);
+    if (total < reach) continue;
+    const double tip =
+        total > 2 * (reach + arrow_before_end) ? total - arrow_before_end : (total + reach) / 2;
+    Marking marking;
+    marking.kind = MarkingKind::arrow;
+    marking.edge = lane.edge;
+    marking.position = lane.position;
+    marking.along_axis = lane.along_axis;
+    marking.node = lane.along_axis ? edge.to_node : edge.from_node;
+    const Point foot = position_at(way, tip - reach).point, head = position_at(way, tip).point;
+    if (distance(foot, head) < 0.9 * reach) continue;
+    marking.line = {foot, head};
+    marking.surface = arrow(geos, lane.turns, foot, unit(head - foot) * size);
+    out.push_back(std::move(marking));
+  }
+}
+
+}  // namespace streetgen

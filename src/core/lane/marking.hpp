@@ -1,0 +1,43 @@
+// Markings on the lanes, in the manner of French towns: stripes, stop and yield lines,
+// arrows.
+#pragma once
+
+#include <vector>
+
+#include "geometry/geos.hpp"
+#include "lane/end_control.hpp"
+#include "lane/lane_layout.hpp"
+#include "streetgen/lane.hpp"
+
+namespace streetgen {
+
+// The rank by which traffic waits at a node.
+struct NodeRank {
+  int degree = 0;
+  int importance = 99;    // of its most important edge
+  int lowest = 1;         // of its least important one
+  int merging_link = -1;  // a link whose lanes all have lanes of their own behind the node
+};
+std::vector<NodeRank> ranks_of(const Streets& streets);
+
+// Across each lane that comes to a node of three and more edges: what its control point says, a
+// stop line for signals; a stop line where another end of the node has signals.  Without a control
+// point a yield line where another edge is more important, a stop line where it is so by two;
+// no line on a ramp whose lanes go on as merging lanes.  A kind by hand goes before signals and
+// classes, and leaves signs: signals, stop lines; stop, one where another edge is more important,
+// and on all where none is and no end has a stop sign; priority, a yield line there;
+// right_before_left, no line at all.  None on parking and very narrow lanes.  Of
+// a lane for both directions, across the half on which one comes.  `controls` by slot, as
+// end_controls gives them.
+void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
+                         const std::vector<EndControl>& controls, const LaneStrip& strip,
+                         const std::vector<Lane>& lanes, DrivingSide driving_side,
+                         std::vector<Marking>& out);
+
+// The way that each lane runs, and the turns that it allows: before its end, or in the middle of
+// a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor
+// on lanes for both directions.
+void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
+                   std::vector<Marking>& out);
+
+}  // namespace streetgen

@@ -1,0 +1,295 @@
+#include "layout/surface_ring.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/closed_ring.hpp"
+#include "geometry/offset.hpp"
+#include "geometry/polyline.hpp"
+#include "geometry/surface_union.hpp"
+#include "geometry/tolerance.hpp"
+#include "layout/arm_cover.hpp"
+#include "layout/surface_pieces.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr int corner_quarter = 16;
+constexpr double coarsest = 60;  // metres: a greater radius has more chords
+constexpr int most_finer = 16;
+
+// A ring in the making; `whole` ends once a piece did not fit.
+struct Outline {
+  Ring ring;
+  bool whole = true;
+
+  // The kerb's inner points: a border line or a corner already gave an end where one is left out.
+  void follow(const Arm& arm, double u, double v, int side, bool with_first, bool with_last) {
+    const auto [start, end] = halves(arm, u, v, side);
+    follow(kerb_line(arm.line, u, v, start, end, side), with_first, with_last);
+  }
+  void follow(const KerbLine& kerb, bool with_first, bool with_last) {
+    whole = whole && kerb.whole;
+    for (std::size_t i = with_first ? 0 : 1; i + (with_last ? 0 : 1) < kerb.line.size(); ++i)
+      ring.push_back(kerb.line[i]);
+  }
+
+  // An end of a border line, in the place of what the kerb before it gave there.
+  void reach(const Point& border) {
+    while (!ring.empty() && distance(ring.back(), border) <= same_place) ring.pop_back();
+    ring.push_back(border);
+  }
+};
+
+Point kerb_at_node(const Arm& arm, int side) {
+  const auto [start, end] = halves(arm, 0, 0, side);
+  return kerb_line(arm.line, 0, 0, start, end, side).line.front();
+}
+
+// An arc that starts where a border line ends starts at that end.
+void append_corner(Ring& ring, const CornerArc& corner) {
+  if (ring.empty() || distance(ring.back(), corner.arc.start) > same_place)
+    ring.push_back(corner.arc.start);
+  if (corner.radius > 0) {
+    // Clockwise about its centre, but for the slight outside of a nearly straight pair.
+    const Point from = corner.arc.start - corner.centre, to = corner.arc.end - corner.centre;
+    const bool outside = cross(from, to) > 0 && dot(from, to) > 0;
+    const int finer = std::max(1, static_cast<int>(std::ceil(std::sqrt(corner.radius / coarsest))));
+    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end, outside,
+               corner_quarter * std::min(finer, most_finer));
+  }
+  ring.push_back(corner.arc.end);
+}
+
+// Where the circle touches the round end of an arm behind the node: along that end.
+void append_round_end(Ring& ring, Point node, const Point& from, const Point& to) {
+  ring.push_back(from);
+  const Point in = from - node, out = to - node;
+  if (cross(in, out) > 1e-9 || dot(in, out) < 0)
+    append_arc(ring, node, from, to, true, join_quarter);
+  ring.push_back(to);
+}
+
+// Whether the outside of a bend is round. Two streets of different width that leave within a right
+// angle of each other are no bend but a fork: behind the node both end flat.
+bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
+  return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 - same_angle || as_wide(a, b));
+}
+
+// From the axis to an end of the border line: a change may go on within the section.
+double half_of_border(const Arm& arm, const Point& end) {
+  return distance(planar(position_at(arm.line, arm.limit).point), end);
+}
+
+// From the limit of a through the node to that of b, linear between both half widths; straight
+// where the bend between needs more than a limit leaves.
+KerbLine tapering_kerb(const Arm& a, const Arm& b) {
+  Line line = substring(a.line, a.limit, 0);
+  const Line on = substring(b.line, 0, b.limit);
+  line.insert(line.end(), on.begin() + 1, on.end());
+  line = distinct(planar(std::move(line)));
+  KerbLine kerb = kerb_line(line, 0, length(line), half_of_border(a, a.border[0]),
+                            half_of_border(b, b.border[1]), -1);
+  return kerb.whole ? kerb : KerbLine{{a.border[0], b.border[1]}};
+}
+
+void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
+  const Point node = planar(a.line.front());
+  if (gap.tapers) {
+    if (!gap.direct) outline.follow(tapering_kerb(a, b), false, false);
+    return;
+  }
+  if (!gap.meets) {
+    outline.follow(a, a.limit, 0, +1, false, true);
+    if (rounds(a, b, gap))
+      append_arc(outline.ring, node, kerb_at_node(a, +1), kerb_at_node(b, -1), true, join_quarter);
+    outline.follow(b, 0, b.limit, -1, true, false);
+    return;
+  }
+  const CornerArc& corner = gap.corner;
+  outline.follow(a, a.limit, std::max(0.0, corner.abscissa_a), +1, false, false);
+  if (corner.abscissa_a == 0)
+    append_round_end(outline.ring, node, kerb_at_node(a, +1), corner.arc.start);
+  append_corner(outline.ring, corner);
+  if (corner.abscissa_b == 0)
+    append_round_end(outline.ring, node, corner.arc.end, kerb_at_node(b, -1));
+  outline.follow(b, std::max(0.0, corner.abscissa_b), b.limit, -1, false, false);
+}
+
+// Between the two axes and the arc: the ground that the corner adds.
+Polygon fillet(const Arm& a, const Arm& b, const Gap& gap) {
+  Ring ring = planar(substring(a.line, 0, std::max(0.0, gap.corner.abscissa_a)));
+  if (gap.corner.abscissa_a == 0)
+    append_round_end(ring, ring.front(), kerb_at_node(a, +1), gap.corner.arc.start);
+  else if (gap.corner.abscissa_a < 0)
+    ring.push_back(kerb_at_node(a, +1));
+  append_corner(ring, gap.corner);
+  const Line back = planar(substring(b.line, std::max(0.0, gap.corner.abscissa_b), 0));
+  if (gap.corner.abscissa_b == 0)
+    append_round_end(ring, back.back(), gap.corner.arc.end, kerb_at_node(b, -1));
+  else if (gap.corner.abscissa_b < 0)
+    ring.push_back(kerb_at_node(b, -1));
+  ring.insert(ring.end(), back.begin(), back.end());
+  return {closed(std::move(ring))};
+}
+
+// From the left end of one border to the right end of the other: straight, but out past the flat
+// ends that their arms have at the node.
+Line past_flat_ends(const Arm& a, const Arm& b) {
+  Line kerb;
+  for (const Point& p : {a.border[0], kerb_at_node(a, +1), kerb_at_node(b, -1), b.border[1]}) {
+    while (kerb.size() > 1 && cross(kerb.back() - kerb[kerb.size() - 2], p - kerb.back()) <= 0)
+      kerb.pop_back();
+    kerb.push_back(p);
+  }
+  return kerb;
+}
+
+// Between two axes and the kerb past their flat ends.
+Polygon between_axes(const Arm& a, const Arm& b) {
+  Ring ring = planar(substring(a.line, 0, a.limit));
+  const Line kerb = past_flat_ends(a, b);
+  ring.insert(ring.end(), kerb.begin(), kerb.end());
+  const Line back = planar(substring(b.line, b.limit, 0));
+  ring.insert(ring.end(), back.begin(), back.end());
+  return {closed(std::move(ring))};
+}
+
+WidthProfile::Place place_at(const Arm& arm, double abscissa) {
+  return {abscissa, half_at(arm, abscissa, +1), half_at(arm, abscissa, -1)};
+}
+
+MultiPolygon arm_pieces(const Arm& arm, const WidthProfile& profile, double start, double end,
+                        const Line& from, const Line& to) {
+  const Line part = line_with_places(arm, profile, start, end);
+  std::vector<double> left(part.size()), right(part.size());
+  double abscissa = start;
+  for (std::size_t i = 0; i < part.size(); ++i) {
+    if (i > 0) abscissa += distance(part[i - 1], part[i]);
+    const WidthProfile::Place wide =
+        profile.empty() ? place_at(arm, abscissa) : profile.at(abscissa);
+    left[i] = wide.left;
+    right[i] = wide.right;
+  }
+  return pieces(part, left, right, from, to);
+}
+
+// The kerb of a section, stretch by stretch of its profile.
+KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v, int side) {
+  if (profile.empty()) return kerb_line(arm.line, u, v, arm.start_to(side), arm.end_to(side), side);
+  KerbLine kerb;
+  const double total = length(arm.line);
+  profile.each_stretch(std::min(u, v), std::max(u, v), [&](const auto& from, const auto& to) {
+    const auto [start, end] =
+        WidthProfile::extended(from.abscissa, from.on(side), to.abscissa, to.on(side), total);
+    const KerbLine part = kerb_line(arm.line, from.abscissa, to.abscissa, start, end, side);
+    kerb.line.insert(kerb.line.end(), part.line.begin(), part.line.end());
+    kerb.whole = kerb.whole && part.whole;
+  });
+  if (u > v) kerb.line = reversed(std::move(kerb.line));
+  return kerb;
+}
+
+// The ground within a simple outline; empty for any other outline.
+MultiPolygon held_by(Geos& geos, Outline outline) {
+  MultiPolygon held;
+  if (!outline.whole || outline.ring.size() < 4 || !(signed_area(outline.ring) > 0)) return held;
+  held.emplace_back().push_back(std::move(outline.ring));
+  if (!geos.valid(held)) held.clear();
+  return held;
+}
+
+}  // namespace
+
+WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i) {
+  const std::size_t next = (i + 1) % arms.size(), last = (i + arms.size() - 1) % arms.size();
+  const Arm& arm = arms[i];
+  const bool on_left = gaps[i].tapers && !gaps[i].direct;
+  const bool on_right = gaps[last].tapers && !gaps[last].direct;
+  if (!on_left && !on_right) return {};
+  WidthProfile::Place node = place_at(arm, 0), limit = place_at(arm, arm.limit);
+  const auto taper = [&](double WidthProfile::Place::*side, const Point& end, const Arm& other,
+                         const Point& other_end) {
+    const double half = half_of_border(arm, end), other_half = half_of_border(other, other_end);
+    limit.*side = half;
+    node.*side = half + (other_half - half) * arm.limit / (arm.limit + other.limit);
+  };
+  if (on_left) taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
+  if (on_right) taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
+  WidthProfile profile;
+  profile.places = {node, limit};
+  return profile;
+}
+
+Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const CornerArc& corner) {
+  Outline outline;
+  outline.ring.push_back(crossing.centre);
+  outline.follow(kerb_line(a, crossing.abscissa_a, corner.abscissa_a, +1), false, false);
+  append_corner(outline.ring, corner);
+  outline.follow(kerb_line(b, corner.abscissa_b, crossing.abscissa_b, -1), false, false);
+  outline.ring = closed(std::move(outline.ring));
+  if (outline.ring.empty() || !outline.whole) return {};
+  return {outline.ring};
+}
+
+Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start,
+                    double end, const Line& start_border, const Line& end_border) {
+  Outline outline;
+  outline.reach(start_border[1]);
+  outline.follow(kerb_of(arm, profile, start, end, -1), false, false);
+  outline.reach(end_border[1]);
+  outline.reach(end_border[0]);
+  outline.follow(kerb_of(arm, profile, end, start, +1), false, false);
+  outline.reach(start_border[0]);
+  outline.ring = closed(std::move(outline.ring));
+  MultiPolygon held = held_by(geos, std::move(outline));
+  if (!held.empty()) return {std::move(held), false};
+  const MultiPolygon parts = arm_pieces(arm, profile, start, end, start_border, end_border);
+  return {ending_on(geos, geos.polygons(geos.unite({parts}).get()), {start_border, end_border}),
+          true};
+}
+
+Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
+  Outline outline;
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    outline.reach(arms[i].border[1]);
+    outline.reach(arms[i].border[0]);
+    append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
+  }
+  outline.reach(arms.front().border[1]);
+  outline.ring = closed(std::move(outline.ring));
+  std::vector<Line> borders;
+  for (const Arm& arm : arms) borders.push_back(arm.border);
+  const auto whole = [&](const std::vector<MultiPolygon>& parts) {
+    return ending_on(geos, united(geos, parts), borders);
+  };
+  std::vector<MultiPolygon> parts;
+  for (const Gap& gap : gaps)
+    if (!gap.beyond.empty()) parts.push_back({gap.beyond});
+  MultiPolygon held = held_by(geos, std::move(outline));
+  if (!held.empty() && covers(held, arms, gaps)) {
+    if (parts.empty()) return {std::move(held), false};
+    parts.push_back(std::move(held));
+    return {whole(parts), false};
+  }
+  for (std::size_t i = 0; i < arms.size(); ++i) {
+    const Arm &a = arms[i], &b = arms[(i + 1) % arms.size()];
+    if (a.limit > 0)
+      parts.push_back(arm_pieces(a, tapered(arms, gaps, i), 0, a.limit, {}, a.border));
+    if (gaps[i].direct) {
+      MultiPolygon ground{between_axes(a, b)};
+      if (!ground.front().front().empty() && geos.valid(ground)) parts.push_back(std::move(ground));
+    } else if (gaps[i].meets) {
+      const Polygon ground = fillet(a, b, gaps[i]);
+      if (!ground.front().empty()) parts.push_back({ground});
+    } else if (rounds(a, b, gaps[i])) {
+      const Polygon join = fan(planar(a.line.front()), kerb_at_node(a, +1), kerb_at_node(b, -1));
+      if (!join.front().empty()) parts.push_back({join});
+    }
+  }
+  if (parts.empty()) return {};
+  return {whole(parts), true};
+}
+
+}  // namespace streetgen

@@ -1,0 +1,324 @@
+// Which interconnections traffic takes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "geometry/polyline.hpp"
+#include "interconnection/joined_town.hpp"
+
+namespace streetgen {
+namespace plausible_test {
+
+TEST(Plausible, ALoneLaneTakesEveryWay) {
+  const JoinedTown town = crossing(1);
+  for (const Interconnection& i : town.join()) EXPECT_TRUE(i.plausible);
+}
+
+TEST(Plausible, TheOuterLanesTurnToTheirSide) {
+  const JoinedTown town = crossing(3);
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{3, 3}}));
+  EXPECT_EQ(plausible(town, all, 1, 4), (Ranks{{1, 1}}));
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}, {3, 3}}));
+}
+
+TEST(Plausible, ALaneMoreThanGoOnStraightIsForTheTurn) {
+  // Three lanes come from the west, two go on to the east, one to the north.
+  const JoinedTown town({road(1, west, 3, 0), road(3, {{0, 0, 0}, {100, 0, 0}}, 2, 0),
+                         road(4, {{0, 0, 0}, {0, 100, 0}}, 1, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 4), (Ranks{{1, 1}}));
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{2, 1}, {3, 2}}));
+}
+
+TEST(Plausible, AnExitTakesTheLanesOnItsSide) {
+  const JoinedTown town({road(1, west, 4, 0), road(3, {{0, 0, 0}, {100, 0, 0}}, 3, 0),
+                         road(2, {{0, 0, 0}, {100, -30, 0}}, 1, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{4, 1}}));
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}, {3, 3}}));
+}
+
+TEST(Plausible, AnEntryIsLeftTheLanesOnItsSide) {
+  const JoinedTown town({road(1, west, 2, 0), road(2, {{-100, -30, 0}, {0, 0, 0}}, 1, 0),
+                         road(3, {{0, 0, 0}, {100, 0, 0}}, 3, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}}));
+  EXPECT_EQ(plausible(town, all, 2, 3), (Ranks{{1, 3}}));
+}
+
+TEST(Plausible, WhereLanesEndAllLeadOn) {
+  const JoinedTown town({road(1, west, 3, 0), road(3, {{0, 0, 0}, {100, 0, 0}}, 2, 0)});
+  const Ranks found = plausible(town, town.join(), 1, 3);
+  EXPECT_EQ(found.size(), 3u);
+  for (int in = 1; in <= 3; ++in) EXPECT_TRUE(found.count({in, 1}) + found.count({in, 2}));
+}
+
+TEST(Plausible, WhereLanesBeginAllAreReached) {
+  const JoinedTown town({road(1, west, 2, 0), road(3, {{0, 0, 0}, {100, 0, 0}}, 3, 0)});
+  const Ranks found = plausible(town, town.join(), 1, 3);
+  EXPECT_EQ(found.size(), 3u);
+  for (int out = 1; out <= 3; ++out) EXPECT_TRUE(found.count({1, out}) + found.count({2, out}));
+}
+
+TEST(Plausible, FollowsWhatIsMarkedOnTheLanes) {
+  LanedAxis marked = road(1, west, 3, 0);
+  marked.forward[0].turns = turn::left;
+  marked.forward[1].turns = turn::left | turn::through;
+  marked.forward[2].turns = turn::right;
+  const JoinedTown town({marked, road(2, south, 0, 2), road(3, east, 0, 2), road(4, north, 0, 2)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 4), (Ranks{{1, 1}, {2, 2}}));
+  EXPECT_EQ(plausible(town, all, 1, 2).count({3, 2}), 1u);
+  EXPECT_EQ(plausible(town, all, 1, 3).count({1, 1}), 0u);
+  EXPECT_EQ(reasons(town, all, 1, 4), (std::set<std::string>{"turn_lanes"}));
+}
+
+TEST(Plausible, MarksOfAForkGoToItsArmsInOrder) {
+  LanedAxis marked = road(1, west, 2, 0);
+  marked.forward[0].turns = turn::through;
+  marked.forward[1].turns = turn::slight_right;
+  // Both arms bend to the left.
+  const JoinedTown town(
+      {marked, road(3, {{0, 0, 0}, {100, 40, 0}}, 1, 0), road(2, {{0, 0, 0}, {100, 5, 0}}, 1, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}}));
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{2, 1}}));
+}
+
+TEST(Plausible, ARestrictionForbidsTheTurn) {
+  const JoinedTown town = crossing(2);
+  const auto all = town.join({{1, 2, {0, 0, 0}, false, {}}});
+  EXPECT_TRUE(plausible(town, all, 1, 2).empty());
+  EXPECT_EQ(reasons(town, all, 1, 2), (std::set<std::string>{"restriction"}));
+  EXPECT_FALSE(plausible(town, all, 2, 1).empty());
+  EXPECT_FALSE(plausible(town, all, 1, 3).empty());
+}
+
+TEST(Plausible, AnOnlyRestrictionForbidsTheOthers) {
+  const JoinedTown town = crossing(2);
+  const auto all = town.join({{1, 3, {0, 0, 0}, true, {}}});
+  EXPECT_FALSE(plausible(town, all, 1, 3).empty());
+  EXPECT_TRUE(plausible(town, all, 1, 2).empty());
+  EXPECT_TRUE(plausible(town, all, 1, 4).empty());
+}
+
+TEST(Plausible, ARestrictionDoesNotBindLanesThatItExcepts) {
+  std::vector<LanedAxis> roads{road(1, west, 2, 1), road(2, south, 1, 1), road(3, east, 1, 1),
+                               road(4, north, 1, 1)};
+  roads[0].forward[1].kind = LaneKind::bus;
+  const auto only_buses = [&](const TurnRestriction& restriction, std::int64_t to) {
+    const JoinedTown town(roads);
+    bool buses = false;
+    for (const Interconnection& i : town.join({restriction})) {
+      if (town.axis_of(i.lane_in) != 1 || town.axis_of(i.lane_out) != to) continue;
+      const bool bus = town.lane(i.lane_in).kind == LaneKind::bus;
+      EXPECT_EQ(i.reason == Reason::restriction, !bus);
+      buses = buses || (bus && i.plausible);
+    }
+    return buses;
+  };
+  const std::vector<LaneKind> bus{LaneKind::bus};
+  EXPECT_TRUE(only_buses({1, 4, {0, 0, 0}, false, {}, bus}, 4));
+  EXPECT_TRUE(only_buses({1, 3, {0, 0, 0}, true, {}, bus}, 2));
+  // An exception for others is none for buses.
+  for (const Interconnection& i :
+       JoinedTown(roads).join({{1, 4, {0, 0, 0}, false, {}, {LaneKind::cycle}}}))
+    EXPECT_FALSE(i.plausible && JoinedTown(roads).axis_of(i.lane_in) == 1 &&
+                 JoinedTown(roads).axis_of(i.lane_out) == 4);
+}
+
+TEST(Plausible, ARestrictionLetsIntoTheLanesThatItExcepts) {
+  std::vector<LanedAxis> roads{road(1, west, 1, 1), road(2, south, 1, 1), road(4, north, 1, 2)};
+  roads[2].backward[1].kind = LaneKind::bus;
+  const JoinedTown town(roads);
+  std::set<LaneKind> reached;
+  for (const Interconnection& i : town.join({{1, 4, {0, 0, 0}, false, {}, {LaneKind::bus}},
+                                             {2, 4, {0, 0, 0}, false, {}, {LaneKind::bus}}}))
+    if (i.plausible && town.axis_of(i.lane_out) == 4) reached.insert(town.lane(i.lane_out).kind);
+  EXPECT_EQ(reached, (std::set<LaneKind>{LaneKind::bus}));
+}
+
+TEST(Plausible, OfContradictoryRestrictionsTheForbiddingOneHolds) {
+  const JoinedTown town = crossing(1);
+  const auto all = town.join({{1, 3, {0, 0, 0}, true, {}}, {1, 3, {0, 0, 0}, false, {}}});
+  for (const std::int64_t to : {2, 3, 4}) EXPECT_TRUE(plausible(town, all, 1, to).empty());
+}
+
+TEST(Plausible, ARestrictionElsewhereChangesNothing) {
+  const JoinedTown town = crossing(1);
+  for (const TurnRestriction& r : {TurnRestriction{1, 2, {50, 50, 0}, false, {}},
+                                   TurnRestriction{1, 99, {0, 0, 0}, false, {}}})
+    for (const Interconnection& i : town.join({r})) EXPECT_TRUE(i.plausible);
+}
+
+// One axis from west to east, one from south to north, which meet at a shared vertex.
+TEST(Plausible, TheTurnTellsTheEdgesOfAnAxisThatGoesOnApart) {
+  const JoinedTown town({road(1, {{-100, 0, 0}, {0, 0, 0}, {100, 0, 0}}, 1, 1),
+                         road(2, {{0, -100, 0}, {0, 0, 0}, {0, 100, 0}}, 1, 1)});
+  for (const Interconnection& i : town.join({{1, 2, {0, 0, 0}, false, Turn::left}}))
+    EXPECT_EQ(i.plausible, !(town.axis_of(i.lane_in) == 1 && town.axis_of(i.lane_out) == 2 &&
+                             i.turn == Turn::left));
+}
+
+TEST(Plausible, BusesStayOnBusLanesAndCarsOff) {
+  LanedAxis from = road(1, west, 2, 0), to = road(3, {{0, 0, 0}, {100, 0, 0}}, 2, 0);
+  from.forward[1].kind = to.forward[1].kind = LaneKind::bus;
+  const JoinedTown town({from, to});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}}));
+  EXPECT_EQ(reasons(town, all, 1, 3), (std::set<std::string>{"lane_kind", "lane_order"}));
+}
+
+TEST(Plausible, ABusLaneBeginsAndEndsAmongGeneralLanes) {
+  LanedAxis with = road(1, west, 2, 0), without = road(3, {{0, 0, 0}, {100, 0, 0}}, 1, 0);
+  with.forward[1].kind = LaneKind::bus;
+  const JoinedTown ends({with, without});
+  EXPECT_EQ(plausible(ends, ends.join(), 1, 3), (Ranks{{1, 1}, {2, 1}}));
+  with.line = reversed(with.line);
+  without.line = reversed(without.line);
+  const JoinedTown begins({with, without});
+  EXPECT_EQ(plausible(begins, begins.join(), 3, 1), (Ranks{{1, 1}, {1, 2}}));
+}
+
+TEST(Plausible, ParkingLanesTakeNoPart) {
+  LanedAxis parked = road(1, west, 2, 0);
+  parked.forward[1].kind = LaneKind::parking;
+  EXPECT_EQ(JoinedTown({parked, road(3, {{0, 0, 0}, {100, 0, 0}}, 1, 0)}).join().size(), 1u);
+}
+
+// A street parts into two carriageways.
+TEST(Plausible, NothingTurnsBackWhereItCanGoOn) {
+  const JoinedTown town({road(1, west, 1, 1), road(2, {{0, 0, 0}, {100, -8, 0}}, 1, 0),
+                         road(3, {{100, 8, 0}, {0, 0, 0}}, 1, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{1, 1}}));
+  EXPECT_EQ(plausible(town, all, 3, 1), (Ranks{{1, 1}}));
+  EXPECT_EQ(reasons(town, all, 3, 2), (std::set<std::string>{"u_turn"}));
+}
+
+// On a small ring one leaves or enters by turns as sharp.
+TEST(Plausible, OntoARoundaboutNobodyTurnsBack) {
+  const JoinedTown town({road(1, west, 1, 1), road(2, {{0, 0, 0}, {100, -8, 0}}, 1, 0),
+                         road(3, {{100, 8, 0}, {0, 0, 0}}, 1, 0)});
+  const auto all = town.join({}, {}, {{2, 50, true, false}});
+  // Where the ground lets a car do so.
+  EXPECT_EQ(reasons(town, all, 3, 2).count("u_turn"), 0u);
+  EXPECT_EQ(plausible(town, all, 3, 1), (Ranks{{1, 1}}));
+}
+
+TEST(Plausible, AMarkedLaneTurnsBack) {
+  LanedAxis marked = road(3, {{100, 8, 0}, {0, 0, 0}}, 2, 0);
+  marked.forward[0].turns = turn::reverse;
+  marked.forward[1].turns = turn::through;
+  const JoinedTown town({road(1, west, 1, 2), road(2, {{0, 0, 0}, {100, -8, 0}}, 1, 0), marked});
+  EXPECT_EQ(plausible(town, town.join(), 3, 2), (Ranks{{1, 1}}));
+}
+
+TEST(Plausible, ADeadEndTurnsBackBesideTheOtherDirection) {
+  InterconnectionSettings settings;
+  settings.u_turn = true;
+  const JoinedTown town({road(1, west, 2, 2)});
+  EXPECT_EQ(plausible(town, town.join({}, settings), 1, 1).count({1, 1}), 1u);
+}
+
+// Into the lane at the kerb where it can, else into the next.
+TEST(Plausible, ATightTurnTakesTheNextLane) {
+  for (const double radius : {1., 2., 4., 8., 12.}) {
+    const JoinedTown town = crossing(3, radius);
+    double at_kerb = 0, next = 0;
+    Ranks found;
+    for (const Interconnection& i : town.join()) {
+      if (town.axis_of(i.lane_in) != 1 || town.axis_of(i.lane_out) != 2) continue;
+      if (town.rank(i.lane_in) == 3 && town.rank(i.lane_out) == 3) at_kerb = quarter_radius(i.line);
+      if (town.rank(i.lane_in) == 3 && town.rank(i.lane_out) == 2) next = quarter_radius(i.line);
+      if (i.plausible) found.insert({town.rank(i.lane_in), town.rank(i.lane_out)});
+    }
+    EXPECT_EQ(found.count({3, 3}), at_kerb >= 3 ? 1u : 0u) << radius;
+    EXPECT_EQ(found.count({3, 2}), at_kerb < 3 && next >= 3 ? 1u : 0u) << radius;
+  }
+}
+
+// At 110 km/h a turn needs 7 m, and the one about the nose between 2 and 3 has less on either lane:
+// the lane of 2 that it alone took is left to 1.
+TEST(Plausible, ATightTurnGivesWayToAWideOne) {
+  std::vector<LanedAxis> roads{road(1, west, 1, 1), road(2, {{0, 0, 0}, {100, 20, 0}}, 2, 0),
+                               road(3, {{85, -60, 0}, {0, 0, 0}}, 1, 0)};
+  for (LanedAxis& r : roads) r.speed = 110;
+  const JoinedTown town(roads, 0.5);
+  const auto all = town.join();
+  for (const Interconnection& i : all)
+    if (town.axis_of(i.lane_in) == 3 && town.axis_of(i.lane_out) == 2) {
+      ASSERT_LT(quarter_radius(i.line), 7);
+    }
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{1, 1}, {1, 2}}));
+  EXPECT_EQ(reasons(town, all, 3, 2), (std::set<std::string>{"radius", "lane_order"}));
+  EXPECT_EQ(plausible(town, all, 3, 2), Ranks{});
+  EXPECT_EQ(plausible(town, all, 3, 1), (Ranks{{1, 1}}));
+}
+
+// Marked to go straight on, it may go on to each lane there; the turn from the south keeps to its
+// kerb.
+TEST(Plausible, AMarkedLaneTakesTheLanesThatNoneReaches) {
+  const JoinedTown town({{1, west, general(1, turn::through), {}, 3.5, 50},
+                         road(2, south, 1, 0),
+                         road(3, {{0, 0, 0}, {100, 0, 0}}, 3, 0)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {1, 2}}));
+  EXPECT_EQ(plausible(town, all, 2, 3), (Ranks{{1, 3}}));
+}
+
+TEST(Plausible, EveryLaneLeadsOnAndIsReachedWhereAnotherStreetAllows) {
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const JoinedTown town(LanedStar(seed).roads());
+    std::map<int, bool> spreads, reached;
+    for (const Interconnection& i : town.join()) {
+      spreads[i.lane_in] = spreads[i.lane_in] || i.plausible;
+      reached[i.lane_out] = reached[i.lane_out] || i.plausible;
+    }
+    for (const auto& [lane, holds] : spreads) EXPECT_TRUE(holds) << seed << " in " << lane;
+    for (const auto& [lane, holds] : reached) EXPECT_TRUE(holds) << seed << " out " << lane;
+  }
+}
+
+// By lane order, of two lanes of one approach the left one never goes on to the right of the other.
+TEST(Plausible, LanesOfOneApproachDoNotCross) {
+  for (unsigned seed = 1; seed <= 400; ++seed) {
+    const JoinedTown town(LanedStar(seed).roads());
+    const auto all = town.join();
+    for (const Interconnection& a : all)
+      for (const Interconnection& b : all) {
+        if (!a.plausible || !b.plausible || a.reason != Reason::lane_order ||
+            b.reason != Reason::lane_order)
+          continue;
+        if (town.lane(a.lane_in).edge != town.lane(b.lane_in).edge ||
+            town.lane(a.lane_out).edge != town.lane(b.lane_out).edge)
+          continue;
+        EXPECT_LE((town.rank(a.lane_in) - town.rank(b.lane_in)) *
+                      (town.rank(b.lane_out) - town.rank(a.lane_out)),
+                  0)
+            << seed;
+      }
+  }
+}
+
+TEST(Plausible, DoesNotDependOnTheOrderOfTheAxes) {
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::vector<LanedAxis> roads = LanedStar(seed).roads();
+    const JoinedTown town(roads);
+    std::reverse(roads.begin(), roads.end());
+    const JoinedTown other(roads);
+    const auto a = town.join(), b = other.join();
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_EQ(a[i].lane_in, b[i].lane_in);
+      EXPECT_EQ(a[i].lane_out, b[i].lane_out);
+      EXPECT_EQ(a[i].plausible, b[i].plausible) << seed;
+      EXPECT_EQ(a[i].reason, b[i].reason) << seed;
+    }
+  }
+}
+
+}  // namespace plausible_test
+}  // namespace streetgen
