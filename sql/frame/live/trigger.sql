@@ -12,6 +12,14 @@ COMMENT ON FUNCTION streetgen._live(name) IS
     'Do the streets of a model follow its axes: is streetgen.live on, and setting streetgen.live of the transaction '
     'not off (importers)?';
 
+CREATE OR REPLACE FUNCTION streetgen._is_followed(model name, relation name) RETURNS boolean
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._live(model)
+        OR relation IN ('turn_restriction', 'interconnection_override', 'roundabout_override') $$;
+COMMENT ON FUNCTION streetgen._is_followed(name, name) IS
+    'Does something follow an edit of a table of decisions: the streets, or, where no input_hash tells of it, the mark '
+    'that axes are stale?';
+
 CREATE OR REPLACE FUNCTION streetgen._pause() RETURNS void
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$ SELECT set_config('streetgen.live', 'off', true) $$;
@@ -147,6 +155,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_triggers(model name) RETURNS void
 DECLARE
     relation name;
     event text;
+    former regclass;
 BEGIN
     PERFORM streetgen._use_model(model);
     -- In the model's schema and with its owner's rights: an editor writes axes and overrides, nothing else.
@@ -163,6 +172,11 @@ BEGIN
         IF coalesce(current_setting('streetgen.live', true), '') <> 'off' OR
             streetgen._keys_are_missing(current_schema()) THEN
             PERFORM streetgen._begin_edit(current_schema());
+        END IF;
+        IF TG_OP = 'TRUNCATE' AND TG_TABLE_NAME <> 'axis' AND streetgen._is_followed(current_schema(), TG_TABLE_NAME)
+            THEN
+            -- Rows that go are known only before: as if deleted.
+            EXECUTE format('DELETE FROM %I.%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
         END IF;
         RETURN NULL;
     END $body$;
@@ -232,12 +246,7 @@ BEGIN
         changed jsonb[];
         named bigint[];
     BEGIN
-        IF NOT live AND TG_TABLE_NAME NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override')
-            THEN
-            RETURN NULL;
-        ELSIF TG_OP = 'TRUNCATE' THEN
-            -- Rows that go are known only before: as if deleted.
-            EXECUTE format('DELETE FROM %I.%I', TG_TABLE_SCHEMA, TG_TABLE_NAME);
+        IF NOT streetgen._is_followed(current_schema(), TG_TABLE_NAME) THEN
             RETURN NULL;
         ELSIF TG_OP = 'INSERT' THEN
             changed := ARRAY(SELECT to_jsonb(n) FROM new_override n);
@@ -284,12 +293,15 @@ BEGIN
             EXECUTE format('COMMENT ON TRIGGER z_follow_%3$s ON %1$I.%2$I IS %4$L', model, relation, event,
                 'The streets follow');
         END LOOP;
-        EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate %3$s TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT '
-            'EXECUTE FUNCTION %1$I.%4$I()', model, relation,
-            CASE relation WHEN 'axis' THEN 'AFTER' ELSE 'BEFORE' END, CASE relation WHEN 'axis' THEN '_follow_axis'
-                ELSE '_follow_override' END);
-        EXECUTE format('COMMENT ON TRIGGER z_follow_truncate ON %I.%I IS %L', model, relation, 'The streets follow');
     END LOOP;
+    -- Tables of decisions of older builds have one for TRUNCATE, too.
+    FOR former IN SELECT tgrelid::regclass FROM pg_trigger WHERE tgname = 'z_follow_truncate'
+        AND tgfoid = '_follow_override()'::regprocedure LOOP
+        EXECUTE format('DROP TRIGGER z_follow_truncate ON %s', former);
+    END LOOP;
+    EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate AFTER TRUNCATE ON %1$I.axis FOR EACH STATEMENT EXECUTE '
+        'FUNCTION %1$I._follow_axis()', model);
+    EXECUTE format('COMMENT ON TRIGGER z_follow_truncate ON %I.axis IS %L', model, 'The streets follow');
 END $$;
 COMMENT ON FUNCTION streetgen._make_triggers(name) IS
     'Makes the triggers by which the streets of a model follow its axes and overrides.';

@@ -31,6 +31,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_edit_log(model name) RETURNS void
 DECLARE
     relation name;
     event record;
+    logger text;
 BEGIN
     PERFORM streetgen._use_model(model);
     -- With its owner's rights: an editor cannot write the log by hand.
@@ -41,9 +42,7 @@ BEGIN
         edited bigint := 1;
         box box2d;
     BEGIN
-        IF (SELECT value FROM setting WHERE name = 'log') IS DISTINCT FROM 'on' THEN
-            RETURN NULL;
-        ELSIF TG_OP = 'INSERT' THEN
+        IF TG_OP = 'INSERT' THEN
             SELECT count(*), ST_Extent(geom) INTO edited, box FROM after;
         ELSIF TG_OP = 'DELETE' THEN
             SELECT count(*), ST_Extent(geom) INTO edited, box FROM before;
@@ -59,16 +58,36 @@ BEGIN
         END IF;
         RETURN NULL;
     END $body$;
-    PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log where setting log is on');
+    PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log');
+    FOR logger IN SELECT format('%I ON %s', tgname, tgrelid::regclass) FROM pg_trigger
+        WHERE tgfoid = '_log_edit()'::regprocedure LOOP
+        EXECUTE 'DROP TRIGGER ' || logger;
+    END LOOP;
+    IF (SELECT value FROM setting WHERE name = 'log') IS DISTINCT FROM 'on' THEN
+        RETURN;
+    END IF;
     FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
         FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
             ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
             ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP
-            EXECUTE format('CREATE OR REPLACE TRIGGER log_%3$s AFTER %3$s ON %1$I.%2$I %4$s FOR EACH STATEMENT '
+            EXECUTE format('CREATE TRIGGER log_%3$s AFTER %3$s ON %1$I.%2$I %4$s FOR EACH STATEMENT '
                 'EXECUTE FUNCTION %1$I._log_edit()', model, relation, event.name, event.tables);
             EXECUTE format('COMMENT ON TRIGGER log_%3$s ON %1$I.%2$I IS %4$L', model, relation, event.name,
-                'Writes the log where setting log is on');
+                'Writes the log');
         END LOOP;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._make_edit_log(name) IS 'Makes the triggers that write edit_log while setting log is on.';
+COMMENT ON FUNCTION streetgen._make_edit_log(name) IS
+    'Makes the triggers that write edit_log where setting log is on; where it is off, tables have none.';
+
+CREATE OR REPLACE FUNCTION streetgen._hold_street_input(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- Edits hold these tables when they ask for the settings.
+    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, relation), ', ')
+            || ' IN SHARE ROW EXCLUSIVE MODE'
+        FROM unnest(streetgen._street_input(model)) relation);
+END $$;
+COMMENT ON FUNCTION streetgen._hold_street_input(name) IS
+    'Waits until nobody edits axes or decisions of a model, and keeps editors out until the transaction ends.';

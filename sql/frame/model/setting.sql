@@ -112,11 +112,17 @@ BEGIN
     PERFORM streetgen._require_owner(model);
     PERFORM streetgen._check_given('setting', setting);
     value := streetgen._check_setting(model, setting, value);
+    IF setting = 'log' THEN
+        PERFORM streetgen._hold_street_input(model);
+    END IF;
     -- One at a time, since each goes on to hold out the other.
     LOCK TABLE setting IN SHARE ROW EXCLUSIVE MODE;
     INSERT INTO setting AS s SELECT d.name, set.value, d.unit, d.description, d.minimum, d.maximum, d.choice
         FROM streetgen._default_setting() d WHERE d.name = setting
         ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value;
+    IF setting = 'log' THEN
+        PERFORM streetgen._make_edit_log(model);
+    END IF;
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
