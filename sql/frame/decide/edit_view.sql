@@ -253,8 +253,8 @@ DECLARE
     layer record;
     attribute record;
 BEGIN
-    FOR layer IN SELECT v.* FROM streetgen.model m, streetgen._edit_view(m.name, m.srid) v
-        WHERE m.name = model AND v.subject = ANY (streetgen._subjects(model))
+    FOR layer IN SELECT v.* FROM streetgen.model m, streetgen._edit_view(m.name, m.srid) v,
+        unnest(streetgen._subjects(model)) computed WHERE m.name = model AND v.subject = computed
     LOOP
         -- By its registry the view hangs on the extension: both go together.
         EXECUTE format('CREATE OR REPLACE VIEW %I.%I WITH (security_invoker = true) AS SELECT * FROM (%s) v WHERE '
@@ -284,7 +284,8 @@ BEGIN
     FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role,
         privilege_type AS privilege, v.name AS view
         FROM pg_class c, aclexplode(c.relacl)
-            JOIN streetgen._edit_view('m', 0) v ON v.subject = ANY (streetgen._subjects(model))
+            JOIN streetgen._edit_view('m', 0) v ON true
+            JOIN unnest(streetgen._subjects(model)) computed ON computed = v.subject
         WHERE c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner
             AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
     LOOP

@@ -112,7 +112,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_tables(model name) RETURNS name[]
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT array_agg(relation ORDER BY place) FROM streetgen._computed_table()
-    WHERE subject = ANY (streetgen._subjects(model)) $$;
+    JOIN unnest(streetgen._subjects(model)) s(subject) USING (subject) $$;
 COMMENT ON FUNCTION streetgen._computed_tables(name) IS
     'The tables that generate writes in a model, in the order in which their rows are given.';
 

@@ -93,12 +93,12 @@ BEGIN
         SELECT c.oid::regclass AS input, string_agg(DISTINCT quote_ident(attribute), ', ') AS attributes,
             string_agg(regexp_replace(condition, format('\m%s\M', attribute), format('NEW.%I', attribute), 'g'),
             ' AND ' ORDER BY attribute, condition) AS condition
-        FROM pg_class c CROSS JOIN LATERAL streetgen._conditions(c.oid)
+        FROM (SELECT oid, relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace
+            AND relname = ANY (streetgen._edited_tables(model) || 'axis_class'::name) OFFSET 0) c
+        CROSS JOIN LATERAL streetgen._conditions(c.oid)
         -- Columns that others added keep to their constraints: a trigger would bar them from being dropped or altered.
         JOIN streetgen._model_column() USING (attribute)
-        WHERE relation = relname AND relnamespace = quote_ident(model)::regnamespace
-            AND relname = ANY (streetgen._edited_tables(model) || 'axis_class'::name)
-        GROUP BY c.oid
+        WHERE relation = relname GROUP BY c.oid
     LOOP
         -- The condition is read with the row; the function is called for a row that breaks it.
         EXECUTE format('CREATE OR REPLACE TRIGGER refuse BEFORE INSERT OR UPDATE OF %s ON %s FOR EACH ROW WHEN ((%s) '
