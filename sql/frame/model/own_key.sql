@@ -2,7 +2,8 @@
 
 CREATE OR REPLACE FUNCTION streetgen._generated_key(model name, relation name) RETURNS name
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT attname FROM pg_attribute JOIN pg_index ON indrelid = attrelid AND indisprimary AND attnum = ANY (indkey)
+    AS $$ SELECT attname FROM pg_attribute
+            JOIN pg_index ON indrelid = attrelid AND indisprimary AND attnum = ANY (indkey)
         WHERE attrelid = format('%I.%I', model, relation)::regclass AND attidentity <> '' $$;
 COMMENT ON FUNCTION streetgen._generated_key(name, name) IS
     'The column of a table of a model that is numbered where a row leaves it out; NULL for none.';
