@@ -1,4 +1,4 @@
--- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, again, crossing, driving_side, mapping, take, read, source, file, warning, dry_run.
+-- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, again, crossing, driving_side, mapping, take, read, source, objects, file, warning, dry_run.
 -- The model that was there goes only together with the coming of the one that replaces it; what was read stays in the file.
 BEGIN;
 SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AND NOT :again \g /dev/null
@@ -6,7 +6,12 @@ SELECT streetgen.create_model(:'model', :srid, subjects => string_to_array(:'sub
 SELECT streetgen.set(:'model', 'driving_side', :'driving_side') WHERE :'driving_side' <> '' \g /dev/null
 SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' \g /dev/null
 CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;
-SELECT what, class, count, array_to_string(source_refs[:most] || CASE WHEN cardinality(source_refs) > most THEN '…' END, ', ') AS source_refs FROM load_report, (SELECT CASE WHEN :dry_run THEN 1000000 ELSE 5 END AS most) m ORDER BY line;
+CREATE TEMPORARY TABLE object_report (LIKE load_report) ON COMMIT DROP;
+SELECT :'objects' <> '' AND 'object' = ANY (streetgen._subjects(:'model')) AS takes_objects \gset
+\if :takes_objects
+INSERT INTO object_report SELECT (SELECT max(line) FROM load_report) + row_number() OVER (), r.* FROM streetgen.import_osm_objects(:'model', :'objects') r;
+\endif
+SELECT what, class, count, array_to_string(source_refs[:most] || CASE WHEN cardinality(source_refs) > most THEN '…' END, ', ') AS source_refs FROM (TABLE load_report UNION ALL TABLE object_report) r, (SELECT CASE WHEN :dry_run THEN 1000000 ELSE 5 END AS most) m ORDER BY line;
 -- What somebody is to settle, geometry by its length.
 SELECT EXISTS (SELECT FROM load_report WHERE what = 'in conflict') AS in_conflict \gset
 \if :in_conflict

@@ -307,4 +307,15 @@ SELECT streetgen.create_model('told', 2154) \g /dev/null
 INSERT INTO told.axis (geom, width) SELECT pg_temp.line(format('LINESTRING(0 0, 90 %s)', i)), 7 FROM unnest('{-60,0,60}'::integer[]) i;
 SELECT streetgen.set('told', 'radius_minimal', '0.2') \g /dev/null
 \! test "$(psql -qXAt -c 'UPDATE told.axis_editing SET width = 8' -c 'UPDATE told.axis_editing SET width = 9' 2>&1 | grep -c NOTICE)" = 2 && holds=t || holds=f; printf 'that settings changed is told once a statement\t%s\n' $holds
-SELECT streetgen.drop_model('told') \g /dev/null
+-- Of each model, and of all rows of the statement.
+SELECT streetgen.create_model('told_beside', 2154) \g /dev/null
+SELECT count(*) FROM streetgen.generate('told', wait => true) \g /dev/null
+INSERT INTO told_beside.axis (geom, width) VALUES (pg_temp.line('LINESTRING(0 0, 90 0)'), 7);
+SELECT streetgen.set('told_beside', 'radius_minimal', '0.2'), streetgen.set('told', 'radius_minimal', '0.3') \g /dev/null
+\! test "$(psql -qXAt -c 'WITH one AS (UPDATE told.axis_editing SET width = 8 RETURNING 1) UPDATE told_beside.axis_editing SET width = (SELECT count(*) FROM one) + 5' 2>&1 | grep -o 'settings of model "[a-z_]*"' | sort | tr '\n' ' ')" = 'settings of model "told" settings of model "told_beside" ' && holds=t || holds=f; printf 'that settings changed is told of each model of a statement\t%s\n' $holds
+SELECT streetgen.generate('told', wait => true) \g /dev/null
+UPDATE told.axis SET source = 'survey', source_ref = axis_id, width = 40;
+UPDATE told.axis SET width_by_hand = false, width = 40, source_hash = 1;
+\! test "$(psql -qXAt -c 'UPDATE told.axis_editing SET lane_count = 1' 2>&1 | grep -oE 'axis [0-9]+ is not believed|nor are [0-9]+ others' | tr '\n' ' ')" = 'axis 1 is not believed nor are 2 others ' && holds=t || holds=f; printf 'all rows of a view whose width is not believed are told once, with their count\t%s\n' $holds
+\! test "$(psql -qXAt -c 'UPDATE told.axis SET lane_count = 2' -c 'UPDATE told.axis_editing SET lane_count = 1 WHERE axis_id = 2' 2>&1 | grep -oE 'axis [0-9]+ is not believed|nor are [0-9]+ others' | tr '\n' ' ')" = 'axis 1 is not believed nor are 2 others axis 2 is not believed ' && holds=t || holds=f; printf 'and so they are of the table\t%s\n' $holds
+SELECT streetgen.drop_model('told'), streetgen.drop_model('told_beside') \g /dev/null

@@ -73,7 +73,7 @@ SELECT 'importing again takes only the row that changed', (SELECT count = 1 FROM
 SELECT 'an axis edited by hand stays so', a.width = 17 AND a.name = 'by hand' AND a.geom::bytea = e.geom::bytea FROM import_a.axis a JOIN edited e USING (axis_id) WHERE e.source_ref = '1';
 SELECT 'so does one whose row changed, beside what the source says', (a.width, a.source_width) = (17, s.width) AND a.name = 'by hand' AND a.geom::bytea = e.geom::bytea FROM import_a.axis a JOIN edited e USING (axis_id) JOIN import_source s ON id = 2 WHERE e.source_ref = '2';
 SELECT 'what both changed is in conflict', array_agg((c.axis_id = e.axis_id, column_name, by_hand, source_old, source_new, stands)::text) = ARRAY[(true, 'width', '17', NULL, '1', 'hand')::text] FROM import_a.import_conflict c, edited e WHERE e.source_ref = '2';
-ALTER TABLE import_a.axis DROP source_hash;
+ALTER TABLE import_a.axis DROP source_hash CASCADE;
 DROP TABLE import_a.delivered, import_a.open_conflict CASCADE;
 SELECT streetgen.adopt_model('import_a') \g /dev/null
 SELECT 'nor is all taken anew in a model of an older build', (SELECT count = 2 FROM streetgen.import_axes('import_a', 'import_source',

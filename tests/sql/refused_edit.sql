@@ -106,6 +106,17 @@ BEGIN
   EXECUTE format('SELECT by_hand, %1$I::text FROM %3$s WHERE %4$I = %5$L', attribute, before, relation, key, id) INTO by_hand, after;
   EXECUTE format('UPDATE %1$s SET %2$I = NULL WHERE %4$I = %5$L', relation, attribute, value, key, id);
 END $$;
+CREATE FUNCTION public.lane_after(OUT after text, VARIADIC edits text[]) LANGUAGE plpgsql AS $$
+DECLARE
+  lane bigint := (SELECT min(lane_id) FROM town.lane_editing v WHERE NOT by_hand AND NOT along_axis AND NOT both_ways AND (SELECT kind FROM town.lane WHERE lane_id = v.lane_id) = 'general');
+  edit text;
+BEGIN
+  FOREACH edit IN ARRAY edits LOOP
+    EXECUTE format('UPDATE town.lane_editing SET %s WHERE lane_id = %s', edit, lane);
+  END LOOP;
+  SELECT concat_ws(' ', along_axis, both_ways, by_hand) FROM town.lane_editing WHERE lane_id = lane INTO after;
+  DELETE FROM town.lane_editing WHERE lane_id = lane;
+END $$;
 SET ROLE refused_editor;
 SELECT format('%s.%s: NULL takes it back', name, attribute), b.decided AND NOT b.by_hand AND b.before = b.after
   FROM (VALUES ('section_limit', 'abscissa', 'abscissa + 3', 'which = ''start'' AND abscissa > 5'), ('corner', 'radius', 'radius + 1', 'radius BETWEEN 2 AND 20'), ('road_arc', 'radius', 'radius / 2', 'radius > 1'), ('lane', 'width', 'width - 1', '(SELECT kind FROM town.lane WHERE lane_id = v.lane_id) = ''general'''),
@@ -113,6 +124,11 @@ SELECT format('%s.%s: NULL takes it back', name, attribute), b.decided AND NOT b
     ('junction_edge', 'inside', 'true', 'NOT inside AND ST_Length(geom) < 110'), ('controller', 'program', 'CASE program WHEN ''paper'' THEN ''phases'' ELSE ''paper'' END', 'true'), ('controller', 'cycle', 'cycle + 10', 'true'), ('controller', 'start_offset', 'start_offset + 5', 'true'), ('controller', 'durations', 'ARRAY(SELECT d + 1 FROM unnest(durations) d)', 'true'),
     ('ramp', 'tangent', 'tangent + 10', 'true'), ('ramp', 'length', 'length + 10', 'true'), ('overpass', 'clearance', 'clearance + 1', 'true'), ('interconnection', 'connecting', 'NOT connecting', 'true'), ('block', 'kind', 'CASE kind WHEN ''block'' THEN ''island'' ELSE ''block'' END', 'NOT ST_IsEmpty(geom)')) v(name, attribute, value, place),
   LATERAL public.taken_back(format('town.%s_editing', name), attribute, value, place) b;
+-- What is emptied takes nothing else back, and what is typed beside it stays.
+SELECT 'the direction of a lane, ' || name, after = wanted FROM (
+  SELECT 'emptied where both use it', public.lane_after('both_ways = true', 'along_axis = NULL'), 't t t' UNION ALL SELECT 'emptied beside both ways typed', public.lane_after('along_axis = NULL, both_ways = true'), 't t t'
+  UNION ALL SELECT 'typed, and both ways emptied later', public.lane_after('along_axis = true', 'both_ways = NULL'), 't f t' UNION ALL SELECT 'typed beside both ways emptied', public.lane_after('both_ways = true', 'along_axis = false, both_ways = NULL'), 'f f t'
+  UNION ALL SELECT 'emptied where one does', public.lane_after('along_axis = true', 'along_axis = NULL'), 'f f f' UNION ALL SELECT 'and both ways emptied', public.lane_after('both_ways = true', 'along_axis = NULL, both_ways = NULL'), 'f f f') v(name, after, wanted);
 SELECT 'by_hand typed alone decides what is there, or is refused: ' || name, test.state(format('UPDATE town.%1$s_editing SET by_hand = true WHERE %1$s_id = (SELECT min(%1$s_id) FROM town.%1$s_editing WHERE NOT by_hand AND %2$s)', name, place)) = state
   FROM (VALUES ('lane', 'lane_id IN (SELECT lane_id FROM town.lane WHERE kind = ''general'')', '22023'), ('interconnection', 'true', '22023'), ('ramp', 'true', '22023'), ('controller', 'true', '22023'), ('corner', 'true', 'none'), ('sidewalk', 'true', 'none'), ('block', 'NOT ST_IsEmpty(geom)', 'none')) v(name, place, state);
 SELECT 'a word that is none is told of the row of the view: ' || name, test.said(format('UPDATE town.%1$s_editing SET %2$s = ''odd'' WHERE %1$s_id = (SELECT min(%1$s_id) FROM town.%1$s_editing WHERE %3$s)', name, attribute, place)) ~ format('the %s of %s \d+.* cannot be "odd"', attribute, replace(name, '_', ' '))

@@ -25,21 +25,26 @@ CREATE OR REPLACE FUNCTION streetgen._pause() RETURNS void
     AS $$ SELECT set_config('streetgen.live', 'off', true) $$;
 COMMENT ON FUNCTION streetgen._pause() IS 'For importers: what this transaction changes is for generate to follow.';
 
-CREATE OR REPLACE FUNCTION streetgen._first_in_statement(told text) RETURNS boolean
+CREATE OR REPLACE FUNCTION streetgen._first_in_statement(told text, model name) RETURNS boolean
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     variable constant text := 'streetgen.told_' || told;
     now_told constant text := statement_timestamp()::text;
+    -- The statement, and the models that were told in it.
+    known text[] := nullif(current_setting(variable, true), '');
 BEGIN
-    IF current_setting(variable, true) IS NOT DISTINCT FROM now_told THEN
+    IF known[1] IS DISTINCT FROM now_told THEN
+        known := ARRAY[now_told];
+    ELSIF model = ANY (known[2:]) THEN
         RETURN false;
     END IF;
-    PERFORM set_config(variable, now_told, true);
+    PERFORM set_config(variable, (known || model::text)::text, true);
     RETURN true;
 END $$;
-COMMENT ON FUNCTION streetgen._first_in_statement(text) IS
-    'Whether a notice is the first of its kind in what the client sent: an edit view calls its trigger for each row.';
+COMMENT ON FUNCTION streetgen._first_in_statement(text, name) IS
+    'Whether a notice is the first of its kind about a model in what the client sent: an edit view calls its trigger '
+    'for each row.';
 
 CREATE OR REPLACE FUNCTION streetgen._update_streets(model name, changed bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -52,7 +57,7 @@ BEGIN
     IF changed IS NULL OR changed = '{}' THEN
         RETURN;
     ELSIF streetgen._setting_changed(model) THEN
-        IF streetgen._first_in_statement('settings') THEN
+        IF streetgen._first_in_statement('settings', model) THEN
             RAISE NOTICE 'settings of model "%" changed: its streets follow again after SELECT * FROM '
                 'streetgen.generate(%, wait => true)', model, quote_literal(model);
         END IF;

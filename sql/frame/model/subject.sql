@@ -53,7 +53,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_dependents(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._make_views(model), streetgen._make_functions(model), streetgen._make_remap(model);
-    PERFORM streetgen._make_edit_views(model), streetgen._make_edit_log(model);
+    PERFORM streetgen._make_edit_views(model), streetgen._make_width_notices(model),
+        streetgen._make_edit_log(model);
     IF streetgen._has_design(model) THEN
         PERFORM streetgen._make_design_views(model);
     END IF;

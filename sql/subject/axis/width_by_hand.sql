@@ -45,15 +45,40 @@ CREATE OR REPLACE FUNCTION streetgen._make_width_by_hand(model name) RETURNS voi
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER by_hand BEFORE UPDATE OF width, width_end, width_by_hand ON %1$I.axis FOR EACH ROW
-    WHEN ((NEW.width, NEW.width_end, NEW.width_by_hand) IS DISTINCT FROM (OLD.width, OLD.width_end, OLD.width_by_hand))
-    EXECUTE FUNCTION streetgen._width_by_hand();
-COMMENT ON TRIGGER by_hand ON %1$I.axis IS 'Tells a width put by hand from one of the source'
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE TRIGGER by_hand BEFORE UPDATE OF width, width_end, width_by_hand ON axis FOR EACH ROW
+        WHEN ((NEW.width, NEW.width_end, NEW.width_by_hand)
+            IS DISTINCT FROM (OLD.width, OLD.width_end, OLD.width_by_hand))
+        EXECUTE FUNCTION streetgen._width_by_hand();
+    COMMENT ON TRIGGER by_hand ON axis IS 'Tells a width put by hand from one of the source';
+    -- Importers pause the streets. A row without the hash may be another's upsert, which needs its conflict.
+    CREATE OR REPLACE TRIGGER copied BEFORE INSERT ON axis FOR EACH ROW
+        WHEN (NEW.source_hash IS NOT NULL AND current_setting('streetgen.live', true) IS DISTINCT FROM 'off')
+        EXECUTE FUNCTION streetgen._take_copy();
+    COMMENT ON TRIGGER copied ON axis IS 'Takes a copy of an imported row without its source';
 END $$;
 COMMENT ON FUNCTION streetgen._make_width_by_hand(name) IS
-    'Makes the trigger of a model that tells a width put by hand from one of the source.';
+    'Makes the triggers of a model that tell a width put by hand from one of the source, and a copy from its row.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_copy() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    IF EXISTS (SELECT FROM axis WHERE (source, source_ref) = (NEW.source, NEW.source_ref)) THEN
+        NEW.source := NULL;
+        NEW.source_ref := NULL;
+        NEW.source_geom := NULL;
+        NEW.source_hash := NULL;
+        NEW.source_width := NULL;
+        NEW.source_width_end := NULL;
+        NEW.width_by_hand := false;
+    END IF;
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._take_copy() IS
+    'Trigger of axis, for a row with all that its source said that is no importer''s: a copy of a row that is there '
+    'is by hand and has no source, so that no delivery changes or deletes it.';
 
 CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
     RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)
@@ -73,6 +98,54 @@ COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
     'The widths (metres, in column width or width_end) that sources give the axes of a model, or some of them, and '
     'that are not believed.';
 
+CREATE OR REPLACE FUNCTION streetgen._tell_later(model name, axes bigint[]) RETURNS boolean
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    -- The model, and its axes so far.
+    gathered constant text[] := nullif(current_setting('streetgen.edited_axes', true), '');
+BEGIN
+    IF gathered[1] = model THEN
+        PERFORM set_config('streetgen.edited_axes', (gathered || axes::text[])::text, true);
+        RETURN true;
+    END IF;
+    RETURN false;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_later(name, bigint[]) IS
+    'Whether a statement on axis_editing of a model is under way, which edits row by row and tells of all rows at its '
+    'end; it gathers the axes.';
+
+CREATE OR REPLACE FUNCTION streetgen._tell_edited_axes() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    gathered constant text[] := nullif(current_setting('streetgen.edited_axes', true), '');
+BEGIN
+    PERFORM set_config('streetgen.edited_axes', CASE TG_WHEN WHEN 'BEFORE' THEN ARRAY[TG_TABLE_SCHEMA]::text ELSE ''
+        END, true);
+    IF TG_WHEN = 'AFTER' THEN
+        PERFORM streetgen._tell_unbelieved(TG_TABLE_SCHEMA, gathered[2:]::bigint[]);
+    END IF;
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_edited_axes() IS
+    'Trigger of axis_editing, before and after a statement: tells once of all its rows which widths are not believed.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_width_notices(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE TRIGGER gather_axes BEFORE INSERT OR UPDATE ON axis_editing
+        FOR EACH STATEMENT EXECUTE FUNCTION streetgen._tell_edited_axes();
+    CREATE OR REPLACE TRIGGER tell_axes AFTER INSERT OR UPDATE ON axis_editing
+        FOR EACH STATEMENT EXECUTE FUNCTION streetgen._tell_edited_axes();
+    COMMENT ON TRIGGER gather_axes ON axis_editing IS 'Begins to gather the axes that a statement edits';
+    COMMENT ON TRIGGER tell_axes ON axis_editing IS 'Tells which widths of the statement are not believed';
+END $$;
+COMMENT ON FUNCTION streetgen._make_width_notices(name) IS
+    'Makes the triggers of axis_editing that tell once a statement which widths are not believed.';
+
 CREATE OR REPLACE FUNCTION streetgen._tell_unbelieved(model name, axes bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -81,11 +154,11 @@ DECLARE
     first record;
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF axes IS NULL OR axes = '{}' THEN
+    IF axes IS NULL OR axes = '{}' OR streetgen._tell_later(model, axes) THEN
         RETURN;
     END IF;
     SELECT *, count(*) OVER () - 1 AS others INTO first FROM streetgen._unbelieved(model, axes) LIMIT 1;
-    IF FOUND AND streetgen._first_in_statement('widths') THEN
+    IF FOUND AND streetgen._first_in_statement('widths', model) THEN
         SELECT value FROM setting WHERE name = 'max_width_per_lane' INTO bound;
         RAISE NOTICE '% % m of axis % is not believed, with lane_count %: setting max_width_per_lane is % m%',
             first.attribute, first.width, first.axis_id, first.lane_count, bound,

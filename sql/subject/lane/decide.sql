@@ -57,13 +57,25 @@ BEGIN
     END IF;
     -- Values that are not edited stay computed, or as they were decided before.
     turned := (NEW.along_axis, NEW.both_ways) IS DISTINCT FROM (OLD.along_axis, OLD.both_ways);
-    IF turned AND (NEW.along_axis IS NULL OR NEW.both_ways IS NULL) THEN
+    -- What is emptied and was not decided takes nothing else back: the direction of a lane that both use, and that one
+    -- does so on an edge where none is computed to.
+    IF NEW.along_axis IS NULL AND NEW.both_ways AND OLD.both_ways
+        OR NEW.both_ways IS NULL AND NOT OLD.both_ways AND NEW.along_axis = OLD.along_axis AND edge.lanes_both = 0 THEN
+        NEW.along_axis := OLD.along_axis;
+        NEW.both_ways := OLD.both_ways;
+        turned := false;
+        IF NEW IS NOT DISTINCT FROM OLD THEN
+            RETURN NEW;
+        END IF;
+    ELSIF turned AND (NEW.along_axis IS NULL AND NEW.both_ways IS NOT TRUE
+            AND NOT (NEW.both_ways IS FALSE AND OLD.both_ways AND edge.lanes_both > 0)
+        OR NEW.both_ways IS NULL AND NEW.along_axis = OLD.along_axis) THEN
         NEW.along_axis := NULL;
         NEW.both_ways := NULL;
     ELSIF turned THEN
         -- A direction typed for a lane that both use is the only one from then on.
-        NEW.both_ways := NEW.both_ways AND (NEW.along_axis OR NOT OLD.both_ways);
-        NEW.along_axis := NEW.along_axis OR NEW.both_ways;
+        NEW.both_ways := coalesce(NEW.both_ways, false) AND (coalesce(NEW.along_axis, true) OR NOT OLD.both_ways);
+        NEW.along_axis := coalesce(NEW.along_axis, true) OR NEW.both_ways;
     END IF;
     widened := NEW.width IS DISTINCT FROM OLD.width;
     redrawn := NEW.geom IS DISTINCT FROM OLD.geom;
@@ -94,7 +106,9 @@ BEGIN
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_lane() IS
-    'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. A width below 0.1 m or '
+    'Trigger of lane_editing: writes lane_override, a line drawn against the axis turned round. NULL in along_axis or '
+    'both_ways takes back what was decided of that one alone, as far as the other is decided by itself. '
+    'A width below 0.1 m or '
     'beyond that of the roadway, a line that collapses or leaves the edge by more than 200 m: 22023; INSERT: 0A000.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_lane_adjacency() RETURNS trigger
