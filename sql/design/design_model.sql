@@ -58,7 +58,7 @@ BEGIN
         importance) SELECT * FROM streetgen._default_design_class();
     INSERT INTO zone_class (class, cost, passage) VALUES ('water', 0, 'bridge'), ('forest', 3, 'free'), ('building', 0,
         'forbidden');
-    PERFORM streetgen._make_design_views(model), streetgen._give_to_owner(model, before);
+    PERFORM streetgen._make_design_edit_views(model), streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
     PERFORM streetgen._grant_design_views(model), streetgen._comment_model(model);

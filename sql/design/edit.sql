@@ -88,7 +88,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_ends(name, name, jsonb) IS
     'Raises 22023 for a structure or grade point of an edit that lies before or beyond its link.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_design_views(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_design_edit_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -178,7 +178,7 @@ BEGIN
             'Turns an edit into a row by hand');
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._make_design_views(name) IS
+COMMENT ON FUNCTION streetgen._make_design_edit_views(name) IS
     'Makes the views to edit a design by hand, and their trigger, again and again.';
 
 CREATE OR REPLACE FUNCTION streetgen._grant_design_views(model name) RETURNS void

@@ -78,7 +78,7 @@ CREATE OR REPLACE FUNCTION streetgen._source_column()
 COMMENT ON FUNCTION streetgen._source_column() IS
     'The columns of what was delivered and of the conflicts with it, and what each is.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_import_conflict_view(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_source_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
@@ -91,9 +91,9 @@ COMMENT ON VIEW %1$I.import_conflict IS
     'the other value (not of an object), or streetgen.settle_conflict says whose holds'
 $sql$, model);
 END $$;
-COMMENT ON FUNCTION streetgen._make_import_conflict_view(name) IS 'Makes view import_conflict of a model.';
+COMMENT ON FUNCTION streetgen._make_source_views(name) IS 'Makes view import_conflict of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_settling(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_source_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -144,7 +144,7 @@ END $body$ $sql$, model, settler, relation, relation || '_id',
             'After an edit: conflicts with a delivery that it settles end');
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._make_settling(name) IS
+COMMENT ON FUNCTION streetgen._make_source_functions(name) IS
     'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it.';
 
 CREATE OR REPLACE FUNCTION streetgen._row_delivered(model name, relation name) RETURNS text
@@ -192,3 +192,12 @@ CREATE OR REPLACE FUNCTION streetgen._is_piece(source_ref text, of_ref text) RET
 COMMENT ON FUNCTION streetgen._is_piece(text, text) IS
     'May an axis with this source_ref be a piece of one of that, as clients name what they cut off: none, or 12_1 '
     'of 12?';
+
+CREATE OR REPLACE FUNCTION streetgen._make_source_input_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_followed_table(model), streetgen._make_delivered_tables(model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_source_input_tables(name) IS
+    'Makes the tables of what a model follows and of what sources delivered, where they are missing.';

@@ -177,7 +177,7 @@ COMMENT ON FUNCTION streetgen.follow(name, regclass, jsonb) IS
     'table (42501); a view, partition or table of a model: 42809; bad rows: 22023, here and in later statements on '
     'the table, which are refused then.';
 
-CREATE OR REPLACE FUNCTION streetgen._follow_again(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._adopt_source(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -208,7 +208,7 @@ BEGIN
     END LOOP;
     PERFORM set_config('role', role_before, true);
 END $$;
-COMMENT ON FUNCTION streetgen._follow_again(name) IS
+COMMENT ON FUNCTION streetgen._adopt_source(name) IS
     'Makes the triggers by which a model follows its sources anew, with the rights of who owns the table of them; a '
     'warning for each that cannot be followed now.';
 

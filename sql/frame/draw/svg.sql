@@ -1,44 +1,35 @@
 -- Pictures of a model.
 
+CREATE OR REPLACE FUNCTION streetgen._legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('legend');
+END $$;
+COMMENT ON FUNCTION streetgen._legend() IS
+    'The styles of drawings, from functions _ROOM_legend: place in a legend, form of the swatch (ground, line or '
+    'paint), and what the style means near, and far, where a pixel is 3 m and more; NULL: it is not seen.';
+
 CREATE OR REPLACE FUNCTION streetgen._svg_legend(styles text[], pixel float8)
     RETURNS TABLE(turn bigint, swatch text, words text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
     AS $$
     SELECT row_number() OVER (ORDER BY place), format(CASE form
             WHEN 'line' THEN '<path class="%s line" style="stroke-width:2.5" d="M0 8h32"/>'
             WHEN 'paint' THEN '<rect class="section" width="32" height="16"/><rect class="%s" y="6.5" width="32" '
                 'height="3"/>'
             ELSE '<rect class="%s" style="stroke:none" width="32" height="16"/>' END, style), said
-    FROM (VALUES
-        (1, 'section', 'ground', CASE WHEN pixel < 3 THEN 'section of a street' ELSE 'roadway' END),
-            (2, 'intersection', 'ground', CASE WHEN pixel < 3 THEN 'intersection' END),
-        (3, 'intersection transition', 'ground', CASE WHEN pixel < 3 THEN 'change of width' END),
-        (4, 'section contested', 'ground', CASE WHEN pixel < 3 THEN 'contested section' END),
-            (5, 'intersection contested', 'ground', CASE WHEN pixel < 3 THEN 'contested intersection' END),
-        (35, 'sidewalk', 'ground', CASE WHEN pixel < 3 THEN 'sidewalk' END), (6, 'paint', 'paint', 'paint'),
-        (7, 'axis', 'line', 'axis'), (8, 'limit', 'line', 'limit of a section'),
-            (9, 'arc', 'line', 'corner of the wanted radius'),
-        (10, 'arc fallback', 'line', 'corner of another radius'), (11, 'path', 'line', 'path from lane to lane'),
-            (14, 'junction', 'ground', 'junction of several nodes'), (36, 'signal head', 'ground', 'signal'),
-            (12, 'path implausible', 'line', 'path that is not plausible'),
-            (13, 'report', 'ground', 'report'), (15, 'road', 'line', 'road'),
-            (16, 'road radius', 'line', 'radius of a bend'),
-            (17, 'block', 'ground', 'city block'), (18, 'block island', 'ground', 'island'),
-            (19, 'block strip', 'ground', 'strip between carriageways'), (20, 'kerb', 'ground', 'kerb stones'),
-            (40, 'object', 'ground', 'object'), (41, 'object green', 'ground', 'tree or hedge'),
-            (42, 'bay', 'ground', 'parking bay'),
-            (23, 'bridge', 'ground', 'bridge'), (24, 'tunnel', 'line', 'tunnel'),
-            (21, 'ring', 'line', 'roundabout, bar: its score'), (22, 'ring refused', 'line', 'ring that is none'))
-        l(place, style, form, said)
+    FROM streetgen._legend() l, LATERAL (SELECT CASE WHEN pixel < 3 THEN near ELSE far END AS said) s
     WHERE style = ANY (styles) AND said IS NOT NULL
     $$;
 COMMENT ON FUNCTION streetgen._svg_legend(text[], float8) IS
-    'What the styles of a drawing mean, in the order of a legend, each with a swatch (SVG) of 32 by 16; a map whose '
-    'pixel is 3 m and more has the roadway alone.';
+    'What the styles of a drawing mean, in the order of a legend, each with a swatch (SVG) of 32 by 16; pixel: its '
+    'size, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(map text, width integer, height numeric, pixel float8,
     styles text[]) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     -- The legend is drawn in units of a 1200th of the width, the scale bar up to 180 of them.
     SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width + ceil(300 * unit),
@@ -73,10 +64,14 @@ COMMENT ON FUNCTION streetgen._drawn_part() IS
     'only in models that compute it, or all of several.';
 
 CREATE OR REPLACE FUNCTION streetgen._drawn_instead() RETURNS TABLE(place integer, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$ VALUES (4, 'junction'), (6, 'junction'), (7, 'junction'), (8, 'junction'), (9, 'junction') $$;
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('drawn_instead');
+END $$;
 COMMENT ON FUNCTION streetgen._drawn_instead() IS
-    'The queries of streetgen._drawn_part that do not stand in models which compute a subject: its own show more.';
+    'The queries of streetgen._drawn_part, from functions _ROOM_drawn_instead, that do not stand in models which '
+    'compute a subject: its own show more.';
 
 CREATE OR REPLACE FUNCTION streetgen._curve_as_svg(curve geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

@@ -315,14 +315,11 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_setting_changed(model), streetgen._make_block_functions(model),
-        streetgen._make_chain_keys(model), streetgen._make_merging_run(model), streetgen._make_reach(model),
-        streetgen._make_upsert(model), streetgen._make_update_signals(model),
-        streetgen._make_update_junctions(model), streetgen._make_renew_bridges(model),
-        streetgen._make_object_triggers(model), streetgen._make_object_functions(model),
+    PERFORM streetgen._make_setting_changed(model),
+        streetgen._call_rooms('_make_%s_functions', model, streetgen._rooms()),
+        streetgen._make_chain_keys(model), streetgen._make_reach(model), streetgen._make_upsert(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
-        streetgen._make_width_by_hand(model), streetgen._make_marks_by_hand(model),
-        streetgen._make_settling(model), streetgen._make_own_keys(model);
+        streetgen._make_marks_by_hand(model), streetgen._make_own_keys(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_functions(name) IS 'Makes the functions and triggers of a model, again and again.';
 

@@ -1,46 +1,14 @@
 -- Chains: rows that are functions of something longer than the reach. Each chain that a run touches is locked by a key.
 
 CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touched text, at_end boolean)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $f$ VALUES
-    ('block'::name, $q$
-        SELECT t.axis_id, coalesce(b.block_id, 0) AS chain FROM touched t, LATERAL (
-            SELECT block_id FROM {model}.block_edge b WHERE b.edge_id = t.edge_id OFFSET 0) b
-        UNION ALL SELECT axis_id, block_id FROM {model}._blocks_about(axes)$q$, false),
-    -- All that is off the ground is one chain: few edits touch it, and what is lifted has no end that is known before.
-    ('profile', $q$
-        SELECT t.axis_id, 0::bigint AS chain FROM touched t JOIN {model}.profile p USING (edge_id)
-            WHERE p.method <> 'ground' OR p.tied_from OR p.tied_to
-        UNION SELECT t.axis_id, 0 FROM touched t JOIN {model}.overpass o ON o.edge_above = t.edge_id
-        UNION SELECT t.axis_id, 0 FROM touched t JOIN {model}.overpass o ON o.edge_below = t.edge_id
-        -- The ground at a node without a height is that of an axis near (streetgen._node_ground).
-        UNION SELECT t.axis_id, 0 FROM touched t JOIN {model}.edge e USING (edge_id)
-            JOIN {model}.node n ON ST_DWithin(n.geom, e.geom, 500) WHERE ST_Z(n.geom) NOT BETWEEN -500 AND 10000
-        UNION SELECT a.axis_id, 0 FROM {model}.axis a JOIN {model}.node n ON ST_DWithin(n.geom, a.geom, 500)
-            WHERE a.axis_id = ANY (axes) AND ST_Z(n.geom) NOT BETWEEN -500 AND 10000
-        UNION SELECT axis_id, 0 FROM {model}.height_override WHERE axis_id = ANY (axes)
-        UNION SELECT a.axis_id, 0 FROM {model}.axis a JOIN {model}.axis b ON ST_Crosses(a.geom, b.geom)
-            WHERE a.axis_id = ANY (axes) AND (a.level <> b.level
-                -- Axes of one level cross where they do not both have a vertex, which would be a node.
-                OR EXISTS (SELECT FROM {model}.setting s, ST_Dump(ST_Intersection(a.geom, b.geom)) p
-                    WHERE s.name = 'tolerance' AND NOT (ST_DWithin(p.geom, ST_Points(a.geom), s.value::float8)
-                        AND ST_DWithin(p.geom, ST_Points(b.geom), s.value::float8))))$q$, true),
-    -- A run that changes a road of one edge, or a junction of one node, holds an axis there.
-    ('road'::name, $q$
-        SELECT t.axis_id, r.road_id AS chain FROM touched t, LATERAL (
-            SELECT road_id FROM {model}.road_edge r WHERE r.edge_id = t.edge_id OFFSET 0) r
-        WHERE (SELECT true FROM {model}.road_edge o
-            WHERE o.road_id = r.road_id AND o.edge_id <> t.edge_id LIMIT 1)$q$,
-        true),
-    -- Junctions are read and written by several statements: also what is only computed again is locked.
-    ('junction'::name, $q$
-        SELECT e.axis_id, j.junction_id AS chain FROM {model}.edge e, LATERAL (
-            SELECT junction_id, node_id FROM {model}.junction_node j
-            WHERE j.node_id IN (e.from_node, e.to_node) OFFSET 0) j
-        WHERE e.axis_id = ANY (written) AND (SELECT true FROM {model}.junction_node o
-            WHERE o.junction_id = j.junction_id AND o.node_id <> j.node_id LIMIT 1)$q$, false) $f$;
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('chain');
+END $$;
 COMMENT ON FUNCTION streetgen._chain() IS
-    'The kinds of chains. relation: the computed table that has a row for each chain. touched: a query of axis_id and '
+    'The kinds of chains, from functions _ROOM_chain. relation: the computed table that has a row for each chain. '
+    'touched: a query of axis_id and '
     'chain, the id of each chain that a run may change, split, join or take away when it changes edges: touched has '
     'their edge_id, and of each the axis_id that it is looked up for; axes, an array, those that change; written, an '
     'array, all whose rows it writes; {model} is the schema. The query sees a model before the run. A chain after the '
@@ -67,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._has_chains(model name) RETURNS boolean
 COMMENT ON FUNCTION streetgen._has_chains(name) IS 'Does a model compute rows that are functions of whole chains?';
 
 CREATE OR REPLACE FUNCTION streetgen._subjects_at_end() RETURNS text[]
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT array_agg(DISTINCT t.subject) FROM streetgen._chain() c
         JOIN streetgen._computed_table() t USING (relation) WHERE c.at_end $$;
 COMMENT ON FUNCTION streetgen._subjects_at_end() IS

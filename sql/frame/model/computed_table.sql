@@ -101,9 +101,9 @@ CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    RETURN (SELECT array_agg(s.subject ORDER BY s.place) FROM streetgen._subject() s
+    RETURN ARRAY(SELECT s.subject FROM streetgen._subject() s
         WHERE s.subject NOT IN (SELECT t.subject FROM streetgen._computed_table() t
-            WHERE to_regclass(format('%I.%I', model, t.relation)) IS NULL));
+            WHERE to_regclass(format('%I.%I', model, t.relation)) IS NULL) ORDER BY s.place);
 END $$;
 COMMENT ON FUNCTION streetgen._subjects(name) IS
     'The subjects that a model computes, in their order: those whose tables are all there.';

@@ -136,36 +136,10 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
 DECLARE
     before constant oid[] := streetgen._relations(model);
 BEGIN
-    IF streetgen._lacks_column(model, 'axis', 'source_hash') THEN
-        EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
-    END IF;
-    IF streetgen._lacks_column(model, 'axis', 'flow') THEN
-        EXECUTE format('ALTER TABLE %I.axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000)', model);
-    END IF;
-    IF streetgen._lacks_column(model, 'edge', 'curve') THEN
-        EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
-    END IF;
-    IF streetgen._lacks_column(model, 'axis', 'change_forward') THEN
-        EXECUTE format('ALTER TABLE %1$I.axis ADD change_forward text CHECK (change_forward ~ %2$L),
-            ADD change_backward text CHECK (change_backward ~ %2$L)', model, streetgen._lane_list_pattern('change'));
-    END IF;
-    PERFORM streetgen._add_roundabout_tag(model), streetgen._add_width_by_hand(model),
-        streetgen._make_override_tables(model, srid),
-        streetgen._make_control_point_table(model, srid), streetgen._make_junction_override_table(model, srid),
-        streetgen._make_controller_override_table(model, srid), streetgen._make_ramp_override_table(model, srid),
-        streetgen._make_overpass_override_table(model, srid), streetgen._make_height_override_table(model, srid),
-        streetgen._make_roundabout_decision_tables(model, srid),
-        streetgen._add_both_ways(model), streetgen._add_via_axes(model, srid), streetgen._add_sidewalks(model),
-        streetgen._add_roadway_offset(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model),
-        streetgen._add_roundabout_faces(model), streetgen._add_section_borders(model),
-        streetgen._add_class_meanings(model), streetgen._add_ties(model),
-        streetgen._make_edit_log_table(model, srid), streetgen._make_followed_table(model),
-        streetgen._make_delivered_tables(model),
-            streetgen._make_cluster_table(model, srid), streetgen._make_edit_indexes(model, srid);
-    IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
-        PERFORM streetgen._make_object_input_tables(model, srid);
-    END IF;
-    PERFORM streetgen._keep_functions_for_owner(model);
+    PERFORM streetgen._call_rooms('_make_%s_input_tables', model, streetgen._rooms()),
+        streetgen._call_rooms('_mend_%s_tables', model, streetgen._rooms()),
+        streetgen._make_edit_log_table(model, srid), streetgen._make_cluster_table(model, srid),
+        streetgen._call_rooms('_make_%s_edit_indexes', model, streetgen._subjects(model));
     PERFORM streetgen._give_to_owner(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS
@@ -203,12 +177,10 @@ BEGIN
     PERFORM streetgen._only_own_functions(model);
     EXECUTE format('CREATE SCHEMA %I', model);
     EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
-    PERFORM streetgen._make_street_tables(model, srid, dimension);
-    PERFORM streetgen._make_decision_tables(model, srid);
-    PERFORM streetgen._make_subject_tables(model, srid, wanted);
-    EXECUTE format('INSERT INTO %I.setting SELECT * FROM streetgen._default_setting()', model);
-    EXECUTE format('INSERT INTO %I.axis_class SELECT * FROM streetgen._default_axis_class()', model);
     PERFORM streetgen._register_model(model, srid, dimension);
+    PERFORM streetgen._make_setting_table(model);
+    PERFORM streetgen._call_rooms('_make_%s_tables', model, '{axis}');
+    PERFORM streetgen._make_subject_tables(model, srid, wanted);
     PERFORM streetgen._add_tables(model, srid);
     PERFORM streetgen._make_dependents(model);
     PERFORM streetgen._comment_model(model);
@@ -314,9 +286,10 @@ BEGIN
     PERFORM streetgen._grant_like_axes(schema, ARRAY(
         SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(schema))
             AND (oid <> ALL (before) OR relkind = 'v' AND relname NOT LIKE '%\_editing')));
-    PERFORM streetgen._grant_edit_views(schema), streetgen._grant_design_views(schema);
+    PERFORM streetgen._grant_edit_views(schema),
+        streetgen._call_rooms('_grant_%s_views', schema, streetgen._rooms());
     PERFORM streetgen._comment_model(schema);
-    PERFORM streetgen._follow_again(schema);
+    PERFORM streetgen._call_rooms('_adopt_%s', schema, streetgen._rooms());
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;
@@ -374,13 +347,20 @@ CREATE OR REPLACE FUNCTION streetgen._street_input(model name) RETURNS name[]
 COMMENT ON FUNCTION streetgen._street_input(name) IS
     'The tables of a model that streets follow: axes, turn restrictions, control points and overrides.';
 
+CREATE OR REPLACE FUNCTION streetgen._edited() RETURNS TABLE(relation name)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('edited');
+END $$;
+COMMENT ON FUNCTION streetgen._edited() IS
+    'The tables beside those that streets follow that an editor may write, from functions _ROOM_edited.';
+
 CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._street_input(model) || array_agg(relname ORDER BY relname) FROM pg_class
         WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
-            AND relname = ANY (streetgen._object_table())
-            -- That table names functions, which run with the rights of the owner.
-            AND relname <> 'specialised_type' $$;
+            AND relname IN (SELECT relation FROM streetgen._edited()) $$;
 COMMENT ON FUNCTION streetgen._edited_tables(name) IS
     'The tables of input that an editor of a model may write; no value there names a function or becomes SQL.';
 
@@ -403,8 +383,9 @@ BEGIN
         END LOOP;
         EXECUTE format('GRANT DELETE ON %I.open_conflict TO %I', model, role);
     END IF;
-    PERFORM streetgen._grant_edit_views(model), streetgen._grant_design_views(model),
-        streetgen._grant_object_locks(model);
+    PERFORM streetgen._grant_edit_views(model),
+        streetgen._call_rooms('_grant_%s_views', model, streetgen._rooms()),
+        streetgen._call_rooms('_grant_%s_locks', model, streetgen._rooms());
 END $$;
 COMMENT ON FUNCTION streetgen.grant(name, name, text) IS
     'Sets the rights of a role on a model: to read it (reader), or also to edit its input: axes, turn restrictions, '

@@ -30,3 +30,22 @@ CREATE OR REPLACE FUNCTION streetgen._has_design(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT to_regclass(format('%I.design_link', model)) IS NOT NULL $$;
 COMMENT ON FUNCTION streetgen._has_design(name) IS 'Does a model have the tables of a design?';
+
+CREATE OR REPLACE FUNCTION streetgen._call_rooms(called text, model name, rooms text[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    name name;
+BEGIN
+    FOR name IN SELECT format(called, room) FROM unnest(rooms) WITH ORDINALITY u(room, n) ORDER BY n LOOP
+        IF to_regprocedure(format('streetgen.%I(name)', name)) IS NOT NULL THEN
+            EXECUTE format('SELECT streetgen.%I($1)', name) USING model;
+        ELSIF to_regprocedure(format('streetgen.%I(name, integer)', name)) IS NOT NULL THEN
+            EXECUTE format('SELECT streetgen.%I($1, $2)', name) USING model, srid;
+        END IF;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._call_rooms(text, name, text[]) IS
+    'Calls a function of each of some rooms for a model, such as _make_%s_views (model) or _mend_%s_tables (model, '
+    'srid), where the room has it.';

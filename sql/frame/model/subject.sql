@@ -53,11 +53,9 @@ CREATE OR REPLACE FUNCTION streetgen._make_dependents(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._make_views(model), streetgen._make_functions(model), streetgen._make_remap(model);
-    PERFORM streetgen._make_edit_views(model), streetgen._make_width_notices(model),
+    PERFORM streetgen._make_edit_views(model),
+        streetgen._call_rooms('_make_%s_edit_views', model, '{axis}'::text[] || streetgen._rooms_of(model)),
         streetgen._make_edit_log(model);
-    IF streetgen._has_design(model) THEN
-        PERFORM streetgen._make_design_views(model);
-    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_dependents(name) IS
     'Makes the views, functions and triggers of a model for the subjects that it computes, again and again.';
@@ -109,7 +107,7 @@ BEGIN
     IF wanted THEN
         PERFORM streetgen._make_subject_tables(model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model),
             streetgen._with_needs(ARRAY[subject]));
-        PERFORM streetgen._make_edit_indexes(model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+        PERFORM streetgen._call_rooms('_make_%s_edit_indexes', model, streetgen._subjects(model));
         PERFORM streetgen._make_dependents(model);
         PERFORM streetgen._give_to_owner(model, before);
         PERFORM streetgen._grant_like_axes(model, ARRAY(

@@ -1,4 +1,4 @@
--- Conditions on columns of tables of every subject.
+-- How rooms make their tables.
 
 CREATE OR REPLACE FUNCTION streetgen._finite(attribute name) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -7,3 +7,16 @@ CREATE OR REPLACE FUNCTION streetgen._finite(attribute name) RETURNS text
         attribute) $$;
 COMMENT ON FUNCTION streetgen._finite(name) IS
     'What holds for a column of geometries with coordinates, all of them numbers within 1e12, as SQL for a constraint.';
+
+CREATE OR REPLACE FUNCTION streetgen._execute_each(statements text[], VARIADIC places text[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    statement text;
+BEGIN
+    FOREACH statement IN ARRAY statements LOOP
+        EXECUTE format(statement, VARIADIC places);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._execute_each(text[], text[]) IS
+    'Runs statements in which %1$I is a model, and %2$s and so on further places.';

@@ -97,3 +97,15 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_input_rule()
     ('road_override'::name, 'abscissa'::name, '0 m or more along the axis', 'Edit road_arc_editing, which fills it.'),
     ('road_override', 'radius', '0 to 4000 m', '0 for a sharp bend; delete the row to have it computed.') $$;
 COMMENT ON FUNCTION streetgen._alignment_input_rule() IS 'What may be typed into tables of roads, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('road_arc_editing', 'Edit layer: drag the centre of a bend or type its radius; DELETE takes back what was '
+        'decided by hand',
+        ARRAY['key', 'the axis', 'where it bends, metres along the axis',
+            'radius of the bend, metres, 0: it is sharp; NULL takes it back',
+            'decided by hand; false takes it back', 'centre of the arc; of a sharp bend its place'],
+        streetgen._road_arc_handles(), 'alignment') $$;
+COMMENT ON FUNCTION streetgen._alignment_edit_view() IS 'The views in which roads are edited.';

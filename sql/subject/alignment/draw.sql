@@ -11,3 +11,11 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_drawn()
     SELECT 905, 'road radius', true, ST_MakeLine(ARRAY[ST_StartPoint(arc), centre, ST_EndPoint(arc)]), road_arc_id
         FROM %1$I.road_arc, size WHERE pixel < 0.5 AND radius < 100$part$) $$;
 COMMENT ON FUNCTION streetgen._alignment_drawn() IS 'What streetgen.svg draws of roads.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (15, 'road', 'line', 'road', 'road'),
+    (16, 'road radius', 'line', 'radius of a bend', 'radius of a bend') $$;
+COMMENT ON FUNCTION streetgen._alignment_legend() IS 'What the styles of roads mean.';

@@ -14,7 +14,7 @@ COMMENT ON FUNCTION streetgen._arc_road_kinks(geometry) IS
     'Where the heading of a road (as of arc_road_length) jumps at the end of an arc: by how much, radians, and the '
     'place (POINT, EWKB). A thousandth of a radian is no jump, nor is what ten nanometres are of a short arc.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_road_arc_view(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_alignment_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -43,7 +43,7 @@ $sql$, model, srid);
     COMMENT ON COLUMN road_arc.corner IS 'where the straight lines before and after would meet';
     COMMENT ON COLUMN road_arc.arc IS 'the arc, in the direction of the road';
 END $$;
-COMMENT ON FUNCTION streetgen._make_road_arc_view(name) IS 'Makes the view road_arc of a model, again and again.';
+COMMENT ON FUNCTION streetgen._make_alignment_views(name) IS 'Makes the view road_arc of a model, again and again.';
 
 CREATE OR REPLACE FUNCTION streetgen.road_at(model name, road_id bigint, metres float8,
     OUT geom geometry, OUT edge_id bigint, OUT heading float8, OUT curvature float8)
@@ -75,3 +75,9 @@ COMMENT ON FUNCTION streetgen.road_at(name, bigint, float8) IS
     'The place (POINT) at a number of metres along a road of a model, clamped to it: the edge there, heading in '
     'degrees clockwise from the y axis, and curvature, 1/m, positive on left bends. A road that is not there, or a '
     'number that is not finite: 22023; a model without subject alignment: 0A000. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('road_arc'::name, 'alignment') $$;
+COMMENT ON FUNCTION streetgen._alignment_view() IS
+    'Views of roads, and the subjects whose tables they read.';

@@ -1,6 +1,6 @@
 -- Control points: signals, signs and crossings before or at a junction, of a source or put by hand.
 
-CREATE OR REPLACE FUNCTION streetgen._make_control_point_table(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_axis_input_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -25,7 +25,7 @@ CREATE OR REPLACE TRIGGER fill_axis BEFORE INSERT OR UPDATE ON %1$I.control_poin
 COMMENT ON TRIGGER fill_axis ON %1$I.control_point IS 'Fills the axis and the place along it'
 $sql$, model, srid, streetgen._finite('geom'));
 END $$;
-COMMENT ON FUNCTION streetgen._make_control_point_table(name, integer) IS
+COMMENT ON FUNCTION streetgen._make_axis_input_tables(name, integer) IS
     'Makes the table control_point of a model, where it is missing.';
 
 CREATE OR REPLACE FUNCTION streetgen._fill_axis() RETURNS trigger

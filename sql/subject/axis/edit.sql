@@ -176,3 +176,22 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_edge() IS
     'Trigger of edge_editing: that piece of the axis is replaced. A line that collapses: 22023; INSERT and DELETE: '
     '0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('axis_editing', 'Edit layer: draw, reshape, delete axes; width and lanes of a street',
+        ARRAY['key; NULL for a new axis', 'the axis of the road', 'width kerb to kerb, metres; NULL: estimated',
+            'number of lanes of both directions; NULL: estimated', 'both, direct or reverse',
+              'km/h; NULL: estimated', 'importance, 1 the highest; NULL: that of the class', 'name of the street',
+                  'level above the ground'],
+        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level
+            FROM %1$I.axis$sql$, 'network'),
+    ('node_editing', 'Edit layer: drag a node, and all axes that meet there follow',
+        ARRAY['key', 'place'],
+        $sql$SELECT node_id, geom FROM %1$I.node$sql$, 'network'),
+    ('edge_editing', 'Edit layer: redraw a piece of an axis between two nodes',
+        ARRAY['key', 'the axis that it is a piece of', 'the piece; where its ends move, the axis follows'],
+        $sql$SELECT edge_id, axis_id, geom FROM %1$I.edge$sql$, 'network') $$;
+COMMENT ON FUNCTION streetgen._axis_edit_view() IS 'The views in which axes are edited.';

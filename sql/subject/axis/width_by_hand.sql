@@ -41,7 +41,7 @@ COMMENT ON FUNCTION streetgen._width_by_hand() IS
     'that of the source kept beside it. An empty width, or width_by_hand set to false, gives the axis that of the '
     'source back.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_width_by_hand(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_axis_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -57,7 +57,7 @@ BEGIN
         EXECUTE FUNCTION streetgen._take_copy();
     COMMENT ON TRIGGER copied ON axis IS 'Takes a copy of an imported row without its source';
 END $$;
-COMMENT ON FUNCTION streetgen._make_width_by_hand(name) IS
+COMMENT ON FUNCTION streetgen._make_axis_functions(name) IS
     'Makes the triggers of a model that tell a width put by hand from one of the source, and a copy from its row.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_copy() RETURNS trigger
@@ -131,7 +131,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._tell_edited_axes() IS
     'Trigger of axis_editing, before and after a statement: tells once of all its rows which widths are not believed.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_width_notices(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_axis_edit_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -143,7 +143,7 @@ BEGIN
     COMMENT ON TRIGGER gather_axes ON axis_editing IS 'Begins to gather the axes that a statement edits';
     COMMENT ON TRIGGER tell_axes ON axis_editing IS 'Tells which widths of the statement are not believed';
 END $$;
-COMMENT ON FUNCTION streetgen._make_width_notices(name) IS
+COMMENT ON FUNCTION streetgen._make_axis_edit_views(name) IS
     'Makes the triggers of axis_editing that tell once a statement which widths are not believed.';
 
 CREATE OR REPLACE FUNCTION streetgen._tell_unbelieved(model name, axes bigint[]) RETURNS void

@@ -65,3 +65,16 @@ CREATE OR REPLACE FUNCTION streetgen._block_input_rule()
     AS $$ VALUES
     ('block_override'::name, 'kind'::name, 'block, island or strip', 'Delete the row to have it computed.') $$;
 COMMENT ON FUNCTION streetgen._block_input_rule() IS 'What may be typed into tables of blocks, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('block_editing', 'Edit layer: say what kind of block a piece of ground is; DELETE takes back what was decided by '
+        'hand',
+        ARRAY['key', 'block, island or strip; NULL takes it back', 'decided by hand; false takes it back',
+            'the ground'],
+        $sql$SELECT b.block_id, b.kind, EXISTS (SELECT FROM %1$I.block_override o WHERE o.geom && b.surface
+                AND ST_Intersects(o.geom, b.surface)) AS by_hand, b.surface AS geom
+            FROM %1$I.block b$sql$, 'block') $$;
+COMMENT ON FUNCTION streetgen._block_edit_view() IS 'The views in which blocks are edited.';

@@ -1,8 +1,11 @@
 -- Sidewalks of blocks, and what they leave.
-CREATE OR REPLACE FUNCTION streetgen._make_sidewalk_block_view(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_block_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
+    END IF;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.sidewalk_block WITH (security_invoker = true) AS
 -- By its place: a wide street may reach over a narrow one, so its kerb lies where its edge is not about the block.
@@ -22,5 +25,12 @@ COMMENT ON VIEW %1$I.block_interior IS
     'The ground of each block behind its sidewalks, computed when it is asked for'
 $sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
 END $$;
-COMMENT ON FUNCTION streetgen._make_sidewalk_block_view(name) IS
-    'Makes the views sidewalk_block and block_interior of a model that computes blocks and sidewalks.';
+COMMENT ON FUNCTION streetgen._make_block_views(name) IS
+    'Makes the views sidewalk_block and block_interior of a model, where it computes sidewalks.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES ('sidewalk_block'::name, 'block'), ('sidewalk_block', 'sidewalk'), ('block_interior', 'block'),
+        ('block_interior', 'sidewalk') $$;
+COMMENT ON FUNCTION streetgen._block_view() IS
+    'Views of blocks, and the subjects whose tables they read.';

@@ -32,7 +32,7 @@ COMMENT ON FUNCTION streetgen._stretch_surface(geometry, geometry, float8, float
     'The roadway of an edge between two abscissas of its line (MULTIPOLYGON): of all of it its section, else a strip '
     'of the width. Where it crosses an edge of its level, the ground is in one of the two sections alone.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_renew_bridges(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_bridge_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -108,7 +108,7 @@ END $body$ $sql$, model, (SELECT string_agg(format($part$
         'Brings the bridges and tunnels of edges (NULL: of all) up to date with the rows of the model; a row per '
         'table');
 END $$;
-COMMENT ON FUNCTION streetgen._make_renew_bridges(name) IS
+COMMENT ON FUNCTION streetgen._make_bridge_functions(name) IS
     'Makes the functions of a model that bring its bridges and tunnels up to date, or drops them where it computes '
     'none.';
 

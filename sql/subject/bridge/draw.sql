@@ -22,3 +22,11 @@ CREATE OR REPLACE FUNCTION streetgen._bridge_drawn()
     (53, 'bridge', $part$
     SELECT 8.5, 'tunnel', true, ST_Boundary(surface), tunnel_id FROM %1$I.tunnel, size WHERE pixel < 3$part$) $$;
 COMMENT ON FUNCTION streetgen._bridge_drawn() IS 'What streetgen.svg draws of bridges and tunnels.';
+
+CREATE OR REPLACE FUNCTION streetgen._bridge_legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (23, 'bridge', 'ground', 'bridge', 'bridge'),
+    (24, 'tunnel', 'line', 'tunnel', 'tunnel') $$;
+COMMENT ON FUNCTION streetgen._bridge_legend() IS 'What the styles of bridges and tunnels mean.';

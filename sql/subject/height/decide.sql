@@ -66,3 +66,13 @@ CREATE OR REPLACE FUNCTION streetgen._height_input_rule()
     ('height_override'::name, 'abscissa'::name, '0 m or more along the axis', 'Edit height_editing, which fills it.'),
     ('height_override', 'height', '-1000 to 10000 m', 'Delete the row to have the height computed.') $$;
 COMMENT ON FUNCTION streetgen._height_input_rule() IS 'What may be typed into tables of heights, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._height_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('height_editing', 'Edit layer: drop a point on a road and type how high it lies there at least; DELETE takes it '
+        'back',
+        ARRAY['key', 'the axis: the nearest one where left out', 'height, metres', 'the place on the axis'],
+        $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height') $$;
+COMMENT ON FUNCTION streetgen._height_edit_view() IS 'The views in which heights are edited.';

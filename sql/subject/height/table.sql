@@ -3,10 +3,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_height_tables(model name, srid intege
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
-DECLARE
-    statement text;
 BEGIN
-    FOREACH statement IN ARRAY ARRAY[
+    PERFORM streetgen._execute_each(ARRAY[
         $t$CREATE TABLE %1$I.profile (
             edge_id bigint PRIMARY KEY REFERENCES %1$I.edge ON DELETE CASCADE,
             geom geometry(LineStringZ, %2$s) NOT NULL, grade_max float8 NOT NULL, method text NOT NULL,
@@ -19,13 +17,11 @@ BEGIN
         $t$COMMENT ON TABLE %1$I.profile
             IS 'Heights along edges: those of the ground, or the least ones that keep clearances and grades where '
             'roads pass over and under each other'$t$
-    ] LOOP
-        EXECUTE format(statement, model, srid);
-    END LOOP;
+    ], model, srid::text);
 END $$;
 COMMENT ON FUNCTION streetgen._make_height_tables(name, integer) IS 'Makes the table profile of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_height_override_table(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_height_input_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -46,7 +42,7 @@ CREATE OR REPLACE TRIGGER fill_place BEFORE INSERT OR UPDATE ON %1$I.height_over
 COMMENT ON TRIGGER fill_place ON %1$I.height_override IS 'Fills geom where it is left out'$t$,
         model, srid, streetgen._finite('geom'));
 END $$;
-COMMENT ON FUNCTION streetgen._make_height_override_table(name, integer) IS
+COMMENT ON FUNCTION streetgen._make_height_input_tables(name, integer) IS
     'Makes the table height_override of a model, also of an older one.';
 
 CREATE OR REPLACE FUNCTION streetgen._height_column()

@@ -105,3 +105,20 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_input_rule()
         'Leave it empty to have it computed.') $$;
 COMMENT ON FUNCTION streetgen._interconnection_input_rule() IS
     'What may be typed into tables of interconnections, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('interconnection_editing',
+        'Edit layer: say whether a lane goes on to another, or drag the middle point of its path; DELETE takes back '
+        'what was decided by hand',
+        ARRAY['key', 'the node', 'the lane that comes in', 'the lane that goes out', 'through, left, right or u_turn',
+            'does it connect; NULL takes it back', 'would traffic take it', 'decided by hand; false takes it back',
+            'start, control point and end of the path'],
+        $sql$SELECT c.interconnection_id, c.node_id, c.lane_in, c.lane_out, c.turn, c.connecting, c.plausible,
+            c.method = 'by_hand' AS by_hand,
+            ST_MakeLine(ARRAY[ST_StartPoint(c.geom), coalesce(c.control, ST_LineInterpolatePoint(c.geom, 0.5)),
+                ST_EndPoint(c.geom)])::geometry(LineString, %2$s) AS geom
+        FROM %1$I.interconnection c$sql$, 'interconnection') $$;
+COMMENT ON FUNCTION streetgen._interconnection_edit_view() IS 'The views in which interconnections are edited.';

@@ -46,3 +46,21 @@ $sql$, model, format(CASE WHEN 'junction' = ANY (streetgen._subjects(model)) THE
         'where the model computes junctions: two rows of junction_movement';
 END $$;
 COMMENT ON FUNCTION streetgen._make_conflict_view(name) IS 'Makes the view conflict of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES ('conflict'::name, 'interconnection'), ('conflict', 'junction') $$;
+COMMENT ON FUNCTION streetgen._interconnection_view() IS
+    'Views of interconnections, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_interconnection_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- Beside junctions the view is of their paths, and comes after these.
+    IF 'junction' <> ALL (streetgen._subjects(model)) THEN
+        PERFORM streetgen._make_conflict_view(model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._make_interconnection_views(name) IS
+    'Makes the view conflict of a model without junctions, again and again.';

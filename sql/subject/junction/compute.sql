@@ -111,7 +111,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_put_movements(name) IS
     'Makes the function of a model that writes the paths across junctions.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_update_junctions(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_junction_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -209,5 +209,5 @@ BEGIN
     PERFORM streetgen._own_function(model, '_update_junctions(bigint[])',
         'Brings the junctions about nodes (NULL: all) up to date with the rows of the model; a row per table');
 END $$;
-COMMENT ON FUNCTION streetgen._make_update_junctions(name) IS
+COMMENT ON FUNCTION streetgen._make_junction_functions(name) IS
     'Makes the functions of a model that bring its junctions up to date, or drops them where it computes none.';

@@ -26,3 +26,16 @@ CREATE OR REPLACE FUNCTION streetgen._junction_drawn()
                 THEN whole ELSE ST_Intersection(whole, ST_Buffer(ST_Boundary(j.surface), 0.05)) END) d
         WHERE c.arc IS NOT NULL AND pixel < 3 AND (j.surface IS NULL OR ST_Length(d.geom) > 0.5)$part$) $$;
 COMMENT ON FUNCTION streetgen._junction_drawn() IS 'What streetgen.svg draws of junctions.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (14, 'junction', 'ground', 'junction of several nodes', 'junction of several nodes') $$;
+COMMENT ON FUNCTION streetgen._junction_legend() IS 'What the styles of junctions mean.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_drawn_instead() RETURNS TABLE(place integer, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$ VALUES (4, 'junction'), (6, 'junction'), (7, 'junction'), (8, 'junction'), (9, 'junction') $$;
+COMMENT ON FUNCTION streetgen._junction_drawn_instead() IS
+    'Drawings of others that do not stand where junctions are drawn: limits, corners and paths within them.';

@@ -2,10 +2,8 @@
 CREATE OR REPLACE FUNCTION streetgen._make_junction_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    statement text;
 BEGIN
-    FOREACH statement IN ARRAY ARRAY[
+    PERFORM streetgen._execute_each(ARRAY[
         $t$CREATE TABLE %1$I.junction (
             junction_id bigint PRIMARY KEY REFERENCES %1$I.node ON DELETE CASCADE,
             kind text NOT NULL CHECK (kind IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left',
@@ -44,14 +42,12 @@ BEGIN
         $t$COMMENT ON TABLE %1$I.junction_movement
             IS 'Paths across junctions of several nodes: from each lane that comes in to each that leaves, where the '
             'edges inside lead there, as one smooth line'$t$
-    ] LOOP
-        EXECUTE format(statement, model, srid);
-    END LOOP;
+    ], model, srid::text);
 END $$;
 COMMENT ON FUNCTION streetgen._make_junction_tables(name, integer) IS
     'Makes the tables junction, junction_node, junction_edge and junction_movement of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_junction_override_table(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_junction_input_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -77,7 +73,7 @@ CREATE OR REPLACE TRIGGER fit_arms BEFORE INSERT OR UPDATE OF kind, axis_id, geo
 COMMENT ON TRIGGER fit_arms ON %1$I.junction_override IS 'Refuses a kind that does not fit the arms'
 $sql$, model, srid, streetgen._finite('geom'));
 END $$;
-COMMENT ON FUNCTION streetgen._make_junction_override_table(name, integer) IS
+COMMENT ON FUNCTION streetgen._make_junction_input_tables(name, integer) IS
     'Makes the table junction_override of a model, where it is missing.';
 
 CREATE OR REPLACE FUNCTION streetgen._junction_column()

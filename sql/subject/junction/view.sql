@@ -60,6 +60,14 @@ BEGIN
     COMMENT ON VIEW right_of_way IS
         'What each movement obeys: signals, stop, yield, right_before_left, priority (others wait for it) or free '
         '(nothing to wait for)';
+    PERFORM streetgen._make_conflict_view(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_junction_views(name) IS
     'Makes the views of a model that computes junctions, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$ VALUES ('right_of_way'::name, 'junction'), ('movement', 'junction'), ('rim_marking', 'junction'),
+        ('junction_link', 'junction'), ('junction_crossing', 'junction') $$;
+COMMENT ON FUNCTION streetgen._junction_view() IS
+    'Views of junctions, and the subjects whose tables they read.';

@@ -1,5 +1,5 @@
 -- The share of each corner's arc that is really kerb.
-CREATE OR REPLACE FUNCTION streetgen._make_corner_on_kerb_view(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_kerb_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -13,5 +13,11 @@ BEGIN
     COMMENT ON VIEW corner_on_kerb
         IS 'Arcs of corners, with the share of each that is kerb: on the rest other streets own the ground beyond';
 END $$;
-COMMENT ON FUNCTION streetgen._make_corner_on_kerb_view(name) IS
+COMMENT ON FUNCTION streetgen._make_kerb_views(name) IS
     'Makes the view corner_on_kerb of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('corner_on_kerb'::name, 'kerb') $$;
+COMMENT ON FUNCTION streetgen._kerb_view() IS
+    'Views of kerbs, and the subjects whose tables they read.';

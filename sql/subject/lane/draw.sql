@@ -16,3 +16,10 @@ CREATE OR REPLACE FUNCTION streetgen._lane_drawn()
     SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits'
         AND pixel < 0.5$part$) $$;
 COMMENT ON FUNCTION streetgen._lane_drawn() IS 'What streetgen.svg draws of lanes.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (6, 'paint', 'paint', 'paint', 'paint') $$;
+COMMENT ON FUNCTION streetgen._lane_legend() IS 'What the styles of lanes mean.';

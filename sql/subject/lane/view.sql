@@ -46,3 +46,19 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_group_view(name) IS
     'Makes the view lane_group of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$ VALUES ('lane_group'::name, 'lane'), ('lane_driving', 'lane'), ('lane_interval', 'lane'),
+        ('lane_adjacency', 'lane'), ('lane_extent', 'lane') $$;
+COMMENT ON FUNCTION streetgen._lane_view() IS
+    'Views of lanes, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_lane_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._make_lane_driving_view(model), streetgen._make_lane_group_view(model),
+        streetgen._make_lane_adjacency_views(model);
+END $$;
+COMMENT ON FUNCTION streetgen._make_lane_views(name) IS 'Makes the views of lanes of a model, again and again.';

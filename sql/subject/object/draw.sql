@@ -14,3 +14,12 @@ CREATE OR REPLACE FUNCTION streetgen._object_drawn()
     UNION ALL SELECT 7, 'bay', false, surface, street_object_id FROM %1$I.parking_bay, size
         WHERE pixel < 0.5$part$) $$;
 COMMENT ON FUNCTION streetgen._object_drawn() IS 'What streetgen.svg draws of objects.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    (40, 'object', 'ground', 'object', 'object'),
+    (41, 'object green', 'ground', 'tree or hedge', 'tree or hedge'),
+    (42, 'bay', 'ground', 'parking bay', 'parking bay') $$;
+COMMENT ON FUNCTION streetgen._object_legend() IS 'What the styles of objects mean.';

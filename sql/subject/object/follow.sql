@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_functions(model name) RETURNS 
 DECLARE
     followed record;
 BEGIN
-    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._use_model(model), streetgen._make_object_triggers(model);
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
         PERFORM streetgen._drop_own_functions(model, '{_place_objects,_carry_objects,carry_objects_insert,'
             'carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,_renew_crossings,_renew_bays,'

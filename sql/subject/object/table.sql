@@ -31,7 +31,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     ('runway_light', 'traffic', NULL, 'point', 'circle', 0.3, 'a light of a runway') $$;
 COMMENT ON FUNCTION streetgen._default_object_type() IS 'The types of objects that a model starts with.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_object_input_tables(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._add_object_input_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -131,7 +131,7 @@ COMMENT ON TABLE %1$I.specialised_type
         SELECT * FROM streetgen._default_object_type() WHERE NOT $1 OR (NOT $2 AND type = ''parking_bay'')
         ON CONFLICT DO NOTHING', model) USING there, bays_there;
 END $$;
-COMMENT ON FUNCTION streetgen._make_object_input_tables(name, integer) IS
+COMMENT ON FUNCTION streetgen._add_object_input_tables(name, integer) IS
     'Makes the tables of objects that users write, and adds to those that are there from before what they lack.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_object_tables(model name, srid integer) RETURNS void
@@ -139,7 +139,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_tables(model name, srid intege
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    PERFORM streetgen._make_object_input_tables(model, srid);
+    PERFORM streetgen._add_object_input_tables(model, srid);
     -- Without foreign keys: they took half of the time of a run with many objects, and its rows come from both tables.
     CREATE TABLE object_edge (street_object_id bigint PRIMARY KEY, edge_id bigint NOT NULL);
     CREATE INDEX object_edge_edge ON object_edge (edge_id);
@@ -295,3 +295,43 @@ CREATE OR REPLACE FUNCTION streetgen._object_column()
     ('object_edge', 'street_object_id', 'the object'),
     ('object_edge', 'edge_id', 'the edge at its abscissa') $$;
 COMMENT ON FUNCTION streetgen._object_column() IS 'The columns of objects, and what each is.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_object_input_tables(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF to_regclass(format('%I.street_object', model)) IS NOT NULL THEN
+        PERFORM streetgen._add_object_input_tables(model, srid);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._make_object_input_tables(name, integer) IS
+    'Adds to the tables of objects of a model what they lack; a model without objects has none.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_edited() RETURNS TABLE(relation name)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    -- That table names functions, which run with the rights of the owner.
+    AS $$ SELECT t FROM unnest(streetgen._object_table()) t WHERE t <> 'specialised_type' $$;
+COMMENT ON FUNCTION streetgen._object_edited() IS 'The tables of objects that an editor may write.';
+
+CREATE OR REPLACE FUNCTION streetgen._mend_object_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    -- Rights on single columns are rights to write them, too.
+    FOR part IN SELECT DISTINCT format('REVOKE %s ON %I.specialised_type FROM %s CASCADE',
+            privilege_type || CASE WHEN attribute IS NULL THEN '' ELSE format(' (%I)', attribute) END, model,
+            CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END)
+        FROM pg_class c CROSS JOIN LATERAL (
+            SELECT a.*, NULL AS attribute FROM aclexplode(c.relacl) a
+            UNION ALL SELECT a.*, attname FROM pg_attribute, aclexplode(attacl) a WHERE attrelid = c.oid) held
+        WHERE c.oid = to_regclass(format('%I.specialised_type', model)) AND grantee <> relowner
+            AND privilege_type <> 'SELECT'
+    LOOP
+        EXECUTE part;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._mend_object_tables(name) IS
+    'Takes from the editors of an older model what names a function, which runs with the rights of the owner: table '
+    'specialised_type.';

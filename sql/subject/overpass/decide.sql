@@ -70,3 +70,18 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_input_rule()
     AS $$ VALUES
     ('overpass_override'::name, 'clearance'::name, '0 to 100 m', 'Leave it empty for setting clearance.') $$;
 COMMENT ON FUNCTION streetgen._overpass_input_rule() IS 'What may be typed into tables of overpasses, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._overpass_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('overpass_editing', 'Edit layer: type which axis passes over, or the clearance; DELETE takes back what was '
+        'decided by hand',
+        ARRAY['key', 'axis that passes over: the other one swaps them', 'axis below; type axis_above to swap',
+            'from roadway to roadway, metres; NULL takes back what was decided',
+            'decided by hand; false takes it back', 'the crossing'],
+        $sql$SELECT o.overpass_id, a.axis_id AS axis_above, b.axis_id AS axis_below, o.clearance,
+            o.method = 'by_hand' AS by_hand, o.geom
+        FROM %1$I.overpass o JOIN %1$I.edge a ON a.edge_id = o.edge_above
+            JOIN %1$I.edge b ON b.edge_id = o.edge_below$sql$, 'overpass') $$;
+COMMENT ON FUNCTION streetgen._overpass_edit_view() IS 'The views in which overpasses are edited.';

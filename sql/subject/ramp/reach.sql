@@ -18,7 +18,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._merging_reach(name) IS
     'How far along a highway a place may depend on a ramp, by its merging lanes and those of others that they meet, m.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_merging_run(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_ramp_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -58,5 +58,5 @@ BEGIN
         'The edges of highways on which merging lanes may lie that have to do with the edges of some axes: along the '
         'highway, over nodes of two edges; those of the axes that may be highways among them. None without ramps');
 END $$;
-COMMENT ON FUNCTION streetgen._make_merging_run(name) IS
+COMMENT ON FUNCTION streetgen._make_ramp_functions(name) IS
     'Makes the function of a model that tells how far merging lanes let a change reach.';

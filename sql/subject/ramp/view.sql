@@ -28,3 +28,9 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._is_ramp(name, bigint) IS
     'Whether a node is a ramp of a model that computes ramps.';
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('ramp_path'::name, 'ramp') $$;
+COMMENT ON FUNCTION streetgen._ramp_view() IS
+    'Views of ramps, and the subjects whose tables they read.';

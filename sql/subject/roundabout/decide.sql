@@ -38,3 +38,18 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_roundabout() IS
     'Trigger of roundabout_editing: writes roundabout_override at a place within the ring; confirmed NULL, or DELETE, '
     'takes it back. INSERT: 0A000.';
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('roundabout_editing', 'Edit layer: confirm that a ring is a roundabout, or that it is none; the least certain '
+        'come first; DELETE takes back what was decided by hand',
+        ARRAY['key', 'is it a roundabout; NULL: as its score says', 'ring, mini, double or peanut', 'radius, metres',
+            'score, 0 to 1', 'how far its score is from setting roundabout_accept', 'does traffic go round',
+            'the ring'],
+        $sql$SELECT r.roundabout_id, r.confirmed, r.kind, r.radius, r.score,
+            abs(r.score - (SELECT value::float8 FROM %1$I.setting WHERE name = 'roundabout_accept')) AS nearness,
+            r.accepted, r.geom
+        FROM %1$I.roundabout r ORDER BY nearness, r.roundabout_id$sql$, 'roundabout') $$;
+COMMENT ON FUNCTION streetgen._roundabout_edit_view() IS 'The views in which roundabouts are edited.';

@@ -1,9 +1,12 @@
 -- The block that each ring encloses.
-CREATE OR REPLACE FUNCTION streetgen._make_roundabout_block_view(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_roundabout_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    IF 'block' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
+    END IF;
     -- A ring runs counter-clockwise, and traffic on it too where traffic keeps to the right.
     CREATE OR REPLACE VIEW roundabout_block WITH (security_invoker = true) AS
     SELECT r.roundabout_id, (SELECT b.block_id FROM block_edge b WHERE b.edge_id = r.edge_id
@@ -13,5 +16,11 @@ BEGIN
     COMMENT ON VIEW roundabout_block
         IS 'The block that each ring encloses; NULL where the ring does not lie on the ground';
 END $$;
-COMMENT ON FUNCTION streetgen._make_roundabout_block_view(name) IS
+COMMENT ON FUNCTION streetgen._make_roundabout_views(name) IS
     'Makes the view roundabout_block of a model that computes blocks, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES ('roundabout_block'::name, 'block'), ('roundabout_block', 'roundabout') $$;
+COMMENT ON FUNCTION streetgen._roundabout_view() IS
+    'Views of roundabouts, and the subjects whose tables they read.';

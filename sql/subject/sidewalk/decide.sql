@@ -55,3 +55,19 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_input_rule()
     ('sidewalk_override', 'side', 'left or right', 'It is the side of the axis.'),
     ('sidewalk_override', 'width', '0 to 50 m', '0 takes the sidewalk away; delete the row to have it computed.') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_input_rule() IS 'What may be typed into tables of sidewalks, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('sidewalk_editing',
+        'Edit layer: type the width of the sidewalk on one side of an edge, which has a row for each piece of its '
+        'kerb: the width is that of all; DELETE takes back what was decided by hand',
+        ARRAY['key', 'the edge', 'left or right', 'width, metres; 0: none; NULL takes it back',
+            'decided by hand; false takes it back',
+            'its ground'],
+        $sql$SELECT s.sidewalk_id, s.edge_id, s.side, s.width,
+            EXISTS (SELECT FROM %1$I.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
+                AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, s.surface AS geom
+        FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$, 'sidewalk') $$;
+COMMENT ON FUNCTION streetgen._sidewalk_edit_view() IS 'The views in which sidewalks are edited.';

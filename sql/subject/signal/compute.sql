@@ -95,7 +95,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_found_signals(name) IS
     'Makes the function of a model that computes signals.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_update_signals(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_signal_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -198,5 +198,5 @@ BEGIN
     PERFORM streetgen._own_function(model, '_update_signals(bigint[], bigint[])',
         'Brings the signals of junctions, as they are and were, up to date; a row per table');
 END $$;
-COMMENT ON FUNCTION streetgen._make_update_signals(name) IS
+COMMENT ON FUNCTION streetgen._make_signal_functions(name) IS
     'Makes the functions of a model that bring its signals up to date, or drops them where it computes none.';

@@ -187,3 +187,18 @@ CREATE OR REPLACE FUNCTION streetgen._signal_input_rule()
     ('controller_override', 'durations', '0.1 to 3600 s for each state', 'Leave it empty to have them computed.'),
     ('controller_override', 'start_offset', '0 to 3600 s', 'Leave it empty for 0.') $$;
 COMMENT ON FUNCTION streetgen._signal_input_rule() IS 'What may be typed into tables of signals, and the way out.';
+
+CREATE OR REPLACE FUNCTION streetgen._signal_edit_view()
+    RETURNS TABLE(name text, description text, columns text[], query text, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
+        'was decided by hand',
+        ARRAY['key', 'phases, paper, or a function; NULL takes it back', 'seconds; NULL takes it back',
+            'seconds after which a cycle begins; NULL takes it back', 'seconds of each state; NULL takes them back',
+            'decided by hand; false takes it back', 'the junction'],
+        $sql$SELECT c.controller_id, c.program, c.cycle, c.start_offset,
+            ARRAY(SELECT s.duration FROM %1$I.signal_state s WHERE s.controller_id = c.controller_id
+                ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
+        FROM %1$I.controller c$sql$, 'signal') $$;
+COMMENT ON FUNCTION streetgen._signal_edit_view() IS 'The views in which signals are edited.';

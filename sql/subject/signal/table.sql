@@ -2,10 +2,8 @@
 CREATE OR REPLACE FUNCTION streetgen._make_signal_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    statement text;
 BEGIN
-    FOREACH statement IN ARRAY ARRAY[
+    PERFORM streetgen._execute_each(ARRAY[
         $t$CREATE TABLE %1$I.controller (
             controller_id bigint PRIMARY KEY REFERENCES %1$I.junction ON DELETE CASCADE,
             program text NOT NULL, cycle float8 NOT NULL CHECK (cycle >= 0), start_offset float8 NOT NULL,
@@ -40,14 +38,12 @@ BEGIN
         $t$CREATE INDEX signal_head_controller ON %1$I.signal_head (controller_id)$t$,
         $t$CREATE INDEX signal_head_geom ON %1$I.signal_head USING gist (geom)$t$,
         $t$COMMENT ON TABLE %1$I.signal_head IS 'Where each lane waits for its signal'$t$
-    ] LOOP
-        EXECUTE format(statement, model, srid);
-    END LOOP;
+    ], model, srid::text);
 END $$;
 COMMENT ON FUNCTION streetgen._make_signal_tables(name, integer) IS
     'Makes the tables controller, signal_state, signal_movement and signal_head of a model.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_controller_override_table(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._make_signal_input_tables(model name, srid integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
@@ -71,7 +67,7 @@ COMMENT ON TABLE %1$I.controller_override IS
     'for one controller the younger holds'
 $sql$, model, srid, streetgen._finite('geom'));
 END $$;
-COMMENT ON FUNCTION streetgen._make_controller_override_table(name, integer) IS
+COMMENT ON FUNCTION streetgen._make_signal_input_tables(name, integer) IS
     'Makes the table controller_override of a model, where it is missing.';
 
 CREATE OR REPLACE FUNCTION streetgen._signal_column()
@@ -115,3 +111,26 @@ CREATE OR REPLACE FUNCTION streetgen._signal_column()
     ('controller_override', 'start_offset', 'seconds; NULL: 0'),
     ('controller_override', 'durations', 'seconds of the states in order; NULL in it: computed') $$;
 COMMENT ON FUNCTION streetgen._signal_column() IS 'The columns of signals, and what each is.';
+
+CREATE OR REPLACE FUNCTION streetgen._mend_signal_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    named bigint[];
+BEGIN
+    IF NOT EXISTS (SELECT FROM pg_constraint WHERE conrelid = format('%I.controller_override', model)::regclass
+        AND conname = 'controller_override_program_check') THEN
+        EXECUTE format('WITH named AS (UPDATE %I.controller_override SET program = NULL '
+            'WHERE program NOT IN (''phases'', ''paper'') RETURNING controller_override_id) '
+            'SELECT array_agg(controller_override_id ORDER BY controller_override_id) FROM named', model) INTO named;
+        IF named IS NOT NULL THEN
+            RAISE WARNING 'rows % of %.controller_override named a function: they have the program of the model now',
+                named, model USING HINT = 'Setting signal_program names a function for all of them.';
+        END IF;
+        EXECUTE format('ALTER TABLE %I.controller_override ADD CONSTRAINT controller_override_program_check '
+            'CHECK (program IN (''phases'', ''paper''))', model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._mend_signal_tables(name) IS
+    'Takes from the editors of an older model what names a function, which runs with the rights of the owner: '
+    'controller_override.program.';

@@ -23,3 +23,9 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_signal_views(name) IS
     'Makes the views of a model that computes signals, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._signal_view() RETURNS TABLE(name name, subject text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('signal_crossing'::name, 'signal') $$;
+COMMENT ON FUNCTION streetgen._signal_view() IS
+    'Views of signals, and the subjects whose tables they read.';

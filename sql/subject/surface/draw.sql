@@ -18,3 +18,17 @@ CREATE OR REPLACE FUNCTION streetgen._surface_drawn()
     SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, ST_CurveToLine(arc, 16),
         corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3$part$) $$;
 COMMENT ON FUNCTION streetgen._surface_drawn() IS 'What streetgen.svg draws of the roadway.';
+
+CREATE OR REPLACE FUNCTION streetgen._surface_legend()
+    RETURNS TABLE(place integer, style text, form text, near text, far text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'section', 'ground', 'section of a street', 'roadway'),
+    (2, 'intersection', 'ground', 'intersection', NULL),
+    (3, 'intersection transition', 'ground', 'change of width', NULL),
+    (4, 'section contested', 'ground', 'contested section', NULL),
+    (5, 'intersection contested', 'ground', 'contested intersection', NULL),
+    (8, 'limit', 'line', 'limit of a section', 'limit of a section'),
+    (9, 'arc', 'line', 'corner of the wanted radius', 'corner of the wanted radius'),
+    (10, 'arc fallback', 'line', 'corner of another radius', 'corner of another radius') $$;
+COMMENT ON FUNCTION streetgen._surface_legend() IS 'What the styles of the roadway mean.';

@@ -1,0 +1,65 @@
+-- Columns that models of older builds lack, with what they mean for the rows that are there.
+
+CREATE OR REPLACE FUNCTION streetgen._add_roadway_offset(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    IF NOT streetgen._lacks_column(model, 'axis', 'roadway_offset') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %1$I.axis ADD roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100)',
+        model);
+    EXECUTE format('ALTER TABLE %1$I.edge ADD roadway_offset float8 NOT NULL DEFAULT 0', model);
+    EXECUTE format('ALTER TABLE %1$I.edge ALTER roadway_offset DROP DEFAULT', model);
+    EXECUTE format('CREATE INDEX axis_roadway_offset ON %1$I.axis (roadway_offset) WHERE roadway_offset <> 0', model);
+    EXECUTE format('DROP INDEX IF EXISTS %1$I.edge_width', model);
+    EXECUTE format('CREATE INDEX edge_reach ON %1$I.edge ((greatest(width, width_end) + 2 * abs(roadway_offset)))',
+        model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_roadway_offset(name) IS
+    'Adds the columns of axis and edge that say how far the roadway lies beside the axis, '
+    'where a model was made before '
+    'them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_class_meanings(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF NOT streetgen._lacks_column(model, 'axis_class', 'highway_role') THEN
+        RETURN;
+    END IF;
+    EXECUTE format('ALTER TABLE %I.axis_class ADD highway_role text
+            CHECK (highway_role IN (''highway'', ''fast_road'', ''highway_link'', ''link'')),
+        ADD walked_along boolean NOT NULL DEFAULT true, ADD crossed_on_foot boolean NOT NULL DEFAULT true,
+        ADD lanes_by_width boolean NOT NULL DEFAULT true', model);
+    EXECUTE format('UPDATE %I.axis_class c SET (highway_role, walked_along, crossed_on_foot, lanes_by_width)
+        = (d.highway_role, d.walked_along, d.crossed_on_foot, d.lanes_by_width)
+        FROM streetgen._default_axis_class() d WHERE d.class = c.class', model);
+    -- A class of the user's that was told by its last letters.
+    EXECUTE format('UPDATE %I.axis_class SET highway_role = ''link'' WHERE class LIKE ''%%\_link''
+        AND highway_role IS NULL', model);
+END $$;
+COMMENT ON FUNCTION streetgen._add_class_meanings(name) IS
+    'Adds the columns of axis_class that say what a class means for ramps, people on foot and lanes, where a model was '
+    'made before them.';
+
+CREATE OR REPLACE FUNCTION streetgen._mend_axis_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF streetgen._lacks_column(model, 'axis', 'source_hash') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
+    END IF;
+    IF streetgen._lacks_column(model, 'axis', 'flow') THEN
+        EXECUTE format('ALTER TABLE %I.axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000)', model);
+    END IF;
+    IF streetgen._lacks_column(model, 'axis', 'change_forward') THEN
+        EXECUTE format('ALTER TABLE %1$I.axis ADD change_forward text CHECK (change_forward ~ %2$L),
+            ADD change_backward text CHECK (change_backward ~ %2$L)', model, streetgen._lane_list_pattern('change'));
+    END IF;
+    PERFORM streetgen._add_roundabout_tag(model), streetgen._add_width_by_hand(model),
+        streetgen._add_roadway_offset(model), streetgen._add_class_meanings(model);
+END $$;
+COMMENT ON FUNCTION streetgen._mend_axis_tables(name) IS
+    'Adds to the axes of a model what older ones lack, and what came after the first models.';

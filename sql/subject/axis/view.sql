@@ -1,0 +1,207 @@
+-- The axes of a model with the values used, and the settings that streets depend on.
+
+CREATE OR REPLACE FUNCTION streetgen._make_axis_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
+BEGIN
+    PERFORM streetgen._use_model(model);
+    -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
+    -- settings.
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
+           concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
+               THEN streetgen._predictor_definition(value) END), ',' ORDER BY name)%2$s, 2) AS setting_hash
+FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log', 'road_friction',
+    'object_names', 'object_snap', 'delivery_wins')
+    AND name <> ALL (streetgen._design_settings())
+$sql$, model, CASE WHEN with_rings THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
+    FROM %I.roundabout_pattern), '')$sql$, model) END);
+    COMMENT ON VIEW setting_used IS 'The settings that streets depend on, as one row';
+    EXECUTE format($sql$
+CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
+SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
+    width_used) AS width_end,
+       forward_used + backward_used + both_used AS lane_count, forward_used AS lanes_forward,
+           backward_used AS lanes_backward, both_used AS lanes_both, direction_used AS direction,
+       kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
+       streetgen._wanted_radius(
+           coalesce(radius, CASE WHEN predictor IS NOT NULL THEN streetgen._predicted_radius(predictor, axis_id,
+               width_used, speed_used,
+               coalesce(importance_known, importance_default), forward_used + backward_used + both_used, kind) END),
+           importance_known, speed_used, width_used, radii, turning_mode, turning_minimal, turning_maximal) AS radius,
+       array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END,
+                          CASE WHEN kerb_width IS NULL AND believed_end IS NULL AND width_end IS NOT NULL
+                              THEN 'width_end' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL
+                              AND stated_backward IS NULL THEN 'lane_count' END,
+                          CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL
+                              THEN 'importance' END, CASE WHEN sidewalk_left IS NULL THEN 'sidewalk_left' END,
+                          CASE WHEN sidewalk_right IS NULL THEN 'sidewalk_right' END], NULL) AS estimated,
+       hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
+           class_width, class_speed, class_importance, kerb_width,
+           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane OR any_control OR any_overpass
+               OR any_sidewalk OR any_junction OR any_bend OR any_height OR any_ramp
+               OR any_change
+               THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
+               SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
+                   0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
+               UNION ALL SELECT 2, section_limit_override_id, hash_record_extended(ROW(abscissa, which), 0)
+                   FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
+               UNION ALL SELECT 3, corner_override_id, hash_record_extended(ROW(geom::bytea, axis_a, axis_b, radius),
+                   0) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
+               UNION ALL SELECT 8, sidewalk_override_id, hash_record_extended(ROW(abscissa, side, width), 0)
+                   FROM %1$I.sidewalk_override WHERE any_sidewalk AND axis_id = a.axis_id
+               UNION ALL SELECT 4, lane_override_id,
+                   hash_record_extended(ROW(abscissa, ordinality, along_axis, both_ways, width, line::bytea), 0)
+                   FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id
+               UNION ALL SELECT 5, control_point_id, hash_record_extended(ROW(abscissa, control.kind,
+                   control.direction), 0)
+                   FROM %1$I.control_point control WHERE any_control AND control.axis_id = a.axis_id
+               UNION ALL SELECT 6, overpass_override_id,
+                   hash_record_extended(ROW(geom::bytea, axis_above, axis_below, clearance), 0)
+                   FROM %1$I.overpass_override
+                   WHERE any_overpass AND (axis_above = a.axis_id OR axis_below = a.axis_id)
+               UNION ALL SELECT 7, junction_override_id, hash_record_extended(ROW(junction.geom::bytea, inside,
+                   junction.kind), 0)
+                   FROM %1$I.junction_override junction WHERE any_junction AND junction.axis_id = a.axis_id
+               UNION ALL SELECT 10, ramp_override_id, hash_record_extended(ROW(abscissa, tangent, length), 0)
+                   FROM %1$I.ramp_override WHERE any_ramp AND axis_id = a.axis_id
+               UNION ALL SELECT 11, lane_adjacency_override_id,
+                   hash_record_extended(ROW(abscissa, lane_from, lane_to, change), 0)
+                   FROM %1$I.lane_adjacency_override WHERE any_change AND axis_id = a.axis_id
+               UNION ALL SELECT 9, controller_override_id, hash_record_extended(ROW(controller.geom::bytea,
+                   controller.program, cycle, start_offset, durations), 0)
+                   FROM %1$I.controller_override controller WHERE any_controller AND controller.axis_id = a.axis_id
+               UNION ALL SELECT 8, road_override_id, hash_record_extended(ROW(abscissa, radius), 0)
+                   FROM %1$I.road_override WHERE any_bend AND axis_id = a.axis_id
+               UNION ALL SELECT 9, height_override_id, hash_record_extended(ROW(abscissa, height), 0)
+                   FROM %1$I.height_override WHERE any_height AND axis_id = a.axis_id) o) END,
+           direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
+               lane_width_forward,
+               lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
+           -- Sidewalks, flows, lane changes, tags of roundabouts and what a class means are the seed, so that it stays
+           -- the same where nothing is said of them.
+           CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
+           # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
+           # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
+           # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
+           # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
+           # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
+               THEN 0
+               ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END)
+           AS input_hash,
+       setting_hash,
+       coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
+       coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
+       streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
+           AS roadway_offset
+FROM %1$I.axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
+    importance AS class_importance,
+    highway_role, walked_along, crossed_on_foot, lanes_by_width FROM %1$I.axis_class) c USING (kind)
+LEFT JOIN %1$I.setting_used ON true
+LEFT JOIN (
+    SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
+        (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
+           (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
+               (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
+           (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,
+               (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
+           (max(value) FILTER (WHERE name = 'two_way_width_minimal'))::float8 AS two_way_width_minimal,
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds,
+               (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
+           streetgen._by_importance(nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb)
+               AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode,
+           (max(value) FILTER (WHERE name = 'turning_radius_minimal'))::float8 AS turning_minimal,
+           (max(value) FILTER (WHERE name = 'turning_radius_maximal'))::float8 AS turning_maximal,
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'sidewalk_by_importance'))::jsonb)
+               AS sidewalks,
+           streetgen._radius_function(%1$L, max(value) FILTER (WHERE name = 'radius_function')) AS predictor,
+           bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count,
+           max(value) FILTER (WHERE name = 'driving_side') AS driving_side
+    FROM %1$I.setting) s ON true
+-- Most models have none or one kind, and no axis of them is asked for its own of the others.
+LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
+    EXISTS (SELECT FROM %1$I.transition_override) AS any_transition,
+    EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
+    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane,
+    EXISTS (SELECT FROM %1$I.road_override) AS any_bend,
+    EXISTS (SELECT FROM %1$I.ramp_override) AS any_ramp,
+    EXISTS (SELECT FROM %1$I.lane_adjacency_override) AS any_change,
+    EXISTS (SELECT FROM %1$I.height_override) AS any_height,
+    EXISTS (SELECT FROM %1$I.control_point) AS any_control,
+    EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,
+    EXISTS (SELECT FROM %1$I.overpass_override) AS any_overpass,
+    EXISTS (SELECT FROM %1$I.controller_override) AS any_controller,
+    EXISTS (SELECT FROM %1$I.junction_override) AS any_junction HAVING true) o ON true
+-- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
+-- asked for does.
+-- The ways of OpenStreetMap that are tagged so run one way round, in their direction.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN direction = 'both' AND tags_count AND roundabout_tag IN ('roundabout', 'circular') THEN 'direct'
+        ELSE direction END AS direction_used HAVING true) way ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id)
+        FROM %1$I.kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward,
+        coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+           coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand
+               HAVING true) known ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN by_hand OR NOT lanes_by_width THEN NULL ELSE max_width_per_lane END AS most_per_lane
+        HAVING true) m ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
+           streetgen.believed_width(width_end, lane_count, most_per_lane) AS believed_end HAVING true) b ON true
+CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
+    AS lanes_stated) stated
+LEFT JOIN LATERAL (
+    SELECT coalesce(kerb_width, believed,
+        least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)
+               + CASE WHEN lanes_stated IS NULL THEN 0
+                   ELSE coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward,
+                                                                cycle_lane_width, parking_lane_width), 0) END))
+                                                                AS width_used HAVING true) w ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds,
+        speed_per_width)) AS speed_used HAVING true) p ON true
+LEFT JOIN LATERAL (
+    SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
+        HAVING true) r ON true
+LEFT JOIN LATERAL (
+    SELECT CASE direction_used WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
+               coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used
+                   HAVING true) t ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.estimated_sidewalk(coalesce(importance_known, importance_default), walked_along, sidewalks)
+        AS sidewalk_usual,
+        streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side)
+            AS island_side HAVING true) f ON true
+-- The rest is left to the lanes of one direction.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
+        THEN 0
+                ELSE greatest(CASE WHEN NOT lanes_by_width THEN 1
+                    ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END - both_used,
+                              CASE direction_used WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
+           CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.lanes_of_way(direction_used <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction_used = 'both' THEN coalesce(stated_backward, count_used / 2)
+                   WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used, fewest) AS forward_used,
+           streetgen.lanes_of_way(direction_used <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction_used = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
+                   WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
+                   HAVING true) l ON true
+$sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END);
+    COMMENT ON VIEW axis_used
+        IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';
+END $$;
+COMMENT ON FUNCTION streetgen._make_axis_views(name) IS
+    'Makes the views setting_used and axis_used of a model, again and again.';

@@ -1,0 +1,13 @@
+-- Columns that models of older builds lack, with what they mean for the rows that are there.
+
+CREATE OR REPLACE FUNCTION streetgen._mend_surface_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    IF streetgen._lacks_column(model, 'section', 'borders') THEN
+        EXECUTE format('ALTER TABLE %I.section ADD borders float8[]', model);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._mend_surface_tables(name) IS
+    'Adds the column that says where the borders of the roadway run, where a model was made before it; the next run '
+    'fills it.';

@@ -1,0 +1,45 @@
+-- The roadway of a model as one layer, and intersections that touch.
+
+CREATE OR REPLACE FUNCTION streetgen._make_surface_views(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW intersection_group WITH (security_invoker = true) AS
+    WITH RECURSIVE crossed AS (
+        SELECT from_node, to_node FROM edge JOIN section s USING (edge_id)
+        WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM intersection)
+            AND to_node IN (SELECT node_id FROM intersection)
+    ), touching AS (
+        SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+    ), joined AS (
+        SELECT node_id, node_id AS other FROM intersection
+        UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+    )
+    SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN intersection i USING (node_id)
+        GROUP BY node_id, i.level;
+    CREATE OR REPLACE VIEW roadway WITH (security_invoker = true) AS
+    SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind,
+        importance,
+        e.level, e.width, e.lane_count, surface
+    FROM section JOIN edge e USING (edge_id) LEFT JOIN (SELECT axis_id, name, kind FROM axis) a
+        USING (axis_id) WHERE NOT ST_IsEmpty(surface)
+    UNION ALL
+    SELECT 2 * node_id + 1, 'intersection', NULL, node_id, axis_id, name, kind, importance, level, width, lane_count,
+        surface
+    FROM intersection i LEFT JOIN LATERAL (
+        SELECT axis_id, importance, greatest(CASE node_id WHEN from_node THEN width END, CASE node_id WHEN to_node
+            THEN width_end END) AS width, lane_count
+        FROM edge WHERE from_node = node_id OR to_node = node_id ORDER BY importance, width DESC, axis_id, edge_id
+            LIMIT 1) first ON true
+    LEFT JOIN (SELECT axis_id, name, kind FROM axis) a USING (axis_id) WHERE NOT ST_IsEmpty(surface);
+    COMMENT ON VIEW roadway
+        IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without '
+        'overlap. An intersection is named after its first edge: the most important, then the widest, then that of '
+        'the smallest axis_id';
+    COMMENT ON VIEW intersection_group
+        IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the '
+        'smallest node of each names it';
+END $$;
+COMMENT ON FUNCTION streetgen._make_surface_views(name) IS
+    'Makes the views roadway and intersection_group of a model, again and again.';
