@@ -72,6 +72,8 @@ called=$(python3 "$root/tests/core/sql_calls.py" "$root/sql")
 rule 'calls between rooms of SQL: at most 35 arrows against the order, 23 rooms in a knot' \
   '[[ ${called##*$'"'\n'"'} =~ ^([0-9]+)\ of\ [^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 35 ] && [ "${BASH_REMATCH[2]}" -le 23 ] || { echo "$called" >&2; false; }'
 
+rule 'each room of SQL has a page of one screen that says what stands there' 'python3 "$root/tests/core/room_pages.py" "$root" >&2'
+
 # Comments begin with their subject: "The nearest edge …", not "Of two edges …" or "What lies …".  Prints the first line of each other one, and last
 # how many of a thousand these are.
 comments_without_subject() {
