@@ -101,3 +101,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._road_site(name, geometry, jsonb) IS
     'Terrain and zones about an area, and the rules of a road, as the core takes them.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_setting_beside() RETURNS TABLE(name text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ SELECT unnest(streetgen._design_settings()) $$;
+COMMENT ON FUNCTION streetgen._design_setting_beside() IS 'The settings of designs, on which no street depends.';

@@ -87,7 +87,7 @@ UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM %1$I.axis a
         'ON CONFLICT DO NOTHING', model) USING source;
     EXECUTE format('SELECT array_agg(DISTINCT axis_id) FROM %I.street_object WHERE source = $1', model) INTO touched
         USING source;
-    PERFORM streetgen._find_control_points(model, source), streetgen._update_objects(model, touched);
+    PERFORM streetgen._find_control_points(model, source), streetgen._update_object(model, touched);
     RETURN QUERY SELECT 'object nearer to another one than distance_least, kept', o.type, count(*),
         (array_agg(coalesce(o.source_ref, 'object ' || o.street_object_id) ORDER BY o.source_ref,
             o.street_object_id))[:1000]

@@ -10,3 +10,8 @@ CREATE OR REPLACE FUNCTION streetgen._source_setting()
         'where both somebody by hand and a new delivery of the source changed a column, this holds until view '
         'import_conflict is settled: hand or source', NULL, NULL, ARRAY['hand', 'source']) $$;
 COMMENT ON FUNCTION streetgen._source_setting() IS 'The settings of deliveries, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._source_setting_beside() RETURNS TABLE(name text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES ('delivery_wins') $$;
+COMMENT ON FUNCTION streetgen._source_setting_beside() IS 'The settings of deliveries that streets do not depend on.';

@@ -2,7 +2,7 @@
 
 Each room of sql/order.txt has a README.md of one screen, its own or that of the folder above.  It names each file of the
 room that has not a name of every room (sql/README.md lists these), and every path that it names is there.  The page of a
-subject names what the subject needs and the tables that it gives, as sql/frame/model/computed_table.sql lists them.
+subject names what the subject needs and the tables that it gives, as sql/frame/catalogue/computed_table.sql lists them.
 """
 
 import re
@@ -20,7 +20,7 @@ def listed(text, function):
 def faults(root):
     sql = root / "sql"
     usual = set(re.findall(r"`(\w+\.sql)`", (sql / "README.md").read_text()))
-    lists = (sql / "frame/model/computed_table.sql").read_text()
+    lists = (sql / "frame/catalogue/computed_table.sql").read_text()
     needs = {m[1]: re.findall(r"\w+", m[2]) for row in listed(lists, "_subject") if (m := re.match(r"\(\d+, '(\w+)', '\{(.*?)\}'", row))}
     gives = [m.groups() for row in listed(lists, "_computed_table") if (m := re.match(r"\(\d+, '(\w+)', '(\w+)'", row))]
     for room in (line for line in (sql / "order.txt").read_text().splitlines() if re.match("[a-z]", line)):

@@ -1,8 +1,9 @@
 """Counts calls between the rooms of SQL that run against their order: sql_calls.py FOLDER.
 
 The file order.txt of FOLDER lists the rooms.  A room may call functions of its own and of the rooms above it in the list.
-A call is the name of a function of ours before a parenthesis, in quoted text too.  Prints each arrow that runs against
-the order with the functions that are called, then the counts: such arrows of all, and rooms in a knot.
+A call is the name of a function of ours before a parenthesis, in quoted text too but for hints to users.  Prints each
+arrow that runs against the order with the functions that are called, then the counts: such arrows of all, and rooms in a
+knot.
 """
 
 import re
@@ -10,7 +11,7 @@ import sys
 from pathlib import Path
 
 MADE = re.compile(r"CREATE (?:OR REPLACE )?(?:FUNCTION|PROCEDURE|AGGREGATE)\s+(?:streetgen|%\d*\$?I|\{model\})\.(\w+)\(")
-ASIDE = re.compile(r"--[^\n]*|^(?:COMMENT ON|REVOKE|GRANT|ALTER) [^;]*?(?:;$|IS\s+(?:'(?:[^']|'')*'\s*)+;)", re.M)
+ASIDE = re.compile(r"--[^\n]*|streetgen\.\w+\(%L|\bHINT = (?:'(?:[^']|'')*'|[^;'])*|^(?:COMMENT ON|REVOKE|GRANT|ALTER) [^;]*?(?:;$|IS\s+(?:'(?:[^']|'')*'\s*)+;)", re.M)
 CALL = re.compile(r"(?:\.|\b(?=_))(\w+)\(")
 
 

@@ -83,3 +83,13 @@ CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geome
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS
     'Whether an axis that lies at the place of an override did not before (NULL: was not there), or ended beside it.';
+
+CREATE OR REPLACE FUNCTION streetgen._edge_at(model name, axis bigint, place geometry) RETURNS bigint
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN (SELECT e.edge_id FROM edge e WHERE e.axis_id = axis ORDER BY ST_Distance(e.geom, place), e.edge_id LIMIT 1);
+END $$;
+COMMENT ON FUNCTION streetgen._edge_at(name, bigint, geometry) IS
+    'Of the edges of an axis the nearest to a place; NULL where the axis has none.';

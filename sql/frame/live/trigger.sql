@@ -93,6 +93,7 @@ CREATE OR REPLACE FUNCTION streetgen._drop_results(model name, gone bigint[]) RE
     AS $$
 DECLARE
     locked record;
+    drop name;
 BEGIN
     PERFORM streetgen._use_model(model);
     IF gone IS NULL OR gone = '{}' THEN
@@ -100,9 +101,11 @@ BEGIN
     END IF;
     PERFORM streetgen._lock_model(model, wait => true, alone => false);
     locked := streetgen._lock_places(model, gone, wait => true);
-    IF to_regclass(format('%I.road', model)) IS NOT NULL THEN
-        PERFORM streetgen._drop_roads(model, gone);
-    END IF;
+    FOR drop IN SELECT format('_drop_%s_rows', s) FROM unnest(streetgen._subjects(model)) s LOOP
+        IF to_regprocedure(format('streetgen.%I(name, bigint[])', drop)) IS NOT NULL THEN
+            EXECUTE format('SELECT streetgen.%I($1, $2)', drop) USING model, gone;
+        END IF;
+    END LOOP;
     WITH gone AS (DELETE FROM edge WHERE axis_id = ANY (gone) RETURNING edge_id, from_node, to_node),
          report AS (DELETE FROM report WHERE axis_a = ANY (gone) OR axis_b = ANY (gone)),
          stale AS (UPDATE edge SET input_hash = 0 WHERE axis_id = ANY (locked.written) AND axis_id <> ALL (gone))
@@ -264,11 +267,11 @@ BEGIN
         named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c
             CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis',
                 'axis_above', 'axis_below']) role
-            JOIN axis a ON a.axis_id = (c ->> role)::bigint)
-            || CASE TG_TABLE_NAME WHEN 'roundabout_override' THEN streetgen._axes_of_rings(current_schema(), changed)
-                ELSE '{}' END;
-        IF TG_TABLE_NAME = 'block_override' THEN
-            named := streetgen._axes_at_blocks(current_schema(), changed);
+            JOIN axis a ON a.axis_id = (c ->> role)::bigint);
+        -- A room tells which axes a decision on ground or about a ring is about.
+        IF to_regprocedure(format('streetgen._axes_of_%s(name, jsonb[])', TG_TABLE_NAME)) IS NOT NULL THEN
+            EXECUTE format('SELECT $1 || streetgen.%I($2, $3)', '_axes_of_' || TG_TABLE_NAME) INTO named
+                USING named, current_schema(), changed;
         END IF;
         IF live AND remapped IS NOT NULL THEN
             PERFORM streetgen._note_remapped(current_schema(), remapped || named);
@@ -318,6 +321,7 @@ BEGIN
     PERFORM streetgen._make_setting_changed(model),
         streetgen._call_rooms('_make_%s_functions', model, streetgen._rooms()),
         streetgen._make_chain_keys(model), streetgen._make_reach(model), streetgen._make_upsert(model),
+        streetgen._make_update_later(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
         streetgen._make_marks_by_hand(model), streetgen._make_own_keys(model);
 END $$;

@@ -1,95 +1,5 @@
 -- A model is a schema of the user's: these functions make it, hand it out and take it away.
 
-CREATE OR REPLACE FUNCTION streetgen.version() RETURNS text
-    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT extversion FROM pg_extension WHERE extname = 'streetgen' $$;
-COMMENT ON FUNCTION streetgen.version() IS 'Version of the installed extension.';
-
-CREATE OR REPLACE FUNCTION streetgen._require_model(model name) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    PERFORM streetgen._require_one_build();
-    IF model IS NULL THEN
-        PERFORM streetgen._refuse('22004', 'the model is NULL', hint => 'SELECT name FROM streetgen.model lists them.');
-    END IF;
-    IF NOT EXISTS (SELECT FROM streetgen.model m JOIN pg_namespace n ON n.nspname = m.name
-        WHERE m.name = _require_model.model) THEN
-        PERFORM streetgen._refuse('3F000', format('model "%s" does not exist', model),
-            hint => format(CASE WHEN EXISTS (SELECT FROM pg_class WHERE relnamespace = (SELECT oid FROM pg_namespace
-                WHERE nspname = model) AND relname = 'axis_class')
-                THEN 'Its schema looks like one: SELECT streetgen.adopt_model(%L) registers it.'
-                ELSE 'SELECT name FROM streetgen.model lists those that are there; SELECT '
-                'streetgen.create_model(%L, srid => …) makes it.' END, model));
-    END IF;
-    PERFORM streetgen._only_own_functions(model);
-END $$;
-COMMENT ON FUNCTION streetgen._require_model(name) IS
-    'Raises 3F000 when the model does not exist, 22004 when it is NULL, 55000 where module and SQL differ, 42501 where '
-    'it could meet functions of others.';
-
-CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
-    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    FOR i IN 1 .. cardinality(given) BY 2 LOOP
-        IF given[i + 1] IS NULL THEN
-            RAISE EXCEPTION 'argument % is NULL', given[i] USING ERRCODE = '22004',
-                HINT = 'NULL means nothing there: give a value, or leave the argument out where it has a default.';
-        END IF;
-    END LOOP;
-END $$;
-COMMENT ON FUNCTION streetgen._check_given(text[]) IS
-    'Raises 22004 for the first argument that is NULL; arguments as pairs of name and value.';
-
-CREATE OR REPLACE FUNCTION streetgen._check_type(what text, geom geometry, expected text[], way_out text) RETURNS void
-    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    IF GeometryType(ST_Force2D(geom)) <> ALL (expected) THEN
-        RAISE EXCEPTION '% is a %, expected a %', what, GeometryType(geom), array_to_string(expected, ' or ')
-            USING ERRCODE = '22023', HINT = way_out;
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._check_type(text, geometry, text[], text) IS
-    'Raises 22023 for a geometry of another type than those expected, whatever its dimensions.';
-
-CREATE OR REPLACE FUNCTION streetgen._require_reader(model name) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    PERFORM streetgen._require_model(model);
-    IF (SELECT has_schema_privilege(n.oid, 'USAGE') AND has_table_privilege(c.oid, 'SELECT')
-        FROM pg_namespace n JOIN pg_class c ON relnamespace = n.oid WHERE nspname = model AND relname = 'axis') IS FALSE
-    THEN
-        RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
-            HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._require_reader(name) IS
-    'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
-
-CREATE OR REPLACE FUNCTION streetgen._require_schema_owner(schema name) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    IF NOT pg_has_role(current_user, (SELECT nspowner FROM pg_namespace WHERE nspname = schema), 'MEMBER') THEN
-        RAISE EXCEPTION 'only the owner of model "%" may do this', schema USING ERRCODE = '42501',
-            HINT = 'Ask its owner, or become a member of the role that owns its schema.';
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._require_schema_owner(name) IS
-    'Raises 42501 when the caller is no member of the role that owns the schema of a model.';
-
-CREATE OR REPLACE FUNCTION streetgen._require_owner(model name) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._require_model(model), streetgen._require_schema_owner(model);
-END $$;
-COMMENT ON FUNCTION streetgen._require_owner(name) IS
-    'Raises 3F000 when the model does not exist, 42501 when the caller is no member of its owner.';
-
 CREATE OR REPLACE FUNCTION streetgen._register_model(model name, srid integer, dimension integer) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SECURITY DEFINER SET search_path = pg_catalog, pg_temp
     AS $$
@@ -107,12 +17,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._register_model(name, integer, integer) IS
     'Writes the registry, for the owner of the schema only; forgets models whose schema is gone.';
-
-CREATE OR REPLACE FUNCTION streetgen._relations(model name) RETURNS oid[]
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT ARRAY(SELECT oid FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace
-        AND relkind IN ('r', 'v')) $$;
-COMMENT ON FUNCTION streetgen._relations(name) IS 'The tables and views in the schema of a model.';
 
 CREATE OR REPLACE FUNCTION streetgen._give_to_owner(model name, before oid[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
@@ -336,33 +240,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._take_back(name, name) IS
     'Takes all rights on the schema of a model and on what is in it from a role. An unknown role: 42704; the owner '
         'of the model: 22023.';
-
-CREATE OR REPLACE FUNCTION streetgen._street_input(model name) RETURNS name[]
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT array_agg(relname ORDER BY relname) FROM pg_class
-        WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
-            -- A table of the user's may have a name of that kind.
-            AND relname IN (SELECT relation FROM streetgen._model_column()
-                WHERE relation IN ('axis', 'turn_restriction', 'control_point') OR relation LIKE '%\_override') $$;
-COMMENT ON FUNCTION streetgen._street_input(name) IS
-    'The tables of a model that streets follow: axes, turn restrictions, control points and overrides.';
-
-CREATE OR REPLACE FUNCTION streetgen._edited() RETURNS TABLE(relation name)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
-    AS $$
-BEGIN
-    RETURN QUERY EXECUTE streetgen._rows_of_rooms('edited');
-END $$;
-COMMENT ON FUNCTION streetgen._edited() IS
-    'The tables beside those that streets follow that an editor may write, from functions _ROOM_edited.';
-
-CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._street_input(model) || array_agg(relname ORDER BY relname) FROM pg_class
-        WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
-            AND relname IN (SELECT relation FROM streetgen._edited()) $$;
-COMMENT ON FUNCTION streetgen._edited_tables(name) IS
-    'The tables of input that an editor of a model may write; no value there names a function or becomes SQL.';
 
 CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

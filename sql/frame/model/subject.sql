@@ -21,18 +21,6 @@ COMMENT ON FUNCTION streetgen.subject(name) IS
     'need it, its tables, what it costs and what it holds. A model that does not exist: 3F000; NULL: 22004; a '
     'caller who may not read the model: 42501.';
 
-CREATE OR REPLACE FUNCTION streetgen._require_subject(model name, subject text) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    IF subject <> ALL (streetgen._subjects(model)) THEN
-        RAISE EXCEPTION 'model "%" does not compute subject "%"', model, subject USING ERRCODE = '55000',
-            HINT = format('SELECT * FROM streetgen.switch_subject(%L, %L, true) takes it in.', model, subject);
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._require_subject(name, text) IS
-    'Raises 55000 for a model that does not compute a subject.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_subject_tables(model name, srid integer, subjects text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

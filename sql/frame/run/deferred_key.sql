@@ -83,7 +83,8 @@ BEGIN
     PERFORM streetgen._fill_chains(model);
     PERFORM FROM streetgen._update_later(model, NULL);
     EXECUTE format('DROP TABLE %I.deferred_key', model);
-    PERFORM streetgen._complete_sidewalks(model);
+    PERFORM streetgen._call_rooms('_complete_%s', model, streetgen._subjects(model));
 END $$;
 COMMENT ON FUNCTION streetgen._make_keys(name) IS
-    'Makes all keys that are missing, what is computed of whole chains, and sidewalks, for who is alone in the model.';
+    'Makes all keys that are missing, what is computed of whole chains, and what rooms complete by functions '
+    '_complete_ROOM, for who is alone in the model.';

@@ -1,18 +1,13 @@
 -- The one statement: streets computed, matched to the rows that are there, and upserted. Each subject has a part of
--- its own: upsert*.sql in its folder.
-
-CREATE OR REPLACE FUNCTION streetgen._fill_template(template text, places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-    -- Between braces, every second piece is a name.
-    SELECT string_agg(CASE n % 2 WHEN 1 THEN piece ELSE places ->> piece END, '' ORDER BY n)
-    FROM string_to_table(translate(template, '}', '{'), '{') WITH ORDINALITY p(piece, n) $$;
-COMMENT ON FUNCTION streetgen._fill_template(text, jsonb) IS 'A text with its places, {name}, filled.';
+-- its own: compute.sql in its room.
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT jsonb_build_object('run', run, 'model', quote_ident(model),
+    -- Rooms fill holes in the parts of others.
+    SELECT places || coalesce((SELECT jsonb_object_agg(hole.key, hole.value)
+        FROM unnest(streetgen._parts_of_rooms('_%s_places', places)) r, jsonb_each(r::jsonb) hole), '{}')
+    FROM (SELECT jsonb_build_object('run', run, 'model', quote_ident(model),
         -- Chains of a first run by clusters are left for its end.
         'subjects', (SELECT array_agg(s ORDER BY n) FROM unnest(streetgen._subjects(model)) WITH ORDINALITY u(s, n)
             WHERE run <> 'cluster' OR s <> ALL (streetgen._subjects_at_end())),
@@ -22,8 +17,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURN
         'by_key', CASE WHEN run IN ('whole', 'empty') THEN '' ELSE 'OFFSET 0' END,
         'geom_with_height', CASE m.dimension WHEN 2 THEN 'c.geom' ELSE
             format('streetgen._with_height(c.geom, (SELECT a.geom FROM %I.axis a WHERE a.axis_id = c.axis_id))',
-                model) END)
-    FROM streetgen.model m WHERE m.name = model $$;
+                model) END) AS places
+        FROM streetgen.model m WHERE m.name = model) p $$;
 COMMENT ON FUNCTION streetgen._upsert_places(name, text) IS
     'The places of the one statement, with the subjects that the model computes. run: part (some axes of a model), '
     'cluster (axes without computed rows, beside rows that are right), whole (all axes) or empty (all axes of a model '
@@ -34,7 +29,7 @@ COMMENT ON FUNCTION streetgen._upsert_places(name, text) IS
     '{geom_with_height}: c.geom, with Z from axis c.axis_id where the model has heights.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS text
-    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     parts text[] := ARRAY[streetgen._upsert_input(places)];
@@ -46,7 +41,7 @@ BEGIN
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
         parts := parts || part;
     END LOOP;
-    parts := parts || streetgen._moved_blocks(places);
+    parts := parts || streetgen._parts_of_rooms('_moved_%s', places);
     -- RECURSIVE: parts may name what comes below them. What is read once stands where it is read: for each part to be
     -- put there the planner looks through all of them.
     RETURN 'WITH RECURSIVE ' || array_to_string(parts || streetgen._upsert_report(places), ',') || E'\n'
@@ -57,13 +52,12 @@ COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS
     'whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all '
         'three '
     'are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, '
-    'updated, deleted, unchanged, fallbacks, and beside kerbs the blocks that a run for some axes leaves to be '
-    'renewed.';
+    'updated, deleted, unchanged, fallbacks, and once what a run for some axes leaves to a later subject (moved).';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[],
     run text, may_spread boolean DEFAULT true)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint,
-        blocks bigint[])
+        moved bigint[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by
     -- hash.
@@ -76,7 +70,7 @@ DECLARE
 BEGIN
     PERFORM set_config('work_mem', '64MB', true) WHERE pg_size_bytes(work_mem_before) < pg_size_bytes('64MB');
     -- An error within a loop's query does not show it whole, a thousand lines of CONTEXT.
-    FOR relation, inserted, updated, deleted, unchanged, fallbacks, blocks
+    FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved
         IN EXECUTE streetgen._upsert_statement(streetgen._upsert_places(model, run))
             USING written, gathered, changed, may_spread LOOP
         RETURN NEXT;
@@ -98,14 +92,14 @@ BEGIN
     EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[], may_spread boolean)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint,
-        blocks bigint[])
+        moved bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
     SET enable_seqscan = off SET random_page_cost = 0.01 SET join_collapse_limit = 1
         SET plan_cache_mode = force_generic_plan
     AS $body$
 #variable_conflict use_column
 BEGIN
-    FOR relation, inserted, updated, deleted, unchanged, fallbacks, blocks IN %2$s LOOP
+    FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN %2$s LOOP
         RETURN NEXT;
     END LOOP;
 END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(model, 'part')));
@@ -137,18 +131,18 @@ DECLARE
     most_planned constant integer := 400;
     spreads_to bigint[];
     locked record;
-    blocks bigint[] := '{}';
     moved bigint[];
-    edges bigint[] := '{}';
+    all_moved bigint[] := '{}';
+    noted bigint[] := '{}';
 BEGIN
     PERFORM streetgen._use_model(model);
     LOOP
-        edges := edges || streetgen._edges_at_bridges(model, written);
+        noted := noted || (SELECT _note_later(written));
         FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN EXECUTE format('SELECT * FROM '
                 || CASE WHEN cardinality(changed) > most_planned
                 THEN 'streetgen._upsert_set(%L, $1, $2, $3, ''part'', $4)' ELSE '%I._upsert($1, $2, $3, $4)' END, model)
                 USING written, gathered, changed, may_spread LOOP
-            blocks := blocks || moved;
+            all_moved := all_moved || moved;
             RETURN NEXT;
         END LOOP;
         EXIT WHEN NOT may_spread;
@@ -159,7 +153,7 @@ BEGIN
         EXIT WHEN streetgen._holds_all(changed, locked.changed);
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
-    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, blocks, edges);
+    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, all_moved, noted);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS
     'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; '

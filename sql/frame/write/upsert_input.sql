@@ -26,7 +26,7 @@ COMMENT ON FUNCTION streetgen._upsert_former(jsonb) IS
     'both before the change.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._upsert_former(places), streetgen._fill_template($part$
 setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
 -- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it
@@ -54,46 +54,11 @@ computed AS MATERIALIZED (
                 {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
-        transitions => (
-            SELECT array_agg(ROW (axis_id, which, coalesce(kind, v ->> 'transition_kind'),
-                coalesce(length, (v ->> 'transition_length')::float8))::streetgen.street_transition)
-            FROM (SELECT DISTINCT ON (axis_id, which) * FROM {model}.transition_override
-                WHERE {whole} OR axis_id = ANY ($2)
-                  ORDER BY axis_id, which, transition_override_id DESC) o, setting),
-        limits => (
-            SELECT array_agg(ROW (axis_id, abscissa, which)::streetgen.street_limit ORDER BY section_limit_override_id)
-            FROM {model}.section_limit_override WHERE {whole} OR axis_id = ANY ($2)),
-        corners => (
-            SELECT array_agg(ROW (axis_a, axis_b, ST_X(geom), ST_Y(geom), radius)::streetgen.street_corner
-                ORDER BY corner_override_id)
-            FROM {model}.corner_override WHERE {whole} OR axis_a = ANY ($2)),
-        lanes => (
-            SELECT array_agg(ROW (axis_id, abscissa, ordinality, along_axis, both_ways, width,
-                line::bytea)::streetgen.street_lane ORDER BY lane_override_id)
-            FROM {model}.lane_override WHERE {whole} OR axis_id = ANY ($2)),
-        restrictions => (
-            SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn,
-                except_kinds)::streetgen.street_restriction ORDER BY turn_restriction_id)
-            FROM {model}.turn_restriction WHERE via_axes IS NULL AND ({whole} OR from_axis = ANY ($2))),
         controls => (
             SELECT array_agg(ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
                 ORDER BY control_point_id)
             FROM (SELECT control_point_id, axis_id, abscissa, kind, direction FROM {model}.control_point
                 WHERE {whole} AND axis_id IS NOT NULL OR axis_id = ANY ($2) {yields}) c),
-        junctions => (
-            SELECT array_agg(ROW (axis_id, ST_X(geom), ST_Y(geom), kind)::streetgen.street_junction
-                ORDER BY junction_override_id)
-            FROM {model}.junction_override WHERE kind IS NOT NULL AND ({whole} OR axis_id = ANY ($2))),
-        changes => (
-            SELECT array_agg(ROW (axis_id, abscissa, lane_from, lane_to, change)::streetgen.street_lane_change
-                ORDER BY lane_adjacency_override_id)
-            FROM {model}.lane_adjacency_override WHERE {whole} OR axis_id = ANY ($2)),
-        leaving => (
-            SELECT array_agg(ROW (axis_id, change_forward, change_backward)::streetgen.street_leaving
-                ORDER BY axis_id)
-            FROM {model}.axis WHERE ({whole} OR axis_id = ANY ($2))
-                AND coalesce(change_forward, change_backward) IS NOT NULL),
-        circulations => {circulations},
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
                 wanted_end, "end", border_end, surface, contested, level, borders)::streetgen.former_edge)
@@ -103,21 +68,9 @@ computed AS MATERIALIZED (
                 contested_area > 0, level)::streetgen.former_node)
             FROM former_node),
         may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ','),
-        neighbours => {neighbours}, overpasses => {overpasses},
-        ramp_axes => {ramp_axes}, ramps => {ramps},
-        bends => (
-            SELECT array_agg(ROW (axis_id, abscissa, radius)::streetgen.street_bend ORDER BY road_override_id)
-            FROM {model}.road_override WHERE {whole} OR axis_id = ANY ($2))) AS streets)$part$,
-            places || streetgen._ring_places(places) || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
-            FROM jsonb_array_elements_text(places -> 'subjects') s), 'neighbours',
-            -- A first run has no neighbours yet, a whole one none.
-            CASE WHEN places -> 'subjects' ? 'kerb' AND places ->> 'run' = 'part'
-                THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END,
-            'overpasses', CASE WHEN places -> 'subjects' ? 'overpass'
-                THEN streetgen._upsert_overpass_override(places) ELSE 'NULL' END,
-            'ramp_axes', CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._upsert_ramp_axis(places)
-                ELSE 'NULL' END,
-            'ramps', CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._upsert_ramp_override(places)
-                ELSE 'NULL' END))) $$;
+        {arguments}) AS streets)$part$,
+            places || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
+                FROM jsonb_array_elements_text(places -> 'subjects') s),
+            'arguments', array_to_string(streetgen._parts_of_rooms('_%s_arguments', places), E',\n        ')))) $$;
 COMMENT ON FUNCTION streetgen._upsert_input(jsonb) IS
     'Part of the one statement: settings, the axes used, and the streets computed from them (computed.streets).';

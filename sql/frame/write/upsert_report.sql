@@ -24,12 +24,11 @@ COMMENT ON FUNCTION streetgen._upsert_report(jsonb) IS
     'Part of the one statement: the reports that name a requested axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT string_agg(format('SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, '
         'fallbacks, %4$s FROM count_%1$s', relation, gone_each, gone_with, CASE
-            WHEN relation = 'kerb' AND streetgen._moved_blocks(places) IS NOT NULL
-            THEN 'ARRAY(SELECT block_id FROM moved_block)'
+            WHEN place = 1 AND streetgen._parts_of_rooms('_moved_%s', places) <> '{}' THEN 'ARRAY(SELECT id FROM moved)'
             ELSE 'NULL::bigint[]' END), E' UNION ALL\n' ORDER BY place)
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
@@ -38,4 +37,10 @@ SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) 
         AND subject <> ALL (streetgen._later_subjects()) $$;
 COMMENT ON FUNCTION streetgen._upsert_counts(jsonb) IS
     'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those '
-    'computed have a method other than hypothesis; beside kerbs the blocks to be renewed.';
+    'computed have a method other than hypothesis; in the first row what moved, for later subjects.';
+
+CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
+    RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_report';
+COMMENT ON FUNCTION streetgen._computed_report(bigint) IS
+    'What the network step noticed while it computed streets in this statement.';

@@ -95,7 +95,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_alignment(places jsonb) RETURNS tex
 COMMENT ON FUNCTION streetgen._upsert_alignment(jsonb) IS
     'Part of the one statement: roads and the edges in them.';
 
-CREATE OR REPLACE FUNCTION streetgen._drop_roads(model name, gone bigint[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._drop_alignment_rows(model name, gone bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -106,5 +106,13 @@ BEGIN
         SELECT FROM road_edge m JOIN edge e USING (edge_id) WHERE m.road_id = r.road_id
             AND e.axis_id <> ALL (gone));
 END $$;
-COMMENT ON FUNCTION streetgen._drop_roads(name, bigint[]) IS
+COMMENT ON FUNCTION streetgen._drop_alignment_rows(name, bigint[]) IS
     'Removes the roads of a model that consist of edges of axes that are gone.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$bends => (
+            SELECT array_agg(ROW (axis_id, abscissa, radius)::streetgen.street_bend ORDER BY road_override_id)
+            FROM {model}.road_override WHERE {whole} OR axis_id = ANY ($2))$part$, places) $$;
+COMMENT ON FUNCTION streetgen._alignment_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of roads.';

@@ -48,11 +48,12 @@ CREATE OR REPLACE FUNCTION streetgen._mend_axis_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF streetgen._lacks_column(model, 'axis', 'source_hash') THEN
-        EXECUTE format('ALTER TABLE %I.axis ADD source_hash bigint', model);
+        ALTER TABLE axis ADD source_hash bigint;
     END IF;
     IF streetgen._lacks_column(model, 'axis', 'flow') THEN
-        EXECUTE format('ALTER TABLE %I.axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000)', model);
+        ALTER TABLE axis ADD flow float8 CHECK (flow BETWEEN 0 AND 1000000);
     END IF;
     IF streetgen._lacks_column(model, 'axis', 'change_forward') THEN
         EXECUTE format('ALTER TABLE %1$I.axis ADD change_forward text CHECK (change_forward ~ %2$L),

@@ -9,16 +9,14 @@ BEGIN
     PERFORM streetgen._use_model(model);
     -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
     -- settings.
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
+    EXECUTE format($sql$CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
 SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
            concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
                THEN streetgen._predictor_definition(value) END), ',' ORDER BY name)%2$s, 2) AS setting_hash
-FROM %1$I.setting WHERE name NOT IN ('cell_size', 'lock_timeout', 'log', 'road_friction',
-    'object_names', 'object_snap', 'delivery_wins')
-    AND name <> ALL (streetgen._design_settings())
-$sql$, model, CASE WHEN with_rings THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
-    FROM %I.roundabout_pattern), '')$sql$, model) END);
+FROM %1$I.setting WHERE name <> ALL (%3$L)$sql$, model, CASE WHEN with_rings
+        THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
+    FROM %I.roundabout_pattern), '')$sql$, model) END,
+        (SELECT array_agg(name) FROM streetgen._setting_beside()));
     COMMENT ON VIEW setting_used IS 'The settings that streets depend on, as one row';
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS

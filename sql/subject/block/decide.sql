@@ -40,7 +40,7 @@ COMMENT ON FUNCTION streetgen._edit_block() IS
     'Trigger of block_editing: writes block_override, at a place within the block. A kind other than block, island or '
     'strip: 23514; one for a block without ground: 22023; INSERT, another key or geometry: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._axes_at_blocks(model name, overrides jsonb[]) RETURNS bigint[]
+CREATE OR REPLACE FUNCTION streetgen._axes_of_block_override(model name, overrides jsonb[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -56,7 +56,7 @@ BEGIN
     END IF;
     RETURN axes;
 END $$;
-COMMENT ON FUNCTION streetgen._axes_at_blocks(name, jsonb[]) IS
+COMMENT ON FUNCTION streetgen._axes_of_block_override(name, jsonb[]) IS
     'An axis at each block that holds the place of a row of block_override: a run for it renews the block.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_input_rule()

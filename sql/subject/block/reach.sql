@@ -1,6 +1,6 @@
 -- The one statement, blocks: which of them a run for some axes changes. They are renewed after it.
 
-CREATE OR REPLACE FUNCTION streetgen._moved_blocks(places jsonb) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._moved_block(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT CASE WHEN places ->> 'run' = 'part' AND places -> 'subjects' ? 'block'
         THEN streetgen._fill_template($part$
@@ -64,13 +64,13 @@ block_beside AS MATERIALIZED (
         WHERE b.method = 'level_change'
     -- A kind by hand is asked for by an axis beside its block.
     UNION SELECT edge_id, false FROM old_edge WHERE axis_id IN (SELECT unnest($3))),
-moved_block AS MATERIALIZED (
-    SELECT coalesce(b.block_id, 0) AS block_id FROM block_beside s, LATERAL (
+moved AS MATERIALIZED (
+    SELECT coalesce(b.block_id, 0) AS id FROM block_beside s, LATERAL (
         SELECT block_id FROM {model}.block_edge b WHERE b.edge_id = s.edge_id OFFSET 0) b
     WHERE s.moved OR b.block_id IS NOT NULL
     UNION SELECT 0 FROM loose_edge WHERE NOT EXISTS (SELECT FROM near_edge WHERE moved))$part$, places) END $$;
-COMMENT ON FUNCTION streetgen._moved_blocks(jsonb) IS
-    'Part of the one statement in a run for some axes: moved_block, the blocks before the run that lie beside kerbs '
+COMMENT ON FUNCTION streetgen._moved_block(jsonb) IS
+    'Part of the one statement in a run for some axes: moved, the blocks before the run that lie beside kerbs '
     'or about edges that it moves, beside the requested axes, or where it puts an edge that hangs on nothing; 0: the '
     'outside. NULL in other runs, and in a model without blocks.';
 

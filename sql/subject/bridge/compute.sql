@@ -112,32 +112,30 @@ COMMENT ON FUNCTION streetgen._make_bridge_functions(name) IS
     'Makes the functions of a model that bring its bridges and tunnels up to date, or drops them where it computes '
     'none.';
 
-CREATE OR REPLACE FUNCTION streetgen._edges_at_bridges(model name, axes bigint[]) RETURNS bigint[]
+CREATE OR REPLACE FUNCTION streetgen._note_bridge(model name, axes bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     edges bigint[] := '{}';
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF axes IS NOT NULL AND 'bridge' = ANY (streetgen._subjects(model)) THEN
+    IF axes IS NOT NULL THEN
         SELECT _crossing_edges(axes) INTO edges;
     END IF;
     RETURN edges;
 END $$;
-COMMENT ON FUNCTION streetgen._edges_at_bridges(name, bigint[]) IS
-    'The edges whose bridges a run for axes may change, as the model is now; none where it computes no bridges.';
+COMMENT ON FUNCTION streetgen._note_bridge(name, bigint[]) IS
+    'The edges whose bridges a run for axes may change, as the model is now.';
 
-CREATE OR REPLACE FUNCTION streetgen._update_bridges(model name, axes bigint[], edges bigint[])
+CREATE OR REPLACE FUNCTION streetgen._update_bridge(model name, axes bigint[], moved bigint[], noted bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF 'bridge' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT * FROM _renew_bridges(CASE WHEN axes IS NOT NULL THEN edges ||
-            streetgen._edges_at_bridges(model, axes) END);
-    END IF;
+    RETURN QUERY SELECT * FROM _renew_bridges(CASE WHEN axes IS NOT NULL
+        THEN noted || streetgen._note_bridge(model, axes) END);
 END $$;
-COMMENT ON FUNCTION streetgen._update_bridges(name, bigint[], bigint[]) IS
-    'After the one statement wrote rows of axes (NULL: of all): brings bridges and tunnels up to date; edges: those '
-    'at the axes before.';
+COMMENT ON FUNCTION streetgen._update_bridge(name, bigint[], bigint[], bigint[]) IS
+    'After the one statement wrote rows of axes (NULL: of all): brings bridges and tunnels up to date; noted: the '
+    'edges at the axes before.';

@@ -72,3 +72,13 @@ left_interconnection AS MATERIALIZED (
                 IN (SELECT axis_id FROM written_axis))$part$, places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnection(jsonb) IS
     'Part of the one statement: the interconnections of new_lane, with what interconnection_override decides.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$restrictions => (
+            SELECT array_agg(ROW (from_axis, to_axis, ST_X(geom), ST_Y(geom), kind, turn,
+                except_kinds)::streetgen.street_restriction ORDER BY turn_restriction_id)
+            FROM {model}.turn_restriction WHERE via_axes IS NULL AND ({whole} OR from_axis = ANY ($2)))$part$,
+        places) $$;
+COMMENT ON FUNCTION streetgen._interconnection_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of interconnections.';

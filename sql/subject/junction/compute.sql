@@ -211,3 +211,30 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_junction_functions(name) IS
     'Makes the functions of a model that bring its junctions up to date, or drops them where it computes none.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template($part$junctions => (
+            SELECT array_agg(ROW (axis_id, ST_X(geom), ST_Y(geom), kind)::streetgen.street_junction
+                ORDER BY junction_override_id)
+            FROM {model}.junction_override WHERE kind IS NOT NULL AND ({whole} OR axis_id = ANY ($2)))$part$,
+        places) $$;
+COMMENT ON FUNCTION streetgen._junction_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of junctions.';
+
+CREATE OR REPLACE FUNCTION streetgen._update_junction(model name, axes bigint[], moved bigint[], noted bigint[])
+    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 5 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    touched bigint[];
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF axes IS NOT NULL THEN
+        SELECT ARRAY(SELECT from_node FROM edge WHERE axis_id = ANY (axes) UNION SELECT to_node FROM edge
+            WHERE axis_id = ANY (axes)) INTO touched;
+    END IF;
+    RETURN QUERY SELECT * FROM _update_junctions(touched);
+END $$;
+COMMENT ON FUNCTION streetgen._update_junction(name, bigint[], bigint[], bigint[]) IS
+    'After the one statement wrote rows of axes (NULL: of all): brings junctions up to date, and signals with them.';

@@ -66,3 +66,12 @@ kerb_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FRO
             WHERE k.node_id = n.node_id {by_key}) k
         WHERE n.kerbs_affected AND NOT n.fresh AND k.edge_id IN (SELECT edge_id FROM kerb_edge)$part$)) $$;
 COMMENT ON FUNCTION streetgen._upsert_kerb(jsonb) IS 'Part of the one statement: kerbs at new_edge and new_node.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ 
+    -- A first run has no neighbours yet, a whole one none.
+    SELECT 'neighbours => ' || CASE WHEN places -> 'subjects' ? 'kerb' AND places ->> 'run' = 'part'
+        THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END $$;
+COMMENT ON FUNCTION streetgen._kerb_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of kerbs: surfaces near what is written that stay.';

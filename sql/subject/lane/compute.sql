@@ -54,3 +54,22 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
             WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.affected AND NOT e.fresh$part$)) $$;
 COMMENT ON FUNCTION streetgen._upsert_lane(jsonb) IS
     'Part of the one statement: lanes, separators and markings at new_edge.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(concat_ws(',',
+        $part$lanes => (
+            SELECT array_agg(ROW (axis_id, abscissa, ordinality, along_axis, both_ways, width,
+                line::bytea)::streetgen.street_lane ORDER BY lane_override_id)
+            FROM {model}.lane_override WHERE {whole} OR axis_id = ANY ($2))$part$,
+        $part$changes => (
+            SELECT array_agg(ROW (axis_id, abscissa, lane_from, lane_to, change)::streetgen.street_lane_change
+                ORDER BY lane_adjacency_override_id)
+            FROM {model}.lane_adjacency_override WHERE {whole} OR axis_id = ANY ($2))$part$,
+        $part$leaving => (
+            SELECT array_agg(ROW (axis_id, change_forward, change_backward)::streetgen.street_leaving
+                ORDER BY axis_id)
+            FROM {model}.axis WHERE ({whole} OR axis_id = ANY ($2))
+                AND coalesce(change_forward, change_backward) IS NOT NULL)$part$), places) $$;
+COMMENT ON FUNCTION streetgen._lane_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of lanes.';

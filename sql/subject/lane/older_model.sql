@@ -58,13 +58,14 @@ CREATE OR REPLACE FUNCTION streetgen._add_lane_changes(model name) RETURNS void
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT streetgen._lacks_column(model, 'lane_separator', 'leftwards') THEN
         RETURN;
     END IF;
-    EXECUTE format('ALTER TABLE %I.lane_separator ADD leftwards boolean, ADD rightwards boolean', model);
+    ALTER TABLE lane_separator ADD leftwards boolean, ADD rightwards boolean;
     -- The next run reads lane changes of sources and those by hand, which the paint does not tell.
-    EXECUTE format('UPDATE %I.lane_separator SET leftwards = dashed, rightwards = dashed', model);
-    EXECUTE format('ALTER TABLE %I.lane_separator ALTER leftwards SET NOT NULL, ALTER rightwards SET NOT NULL', model);
+    UPDATE lane_separator SET leftwards = dashed, rightwards = dashed;
+    ALTER TABLE lane_separator ALTER leftwards SET NOT NULL, ALTER rightwards SET NOT NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._add_lane_changes(name) IS
     'Adds the columns of lane_separator that say who may cross a line between lanes, where a model was made before '

@@ -127,9 +127,6 @@ BEGIN
     SELECT 'warning', 'control point off all axes', 'control_point', p.control_point_id, 0, p.geom
         FROM control_point p WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = p.axis_id)
     UNION ALL
-    SELECT 'warning', 'roundabout override without its ring', 'roundabout_override', o.roundabout_override_id, 0, o.geom
-        FROM roundabout_override o WHERE NOT streetgen._has_ring(model, o.geom)
-    UNION ALL
     SELECT 'error', 'smoothed line off its axis, m', 'edge', e.edge_id, off, e.geom
         FROM edge e JOIN used u USING (axis_id), (SELECT max(value) FILTER (WHERE name = 'smoothing') AS smoothing,
                 (max(value) FILTER (WHERE name = 'smoothing_shift'))::float8

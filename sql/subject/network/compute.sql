@@ -21,12 +21,6 @@ COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
     'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its '
     'axis is due; abscissas along the axis, m; curve: the arc road of which geom is chords, NULL where there is none.';
 
-CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
-    RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_report';
-COMMENT ON FUNCTION streetgen._computed_report(bigint) IS
-    'What the network step noticed while it computed streets in this statement.';
-
 CREATE OR REPLACE FUNCTION streetgen._upsert_written(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template($part$
@@ -87,7 +81,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_edge(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
 same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
     JOIN old_edge o USING (axis_id, start_abscissa, end_abscissa))$part$, places),
-    streetgen._upsert_rows(places || streetgen._ring_places(places), 'edge', named => true,
+    streetgen._upsert_rows(places, 'edge', named => true,
         columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, curve, '
             'width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left, '
             'sidewalk_right, speed, importance, estimated, '

@@ -288,7 +288,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._has_no_objects(name) IS
     'Will rules place objects along a thousand axes and more into tables that are empty, and the caller''s?';
 
-CREATE OR REPLACE FUNCTION streetgen._update_objects(model name, axes bigint[])
+CREATE OR REPLACE FUNCTION streetgen._update_object(model name, axes bigint[], moved bigint[] DEFAULT NULL,
+    noted bigint[] DEFAULT NULL)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
@@ -308,6 +309,6 @@ BEGIN
         EXECUTE back[i];
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._update_objects(name, bigint[]) IS
+COMMENT ON FUNCTION streetgen._update_object(name, bigint[], bigint[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings the places of objects up to date. The first '
     'objects of all rules come before their keys and indexes.';

@@ -12,3 +12,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting()
         'similarity of pg_trgm)', NULL, NULL, ARRAY['plain', 'fuzzy']),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL) $$;
 COMMENT ON FUNCTION streetgen._object_setting() IS 'The settings of objects, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_setting_beside() RETURNS TABLE(name text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES ('object_names'), ('object_snap') $$;
+COMMENT ON FUNCTION streetgen._object_setting_beside() IS 'The settings of objects that streets do not depend on.';

@@ -46,3 +46,20 @@ found_overpass AS MATERIALIZED (
         UNION SELECT o.overpass_id FROM new_edge e, LATERAL (SELECT overpass_id FROM {model}.overpass o
             WHERE o.edge_below = e.edge_id {by_key}) o WHERE NOT e.fresh$part$)) $$;
 COMMENT ON FUNCTION streetgen._upsert_overpass(jsonb) IS 'Part of the one statement: overpasses at new_edge.';
+
+CREATE OR REPLACE FUNCTION streetgen._overpass_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ 
+    SELECT 'overpasses => ' || CASE WHEN places -> 'subjects' ? 'overpass'
+        THEN streetgen._upsert_overpass_override(places) ELSE 'NULL' END $$;
+COMMENT ON FUNCTION streetgen._overpass_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of overpasses.';
+
+CREATE OR REPLACE FUNCTION streetgen._overpass_there(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN places -> 'subjects' ? 'overpass' THEN streetgen._fill_template($part$
+found_overpass AS MATERIALIZED (
+    SELECT o.*, e.level < 0 AS sinks FROM {model}.overpass o JOIN {model}.edge e ON e.edge_id = o.edge_below)$part$,
+        places) END $$;
+COMMENT ON FUNCTION streetgen._overpass_there(jsonb) IS
+    'Part of the statement that fills chains: found_overpass, the overpasses that are there; NULL in a model without.';

@@ -49,3 +49,19 @@ ramp_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FRO
         SELECT r.ramp_id FROM new_node n, LATERAL (SELECT ramp_id FROM {model}.ramp r
             WHERE r.node_id = n.node_id {by_key}) r WHERE n.affected AND NOT n.fresh$part$, read => true)) $$;
 COMMENT ON FUNCTION streetgen._upsert_ramp(jsonb) IS 'Part of the one statement: ramps at new_node.';
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ 
+    SELECT CASE WHEN places -> 'subjects' ? 'ramp' THEN concat_ws(', ', 'ramp_axes => '
+        || streetgen._upsert_ramp_axis(places), 'ramps => ' || streetgen._upsert_ramp_override(places))
+        ELSE 'ramp_axes => NULL, ramps => NULL' END $$;
+COMMENT ON FUNCTION streetgen._ramp_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of ramps.';
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_there(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._fill_template($part$
+new_ramp AS MATERIALIZED (SELECT * FROM {model}.ramp)$part$, places) END $$;
+COMMENT ON FUNCTION streetgen._ramp_there(jsonb) IS
+    'Part of the statement that fills chains: new_ramp, the ramps that are there; NULL in a model without.';

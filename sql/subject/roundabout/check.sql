@@ -8,6 +8,10 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
+    SELECT 'warning', 'roundabout override without its ring', 'roundabout_override', o.roundabout_override_id, 0, o.geom
+        FROM roundabout_override o WHERE NOT EXISTS (SELECT FROM roundabout r
+            WHERE r.geom && o.geom AND ST_Covers(ST_ConvexHull(r.geom), o.geom))
+    UNION ALL
     SELECT 'error', 'ring of a roundabout is not closed', 'roundabout', r.roundabout_id, count(n.edge_id), r.geom
         FROM roundabout r LEFT JOIN roundabout_edge n USING (roundabout_id)
         GROUP BY r.roundabout_id

@@ -156,11 +156,11 @@ ring_island AS MATERIALIZED (
 COMMENT ON FUNCTION streetgen._upsert_roundabout(jsonb) IS
     'Part of the one statement: rings with their edges and arms at new_edge.';
 
-CREATE OR REPLACE FUNCTION streetgen._ring_places(places jsonb) RETURNS jsonb
+CREATE OR REPLACE FUNCTION streetgen._roundabout_places(places jsonb) RETURNS jsonb
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT CASE WHEN NOT places -> 'subjects' ? 'roundabout' THEN jsonb_build_object('rings', '', 'or_turned', '',
-        'yields', '', 'circulations', 'NULL', 'edge_circulation', '',
+        'yields', '', 'edge_circulation', '',
         'lanes_of_edge', 'u.lanes_forward, u.lanes_backward, u.lanes_both')
     ELSE jsonb_build_object('rings', streetgen._upsert_ring(places) || ',',
         'or_turned', 'OR axis_id IN (SELECT axis_id FROM ring_turned)',
@@ -169,10 +169,6 @@ CREATE OR REPLACE FUNCTION streetgen._ring_places(places jsonb) RETURNS jsonb
                 UNION ALL SELECT 0, axis_id, CASE WHEN along_axis THEN end_abscissa ELSE start_abscissa END, 'yield',
                     CASE WHEN along_axis THEN 'direct' ELSE 'reverse' END
                 FROM yielding$part$,
-        'circulations', $part$(
-            SELECT array_agg(ROW (axis_id, (start_abscissa + end_abscissa) / 2, along_axis,
-                direction = 'both')::streetgen.street_circulation)
-            FROM circulated JOIN used USING (axis_id))$part$,
         'edge_circulation', $part$LEFT JOIN (SELECT DISTINCT ON (axis_id, start_abscissa) axis_id AS turned_axis,
                   start_abscissa AS turned_start, along_axis AS turned_along FROM circulated
                   ORDER BY axis_id, start_abscissa, along_axis) t
@@ -183,11 +179,11 @@ CREATE OR REPLACE FUNCTION streetgen._ring_places(places jsonb) RETURNS jsonb
                   CASE WHEN turned_along THEN 0 WHEN NOT turned_along THEN u.lane_count ELSE u.lanes_backward END
                       AS lanes_backward,
                   CASE WHEN turned_along IS NULL THEN u.lanes_both ELSE 0 END AS lanes_both$part$) END $$;
-COMMENT ON FUNCTION streetgen._ring_places(jsonb) IS
+COMMENT ON FUNCTION streetgen._roundabout_places(jsonb) IS
     'The places of the one statement where rings are found, and where traffic that goes round them counts; empty where '
     'the model does not compute roundabouts.';
 
-CREATE OR REPLACE FUNCTION streetgen._axes_of_rings(model name, changed jsonb[]) RETURNS bigint[]
+CREATE OR REPLACE FUNCTION streetgen._axes_of_roundabout_override(model name, changed jsonb[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -203,21 +199,15 @@ BEGIN
         JOIN roundabout_edge USING (roundabout_id) JOIN edge e ON e.edge_id = roundabout_edge.edge_id INTO found;
     RETURN found;
 END $$;
-COMMENT ON FUNCTION streetgen._axes_of_rings(name, jsonb[]) IS
+COMMENT ON FUNCTION streetgen._axes_of_roundabout_override(name, jsonb[]) IS
     'The axes of the rings about the places of overrides that changed.';
 
-CREATE OR REPLACE FUNCTION streetgen._has_ring(model name, place geometry) RETURNS boolean
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    found boolean := true;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    IF 'roundabout' = ANY (streetgen._subjects(model)) THEN
-        SELECT EXISTS (SELECT FROM roundabout r WHERE r.geom && place AND ST_Covers(ST_ConvexHull(r.geom), place))
-            INTO found;
-    END IF;
-    RETURN found;
-END $$;
-COMMENT ON FUNCTION streetgen._has_ring(name, geometry) IS
-    'Does a ring lie about a place? True in a model that does not look for rings.';
+CREATE OR REPLACE FUNCTION streetgen._roundabout_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'circulations => ' || CASE WHEN NOT places -> 'subjects' ? 'roundabout' THEN 'NULL'
+        ELSE $part$(
+            SELECT array_agg(ROW (axis_id, (start_abscissa + end_abscissa) / 2, along_axis,
+                direction = 'both')::streetgen.street_circulation)
+            FROM circulated JOIN used USING (axis_id))$part$ END $$;
+COMMENT ON FUNCTION streetgen._roundabout_arguments(jsonb) IS
+    'Part of the one statement: which way traffic goes round.';

@@ -144,7 +144,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
 COMMENT ON FUNCTION streetgen._upsert_sidewalk(jsonb) IS
     'Part of the one statement: sidewalks behind new_kerb, and behind kerbs near those that moved.';
 
-CREATE OR REPLACE FUNCTION streetgen._complete_sidewalks(model name) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._complete_sidewalk(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     SET streetgen.computes = 'on'
     AS $$
@@ -160,5 +160,5 @@ BEGIN
         SELECT edge_id, node_id, side, part, width, surface, method FROM ($sql$ || streetgen._sidewalk_rows() || $sql$
         ) n ORDER BY number ON CONFLICT DO NOTHING$sql$, streetgen._upsert_places(model, 'whole'));
 END $$;
-COMMENT ON FUNCTION streetgen._complete_sidewalks(name) IS
+COMMENT ON FUNCTION streetgen._complete_sidewalk(name) IS
     'Makes the sidewalks of a model whose first run by clusters has made all kerbs.';

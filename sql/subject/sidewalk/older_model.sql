@@ -6,14 +6,14 @@ CREATE OR REPLACE FUNCTION streetgen._mend_sidewalk_tables(model name) RETURNS v
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT streetgen._lacks_column(model, 'axis', 'sidewalk_left') THEN
         RETURN;
     END IF;
-    EXECUTE format('ALTER TABLE %1$I.axis ADD sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
-        ADD sidewalk_right float8 CHECK (sidewalk_right BETWEEN 0 AND 50)', model);
-    EXECUTE format('ALTER TABLE %1$I.edge ADD sidewalk_left float8 NOT NULL DEFAULT 0,
-        ADD sidewalk_right float8 NOT NULL DEFAULT 0', model);
-    EXECUTE format('ALTER TABLE %1$I.edge ALTER sidewalk_left DROP DEFAULT, ALTER sidewalk_right DROP DEFAULT', model);
+    ALTER TABLE axis ADD sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
+        ADD sidewalk_right float8 CHECK (sidewalk_right BETWEEN 0 AND 50);
+    ALTER TABLE edge ADD sidewalk_left float8 NOT NULL DEFAULT 0, ADD sidewalk_right float8 NOT NULL DEFAULT 0;
+    ALTER TABLE edge ALTER sidewalk_left DROP DEFAULT, ALTER sidewalk_right DROP DEFAULT;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_sidewalk_tables(name) IS
     'Adds the columns of axis and edge that say how wide sidewalks are, where a model was made before them.';

@@ -58,3 +58,21 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surface(places jsonb) RETURNS text
         there => 'SELECT node_id FROM new_node WHERE affected AND NOT fresh')) $$;
 COMMENT ON FUNCTION streetgen._upsert_surface(jsonb) IS
     'Part of the one statement: section limits, sections, corners and intersections at new_edge and new_node.';
+
+CREATE OR REPLACE FUNCTION streetgen._surface_arguments(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(concat_ws(',',
+        $part$transitions => (
+            SELECT array_agg(ROW (axis_id, which, coalesce(kind, v ->> 'transition_kind'),
+                coalesce(length, (v ->> 'transition_length')::float8))::streetgen.street_transition)
+            FROM (SELECT DISTINCT ON (axis_id, which) * FROM {model}.transition_override
+            WHERE {whole} OR axis_id = ANY ($2) ORDER BY axis_id, which, transition_override_id DESC) o, setting)$part$,
+        $part$limits => (
+            SELECT array_agg(ROW (axis_id, abscissa, which)::streetgen.street_limit ORDER BY section_limit_override_id)
+            FROM {model}.section_limit_override WHERE {whole} OR axis_id = ANY ($2))$part$,
+        $part$corners => (
+            SELECT array_agg(ROW (axis_a, axis_b, ST_X(geom), ST_Y(geom), radius)::streetgen.street_corner
+                ORDER BY corner_override_id)
+            FROM {model}.corner_override WHERE {whole} OR axis_a = ANY ($2))$part$), places) $$;
+COMMENT ON FUNCTION streetgen._surface_arguments(jsonb) IS
+    'Part of the one statement: what the core gets of the roadway.';

@@ -4,8 +4,9 @@ CREATE OR REPLACE FUNCTION streetgen._mend_surface_tables(model name) RETURNS vo
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF streetgen._lacks_column(model, 'section', 'borders') THEN
-        EXECUTE format('ALTER TABLE %I.section ADD borders float8[]', model);
+        ALTER TABLE section ADD borders float8[];
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_surface_tables(name) IS

@@ -1,4 +1,5 @@
 -- Settings of a model: what there is, in which range, and how one is read and changed.
+
 CREATE OR REPLACE FUNCTION streetgen._default_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
     LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 100 SET search_path = pg_catalog
@@ -104,34 +105,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_settings(name) IS
     'Raises as _check_setting for what was written or deleted in the setting table of a model without streetgen.set.';
 
-CREATE OR REPLACE FUNCTION streetgen.set(model name, setting text, value text) RETURNS void
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_owner(model);
-    PERFORM streetgen._check_given('setting', setting);
-    value := streetgen._check_setting(model, setting, value);
-    IF setting = 'log' THEN
-        PERFORM streetgen._hold_street_input(model);
-    END IF;
-    -- One at a time, since each goes on to hold out the other.
-    LOCK TABLE setting IN SHARE ROW EXCLUSIVE MODE;
-    INSERT INTO setting AS s SELECT d.name, set.value, d.unit, d.description, d.minimum, d.maximum, d.choice
-        FROM streetgen._default_setting() d WHERE d.name = setting
-        ON CONFLICT (name) DO UPDATE SET value = excluded.value WHERE s.value IS DISTINCT FROM excluded.value;
-    IF setting = 'log' THEN
-        PERFORM streetgen._make_edit_log(model);
-    END IF;
-EXCEPTION WHEN lock_not_available THEN
-    PERFORM streetgen._refuse_tables(model, 'Repeat the call when it has ended, or raise lock_timeout.');
-END $$;
-COMMENT ON FUNCTION streetgen.set(name, text, text) IS
-    'Changes a setting of a model within its range (22023 outside, 22004 for NULL where it has no such meaning; a '
-    'function that would hand on rights: 42501), also one that was deleted, once edits and runs under way have '
-    'ended; rows computed before are stale until generate. A lock_timeout that ends: 55P03, naming who holds the '
-    'settings.';
-
 CREATE OR REPLACE FUNCTION streetgen._tolerance(model name) RETURNS float8
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -169,3 +142,17 @@ BEGIN
     INSERT INTO setting SELECT * FROM streetgen._default_setting();
 END $$;
 COMMENT ON FUNCTION streetgen._make_setting_table(name) IS 'Makes the settings of a model, as they are by default.';
+
+CREATE OR REPLACE FUNCTION streetgen._setting_beside() RETURNS TABLE(name text)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('setting_beside');
+END $$;
+COMMENT ON FUNCTION streetgen._setting_beside() IS
+    'The settings that streets do not depend on, from functions _ROOM_setting_beside.';
+
+CREATE OR REPLACE FUNCTION streetgen._frame_setting_beside() RETURNS TABLE(name text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES ('cell_size'), ('lock_timeout'), ('log') $$;
+COMMENT ON FUNCTION streetgen._frame_setting_beside() IS 'The settings of locks and of the log.';

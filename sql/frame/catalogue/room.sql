@@ -49,3 +49,23 @@ END $$;
 COMMENT ON FUNCTION streetgen._call_rooms(text, name, text[]) IS
     'Calls a function of each of some rooms for a model, such as _make_%s_views (model) or _mend_%s_tables (model, '
     'srid), where the room has it.';
+
+CREATE OR REPLACE FUNCTION streetgen._parts_of_rooms(called text, places jsonb) RETURNS text[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    parts text[] := '{}';
+    part text;
+    name name;
+BEGIN
+    FOR name IN SELECT format(called, room) FROM unnest(streetgen._rooms()) WITH ORDINALITY u(room, n) ORDER BY n LOOP
+        IF to_regprocedure(format('streetgen.%I(jsonb)', name)) IS NOT NULL THEN
+            EXECUTE format('SELECT streetgen.%I($1)', name) INTO part USING places;
+            parts := parts || part;
+        END IF;
+    END LOOP;
+    RETURN array_remove(parts, NULL);
+END $$;
+COMMENT ON FUNCTION streetgen._parts_of_rooms(text, jsonb) IS
+    'The pieces of the one statement that rooms give by their functions of a name such as _%s_arguments (places), in '
+    'the order of the rooms; NULL is none.';
