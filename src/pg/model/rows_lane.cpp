@@ -1,7 +1,7 @@
 // The rows of subject lane.
 #include <utility>
 
-#include "street/row_value.hpp"
+#include "model/row_value.hpp"
 #include "value/lane_text.hpp"
 
 namespace streetgen::pg {

@@ -1,4 +1,4 @@
-#include "street/streets_give.hpp"
+#include "model/streets_give.hpp"
 
 extern "C" {
 #include <catalog/pg_type.h>

@@ -1,7 +1,7 @@
 // The rows of subject network.
 #include <utility>
 
-#include "street/row_value.hpp"
+#include "model/row_value.hpp"
 
 namespace streetgen::pg {
 

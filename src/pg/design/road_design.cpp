@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "design/road_site.hpp"
 #include "frame/geometry_result.hpp"
-#include "terrain/road_site.hpp"
 #include "value/alignment_numbers.hpp"
 #include "value/number_array.hpp"
 #include "value/wkb.hpp"

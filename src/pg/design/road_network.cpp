@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "design/road_site.hpp"
 #include "frame/argument.hpp"
 #include "frame/geometry_result.hpp"
-#include "terrain/road_site.hpp"
 #include "value/number_array.hpp"
 #include "value/wkb.hpp"
 

@@ -1,4 +1,4 @@
-#include "street/streets_call.hpp"
+#include "model/streets_call.hpp"
 
 #include "frame/composite_rows.hpp"
 

@@ -1,4 +1,4 @@
-#include "street/streets_input.hpp"
+#include "model/streets_input.hpp"
 
 #include <algorithm>
 #include <cstdint>

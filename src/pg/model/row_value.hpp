@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "street/streets_rows.hpp"
+#include "model/streets_rows.hpp"
 
 namespace streetgen::pg {
 

@@ -5,14 +5,11 @@
 #include <vector>
 
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "value/wkb.hpp"
 
 namespace streetgen::pg {
 namespace {
-
-std::string_view take_bytes(FunctionCallInfo fcinfo, int argument) {
-  return bytes_of(PointerGetDatum(PG_GETARG_BYTEA_PP(argument)));
-}
 
 // Of what the core does not take, such as NaN: `otherwise`, for PostGIS to judge.
 template <class Question>

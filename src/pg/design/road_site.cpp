@@ -1,4 +1,4 @@
-#include "terrain/road_site.hpp"
+#include "design/road_site.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // What the core computes streets from, proven.
 #pragma once
 
-#include "street/streets_call.hpp"
+#include "model/streets_call.hpp"
 #include "streetgen/street_model.hpp"
 
 namespace streetgen::pg {

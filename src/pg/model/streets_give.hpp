@@ -2,7 +2,7 @@
 #pragma once
 
 #include "frame/border.hpp"
-#include "street/streets_rows.hpp"
+#include "model/streets_rows.hpp"
 
 namespace streetgen::pg {
 

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "frame/progress.hpp"
-#include "street/streets_call.hpp"
-#include "street/streets_give.hpp"
-#include "street/streets_input.hpp"
-#include "street/streets_rows.hpp"
+#include "model/streets_call.hpp"
+#include "model/streets_give.hpp"
+#include "model/streets_input.hpp"
+#include "model/streets_rows.hpp"
 
 extern "C" {
 #include <utils/array.h>
