@@ -226,7 +226,8 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._update_later(model, NULL);
     IF back <> '{}' THEN
         PERFORM streetgen._analyse(format('%I.%I', model, t.relation)::regclass) FROM streetgen._computed_table() t
-            WHERE t.subject = ANY (streetgen._later_subjects()) AND t.subject = ANY (streetgen._subjects(model));
+            JOIN unnest(streetgen._later_subjects()) later ON later = t.subject
+            JOIN unnest(streetgen._subjects(model)) computed ON computed = t.subject;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_whole(name) IS

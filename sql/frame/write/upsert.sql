@@ -33,11 +33,12 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS tex
     AS $$
 DECLARE
     parts text[] := ARRAY[streetgen._upsert_input(places)];
+    later constant text[] := streetgen._later_subjects();
     subject text;
     part text;
 BEGIN
     FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
-        CONTINUE WHEN subject = ANY (streetgen._later_subjects());
+        CONTINUE WHEN subject = ANY (later);
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
         parts := parts || part;
     END LOOP;
