@@ -15,6 +15,18 @@ CREATE OR REPLACE FUNCTION streetgen._place_column(model name, relation name) RE
 COMMENT ON FUNCTION streetgen._place_column(name, name) IS
     'The column of places of a table of a design; NULL: it has none.';
 
+CREATE OR REPLACE FUNCTION streetgen._editable_columns(model name, relation name) RETURNS name[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_agg(c ORDER BY nth)
+        FROM unnest(streetgen._design_columns(model, relation)) WITH ORDINALITY u(c, nth)
+        WHERE c <> relation || '_id' AND c <> ALL (CASE relation
+            WHEN 'design_link' THEN '{length,utilisation,benefit,cost,method,geom,town_a,town_b}'
+            WHEN 'design_crossing' THEN '{abscissa,other_abscissa,geom}' WHEN 'grade_point' THEN '{geom}'
+            WHEN 'structure' THEN '{geom}' ELSE '{}' END::name[]) $$;
+COMMENT ON FUNCTION streetgen._editable_columns(name, name) IS
+    'The columns of a table of a design that an edit may change: neither its key nor what is computed anew of a row '
+    'by hand too.';
+
 CREATE OR REPLACE FUNCTION streetgen._edit_default(model name, relation name, is_now jsonb) RETURNS jsonb
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
@@ -120,6 +132,12 @@ BEGIN
             PERFORM streetgen._check_edit_geometry(format('the %s of the %s', place, replace(relation, '_', ' ')),
                 drawn)
                 WHERE drawn IS NOT NULL;
+        END IF;
+        IF TG_OP = 'UPDATE' THEN
+            NEW := streetgen._edited_row(TG_RELID, OLD, NEW, streetgen._editable_columns(TG_TABLE_SCHEMA, relation));
+            IF NEW IS NOT DISTINCT FROM OLD THEN
+                RETURN NEW;
+            END IF;
         END IF;
         is_now := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
         was := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
