@@ -2,7 +2,7 @@
 
 Each room of sql/order.txt has a README.md of one screen, its own or that of the folder above.  It names each file of the
 room that has not a name of every room (sql/README.md lists these), and every path that it names is there.  The page of a
-subject names what the subject needs and the tables that it gives, as sql/frame/catalogue/computed_table.sql lists them.
+subject names what the subject needs and the tables that it gives, as the two lists in sql/frame/catalogue say.
 """
 
 import re
@@ -13,16 +13,16 @@ SCREEN = 42
 
 
 def listed(text, function):
-    """The rows of a list of computed_table.sql, as texts."""
+    """The rows of a list, as texts."""
     return re.findall(r"\(\d+, .*?\)(?=,\n| \$\$)", text.split(f"streetgen.{function}()", 1)[1].split("COMMENT ON")[0], re.S)
 
 
 def faults(root):
     sql = root / "sql"
     usual = set(re.findall(r"`(\w+\.sql)`", (sql / "README.md").read_text()))
-    lists = (sql / "frame/catalogue/computed_table.sql").read_text()
-    needs = {m[1]: re.findall(r"\w+", m[2]) for row in listed(lists, "_subject") if (m := re.match(r"\(\d+, '(\w+)', '\{(.*?)\}'", row))}
-    gives = [m.groups() for row in listed(lists, "_computed_table") if (m := re.match(r"\(\d+, '(\w+)', '(\w+)'", row))]
+    subjects, tables = ((sql / "frame/catalogue" / name).read_text() for name in ("subject_order.sql", "computed_table.sql"))
+    needs = {m[1]: re.findall(r"\w+", m[2]) for row in listed(subjects, "_subject") if (m := re.match(r"\(\d+, '(\w+)', '\{(.*?)\}'", row))}
+    gives = [m.groups() for row in listed(tables, "_computed_table") if (m := re.match(r"\(\d+, '(\w+)', '(\w+)'", row))]
     for room in (line for line in (sql / "order.txt").read_text().splitlines() if re.match("[a-z]", line)):
         page = next((p for p in (sql / room / "README.md", (sql / room).parent / "README.md") if p.exists()), None)
         if page is None or page.parent == sql:

@@ -1,0 +1,91 @@
+-- The list of subjects, in the order in which they are computed, with what each needs.
+
+CREATE OR REPLACE FUNCTION streetgen._subject()
+    RETURNS TABLE(place integer, subject text, needs text[], always boolean, by_default boolean, cost text,
+        description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'network', '{}'::text[], true, true, 'is part of every model',
+        'nodes where axes meet or end, edges between them, and what the network step noticed'),
+    (2, 'surface', '{network}'::text[], true, true, 'is part of every model',
+        'section limits, sections, corners and intersections: the roadway'),
+    (3, 'lane', '{surface}'::text[], false, true,
+        'with interconnection nearly half of the processor time of a first run',
+        'lanes, the lines between them, and what is painted on them'),
+    (4, 'interconnection', '{lane}'::text[], false, true, 'with lane nearly half of the processor time of a first run',
+        'paths from lane to lane at every node'),
+    (5, 'kerb', '{surface}'::text[], false, false, 'a tenth of the processor time of a first run',
+        'kerbs: the border of the roadway, and the strip of stones behind it'),
+    (7, 'alignment', '{network}'::text[], false, false, 'little',
+        'roads: edges that go on from each other, as straight pieces and arcs that touch them'),
+    (9, 'block', '{kerb}'::text[], false, false, 'little beside kerb',
+        'city blocks: what streets enclose, less the roadway, and which block lies on each side of an edge'),
+    (8, 'roundabout', '{surface}'::text[], false, false, 'a tenth of the surfaces',
+        'roundabouts: rings of the network with their scores; traffic on accepted ones goes round'),
+    (10, 'sidewalk', '{kerb}', false, false, 'more than the surfaces',
+        'sidewalks: strips behind the kerbs'),
+    (12, 'junction', '{interconnection}'::text[], false, false, 'a fifth of a run with lanes and paths',
+        'nodes that are one junction, the kind of each, and the paths across them'),
+    (11, 'ramp', '{interconnection}'::text[], false, false, 'nothing that shows',
+        'ramps: where links meet highways, tangent to their lanes, and the merging lanes there'),
+    (16, 'signal', '{junction}', false, false, 'about as much as junction',
+        'signals: the program of each junction of kind signals, its states, and where lanes wait'),
+    (14, 'overpass', '{network}'::text[], false, false, 'little',
+        'overpasses: where two edges cross without a node, and which of them is above'),
+    (15, 'height', '{overpass}'::text[], false, false, 'little',
+        'heights along edges, with clearances and grades where roads pass over and under each other'),
+    (17, 'bridge', '{overpass}'::text[], false, false, 'little',
+        'bridges and tunnels: stretches of edges over others, or off the ground by their level'),
+    (18, 'object', '{network}', false, false, 'by the number of objects',
+        'what stands at streets: objects that follow their axes, and the edge at which each stands') $$;
+COMMENT ON FUNCTION streetgen._subject() IS
+    'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
+    'always: a model cannot do without it. by_default: a new model computes it unless told '
+    'otherwise. For every other subject there are functions _make_<subject>_tables (model, '
+    'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement.';
+
+-- PL/pgSQL, so that a session plans it once: an edit asks several times.
+CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN ARRAY(SELECT s.subject FROM streetgen._subject() s
+        WHERE s.subject NOT IN (SELECT t.subject FROM streetgen._computed_table() t
+            WHERE to_regclass(format('%I.%I', model, t.relation)) IS NULL) ORDER BY s.place);
+END $$;
+COMMENT ON FUNCTION streetgen._subjects(name) IS
+    'The subjects that a model computes, in their order: those whose tables are all there.';
+
+CREATE OR REPLACE FUNCTION streetgen._require_words(subjects text[]) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    word text;
+    all_words constant text[] := ARRAY(SELECT s.subject FROM streetgen._subject() s ORDER BY s.place);
+BEGIN
+    FOREACH word IN ARRAY coalesce(subjects, '{}') LOOP
+        IF word IS NULL OR word <> ALL (all_words) THEN
+            RAISE EXCEPTION 'there is no subject "%"', coalesce(word, 'NULL') USING ERRCODE = '22023',
+                HINT = 'The subjects are ' || array_to_string(all_words, ', ') || '.';
+        END IF;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._require_words(text[]) IS 'Raises 22023 for the first word that is no subject.';
+
+CREATE OR REPLACE FUNCTION streetgen._with_needs(subjects text[]) RETURNS text[]
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._require_words(array_remove(array_remove(subjects, 'all'), 'default'));
+    RETURN ARRAY(
+        WITH RECURSIVE wanted(subject, needs) AS (
+            SELECT s.subject, s.needs FROM streetgen._subject() s
+            WHERE s.always OR s.subject = ANY (subjects) OR 'all' = ANY (subjects)
+                OR s.by_default AND (subjects IS NULL OR 'default' = ANY (subjects))
+            UNION SELECT s.subject, s.needs FROM wanted w JOIN streetgen._subject() s ON s.subject = ANY (w.needs))
+        SELECT s.subject FROM streetgen._subject() s JOIN wanted w USING (subject) GROUP BY s.subject, s.place
+        ORDER BY s.place);
+END $$;
+COMMENT ON FUNCTION streetgen._with_needs(text[]) IS
+    'Subjects with all that they need and those of every model, in their order. The word all stands for every subject, '
+    'default or NULL for those that a new model computes where nothing is said. Another word: 22023.';
