@@ -237,12 +237,15 @@ BEGIN
             'No road bends by a radius under 5 m.')
         FROM unnest('{curvature_start,curvature_end}'::text[]) bend
             WHERE is_now -> bend IS DISTINCT FROM coalesce(was, '{}') -> bend;
-        turn := ((is_now ->> 'curvature_start')::float8 + (is_now ->> 'curvature_end')::float8) / 2
-            * (is_now ->> 'length')::float8;
-        IF abs(turn) > 2 * pi() AND is_now IS DISTINCT FROM was THEN
+        -- Where the curvature changes its sign, the turns to both sides count.
+        turn := (SELECT CASE WHEN a * b < 0 THEN (a * a + b * b) / (abs(a) + abs(b)) ELSE abs(a + b) END / 2
+            * (is_now ->> 'length')::float8 FROM (SELECT (is_now ->> 'curvature_start')::float8 AS a,
+            (is_now ->> 'curvature_end')::float8 AS b) k);
+        IF turn > 2 * pi() AND EXISTS (SELECT FROM unnest('{curvature_start,curvature_end,length}'::text[]) bend
+            WHERE is_now -> bend IS DISTINCT FROM coalesce(was, '{}') -> bend) THEN
             PERFORM streetgen._refuse('22023', format('alignment element %s would turn by %s degrees',
                 coalesce(is_now ->> 'alignment_element_id', 'that is new'), round(degrees(turn))),
-                detail => 'An element turns by 360 degrees at most, either way.',
+                detail => 'An element turns by 360 degrees at most.',
                 hint => 'Make it shorter, or its curvature smaller.');
         END IF;
     ELSIF relation <> 'design_vertex' THEN

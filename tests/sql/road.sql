@@ -114,6 +114,14 @@ SELECT 'the road has one tangent', count(*) = 0 FROM streetgen.check_model('town
 UPDATE town.road_arc_editing SET radius = 0 WHERE axis_id = 20 AND abscissa < 7;
 SELECT 'what is sharp by hand is no gap', count(*) = 0 FROM streetgen.check_model('town') WHERE rule LIKE 'gap of tangent%';
 DELETE FROM town.axis WHERE axis_id = 20;
+-- A bend by hand stays at its vertex, whatever number that has.
+INSERT INTO town.axis (axis_id, geom, width) VALUES (21, 'SRID=2154;LINESTRING(650500 6860000, 650560 6860000, 650580 6860040, 650640 6860040, 650660 6860000)', 5);
+UPDATE town.road_arc_editing SET radius = 9 WHERE axis_id = 21 AND abscissa < 70;
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 21;
+SELECT 'turned round, the bend stays', count(*) = 1 AND bool_and(ST_Equals(geom, 'SRID=2154;POINT(650560 6860000)')) FROM town.road_override WHERE axis_id = 21;
+UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650500 6860000, 650530 6860002, 650560 6860000, 650580 6860040, 650660 6860000)' WHERE axis_id = 21;
+SELECT 'with a vertex more and one less, too', count(*) = 1 AND bool_and(ST_Equals(geom, 'SRID=2154;POINT(650560 6860000)')) FROM town.road_override WHERE axis_id = 21;
+DELETE FROM town.axis WHERE axis_id = 21;
 
 -- With smoothing the edges are the roads.
 SELECT streetgen.set('town', 'smoothing', 'arcs') \g /dev/null

@@ -56,14 +56,6 @@ UPDATE town.axis SET width = NULL WHERE source IS NULL;
 SELECT 'and estimated where its width is emptied', (a.width, a.width_by_hand, e.width) IS NOT DISTINCT FROM (NULL, false, 3.5) FROM town.edge e JOIN town.axis a USING (axis_id) WHERE source IS NULL;
 SELECT 'an edit changes what a run from scratch would', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 
--- A copy of a row, as a GIS pastes it, is by hand: it has no source, and the next delivery lets it be.
-INSERT INTO town.axis (geom, width, lane_count, source, source_ref, source_geom, source_hash, name) SELECT ST_Translate(geom, 0, 20), width, lane_count, source, source_ref, source_geom, source_hash, 'copy' FROM town.axis WHERE source_ref = 'r1';
-SELECT 'a copy of an imported row has no source', num_nonnulls(source, source_ref, source_geom, source_hash) = 0 FROM town.axis WHERE name = 'copy';
-:import \g /dev/null
-SELECT 'and a delivery lets it be', count(*) = 1 FROM town.axis WHERE name = 'copy';
-SELECT 'a row under a reference that is taken keeps its conflict', test.state($$INSERT INTO town.axis (geom, source, source_ref) SELECT geom, source, source_ref FROM town.axis WHERE source_ref = 'r1'$$) = '23505';
-DELETE FROM town.axis WHERE name = 'copy';
-
 -- A table that is followed: its rows are a source, and its changes no edits by hand.
 SELECT streetgen.follow('town', 'source', '{"source_ref": "id", "width": "width", "width_end": "width_end", "lane_count": "lanes"}') \g /dev/null
 SELECT streetgen.generate('town') \g /dev/null

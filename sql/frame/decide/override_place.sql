@@ -33,11 +33,14 @@ CREATE OR REPLACE FUNCTION streetgen._moved_vertex(before geometry, after geomet
     RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN ST_DWithin(ST_StartPoint(before), place, reach) THEN ST_StartPoint(after)
-                WHEN ST_DWithin(ST_EndPoint(before), place, reach) THEN ST_EndPoint(after)
-                WHEN ST_NPoints(before) = ST_NPoints(after)
-                THEN (SELECT ST_PointN(after, v.path[1]) FROM ST_DumpPoints(before) v
-                    WHERE ST_DWithin(v.geom, place, reach) ORDER BY ST_Distance(v.geom, place) LIMIT 1) END
+    -- A vertex that stays keeps its place, also where the line is turned round or has vertices more and less.
+    SELECT coalesce((SELECT geom FROM ST_DumpPoints(after) v WHERE ST_DWithin(geom, place, reach)
+            ORDER BY ST_Distance(geom, place) LIMIT 1),
+        CASE WHEN ST_DWithin(ST_StartPoint(before), place, reach) THEN ST_StartPoint(after)
+            WHEN ST_DWithin(ST_EndPoint(before), place, reach) THEN ST_EndPoint(after)
+            WHEN ST_NPoints(before) = ST_NPoints(after)
+            THEN (SELECT ST_PointN(after, v.path[1]) FROM ST_DumpPoints(before) v
+                WHERE ST_DWithin(v.geom, place, reach) ORDER BY ST_Distance(v.geom, place) LIMIT 1) END)
     $$;
 COMMENT ON FUNCTION streetgen._moved_vertex(geometry, geometry, geometry, float8) IS
     'Where the vertex of a line that was within reach of a place is now; NULL where nothing says so.';

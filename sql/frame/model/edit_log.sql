@@ -42,7 +42,10 @@ BEGIN
         edited bigint := 1;
         box box2d;
     BEGIN
-        IF TG_OP = 'INSERT' THEN
+        -- Somebody may have written the setting himself.
+        IF (SELECT value FROM setting WHERE name = 'log') IS DISTINCT FROM 'on' THEN
+            RETURN NULL;
+        ELSIF TG_OP = 'INSERT' THEN
             SELECT count(*), ST_Extent(geom) INTO edited, box FROM after;
         ELSIF TG_OP = 'DELETE' THEN
             SELECT count(*), ST_Extent(geom) INTO edited, box FROM before;
@@ -59,18 +62,18 @@ BEGIN
         RETURN NULL;
     END $body$;
     PERFORM streetgen._own_function(model, '_log_edit()', 'After an edit: writes the log');
-    FOR logger IN SELECT format('%I ON %s', tgname, tgrelid::regclass) FROM pg_trigger
-        WHERE tgfoid = '_log_edit()'::regprocedure LOOP
-        EXECUTE 'DROP TRIGGER ' || logger;
-    END LOOP;
     IF (SELECT value FROM setting WHERE name = 'log') IS DISTINCT FROM 'on' THEN
+        FOR logger IN SELECT format('%I ON %s', tgname, tgrelid::regclass) FROM pg_trigger
+            WHERE tgfoid = '_log_edit()'::regprocedure LOOP
+            EXECUTE 'DROP TRIGGER ' || logger;
+        END LOOP;
         RETURN;
     END IF;
     FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
         FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
             ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
             ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP
-            EXECUTE format('CREATE TRIGGER log_%3$s AFTER %3$s ON %1$I.%2$I %4$s FOR EACH STATEMENT '
+            EXECUTE format('CREATE OR REPLACE TRIGGER log_%3$s AFTER %3$s ON %1$I.%2$I %4$s FOR EACH STATEMENT '
                 'EXECUTE FUNCTION %1$I._log_edit()', model, relation, event.name, event.tables);
             EXECUTE format('COMMENT ON TRIGGER log_%3$s ON %1$I.%2$I IS %4$L', model, relation, event.name,
                 'Writes the log');
@@ -83,11 +86,25 @@ COMMENT ON FUNCTION streetgen._make_edit_log(name) IS
 CREATE OR REPLACE FUNCTION streetgen._hold_street_input(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    tables constant text := (SELECT string_agg(format('%I.%I', model, relation), ', ')
+        FROM unnest('setting'::name || streetgen._street_input(model)) relation);
+    patience constant interval := (SELECT setting || ' ms' FROM pg_settings WHERE name = 'lock_timeout');
+    since constant timestamptz := clock_timestamp();
 BEGIN
-    -- Edits hold these tables when they ask for the settings.
-    EXECUTE (SELECT 'LOCK TABLE ' || string_agg(format('%I.%I', model, relation), ', ')
-            || ' IN SHARE ROW EXCLUSIVE MODE'
-        FROM unnest(streetgen._street_input(model)) relation);
+    LOOP
+        -- All at once or none: who waited for one with others in hand would stop edits, and some for ever.
+        BEGIN
+            EXECUTE 'LOCK TABLE ' || tables || ' IN ACCESS EXCLUSIVE MODE NOWAIT';
+            RETURN;
+        EXCEPTION WHEN lock_not_available THEN
+            IF patience > interval '0' AND clock_timestamp() - since > patience THEN
+                RAISE;
+            END IF;
+        END;
+        PERFORM pg_sleep(0.1);
+    END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._hold_street_input(name) IS
-    'Waits until nobody edits axes or decisions of a model, and keeps editors out until the transaction ends.';
+    'Takes the settings, axes and decisions of a model for itself until the transaction ends, once nobody reads or '
+    'writes any of them. It stops nobody meanwhile. A lock_timeout that ends: 55P03.';

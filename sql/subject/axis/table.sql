@@ -207,8 +207,6 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input_rule()
         'Leave it empty where nothing is known of single lanes.'),
     ('axis', 'change_backward', 'words such as yes|not_right|no',
         'Leave it empty where nothing is known of single lanes.'),
-    ('axis', 'roundabout_tag', 'roundabout, circular or Rond-point',
-        'Leave it empty where the source says nothing of a roundabout.'),
     ('axis_class', 'width', '0.001 to 200 m', 'Leave it empty to have it estimated.'),
     ('axis_class', 'speed', '0 to 400 km/h', 'Leave it empty to have it estimated.'),
     ('axis_class', 'importance', '1 to 99, 1 the highest', 'Leave it empty for setting importance_default.'),
@@ -227,12 +225,6 @@ CREATE OR REPLACE FUNCTION streetgen._add_roundabout_tag(model name) RETURNS voi
 BEGIN
     PERFORM streetgen._use_model(model);
     ALTER TABLE axis ADD IF NOT EXISTS roundabout_tag text;
-    IF NOT EXISTS (SELECT FROM pg_constraint WHERE conrelid = 'axis'::regclass
-        AND conname = 'axis_roundabout_tag_check') THEN
-        -- A word that an older build took stays.
-        ALTER TABLE axis ADD CONSTRAINT axis_roundabout_tag_check
-            CHECK (roundabout_tag IN ('roundabout', 'circular', 'Rond-point')) NOT VALID;
-    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._add_roundabout_tag(name) IS
-    'Adds the word of the source for a roundabout, and which words it may be, where a model was made before.';
+    'Adds the word of the source for a roundabout where a model was made before.';

@@ -51,34 +51,9 @@ BEGIN
             IS DISTINCT FROM (OLD.width, OLD.width_end, OLD.width_by_hand))
         EXECUTE FUNCTION streetgen._width_by_hand();
     COMMENT ON TRIGGER by_hand ON axis IS 'Tells a width put by hand from one of the source';
-    -- Importers pause the streets. A row without the hash may be another's upsert, which needs its conflict.
-    CREATE OR REPLACE TRIGGER copied BEFORE INSERT ON axis FOR EACH ROW
-        WHEN (NEW.source_hash IS NOT NULL AND current_setting('streetgen.live', true) IS DISTINCT FROM 'off')
-        EXECUTE FUNCTION streetgen._take_copy();
-    COMMENT ON TRIGGER copied ON axis IS 'Takes a copy of an imported row without its source';
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_functions(name) IS
-    'Makes the triggers of a model that tell a width put by hand from one of the source, and a copy from its row.';
-
-CREATE OR REPLACE FUNCTION streetgen._take_copy() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
-    IF EXISTS (SELECT FROM axis WHERE (source, source_ref) = (NEW.source, NEW.source_ref)) THEN
-        NEW.source := NULL;
-        NEW.source_ref := NULL;
-        NEW.source_geom := NULL;
-        NEW.source_hash := NULL;
-        NEW.source_width := NULL;
-        NEW.source_width_end := NULL;
-        NEW.width_by_hand := false;
-    END IF;
-    RETURN NEW;
-END $$;
-COMMENT ON FUNCTION streetgen._take_copy() IS
-    'Trigger of axis, for a row with all that its source said that is no importer''s: a copy of a row that is there '
-    'is by hand and has no source, so that no delivery changes or deletes it.';
+    'Makes the trigger of a model that tells a width put by hand from one of the source.';
 
 CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
     RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)
