@@ -73,6 +73,9 @@ WHERE elements <> '{}' AND grades <> '{}' $sql$, model, model, links, srid, left
                 AND coalesce(l.method, '') NOT LIKE 'no_path%'
                 AND l.design_link_id = split_part(source_ref, '/', 1)::bigint)) INTO former;
     PERFORM streetgen._import_change(model, 'design', former, clean => false);
+    -- A link that comes back as it was is built anew.
+    DELETE FROM design_input i USING design_link l WHERE i.stage = 'axes' AND l.design_link_id = i.design_link_id
+        AND (l.rejected OR l.method LIKE 'no_path%');
     RETURN written;
 END $$;
 COMMENT ON FUNCTION streetgen._design_axes(name, bigint[]) IS

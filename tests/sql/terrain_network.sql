@@ -25,6 +25,14 @@ CREATE FUNCTION test.lost() RETURNS bigint LANGUAGE sql AS $$
     FULL JOIN (SELECT * FROM by_hand EXCEPT ALL (SELECT 'vertex', design_vertex_id, design_link_id FROM net.design_vertex WHERE by_hand
         UNION ALL SELECT 'grade', grade_point_id, design_link_id FROM net.grade_point WHERE by_hand UNION ALL SELECT 'structure', structure_id, design_link_id FROM net.structure WHERE by_hand
         UNION ALL SELECT 'crossing', design_crossing_id, design_link_id FROM net.design_crossing WHERE by_hand)) less ON false $$;
+-- A link that was deleted and is taken back is as it was.
+CREATE TABLE built AS SELECT source_ref, geom FROM net.axis;
+DELETE FROM net.design_link_editing WHERE design_link_id = (SELECT min(design_link_id) FROM net.design_link WHERE NOT by_hand AND method NOT LIKE 'no_path%' AND NOT EXISTS (SELECT FROM by_hand WHERE what = 'crossing' AND link = design_link_id));
+SELECT * FROM streetgen.design('net') \g /dev/null
+SELECT 'the axes of a deleted link go', count(*) < (SELECT count(*) FROM built) FROM net.axis;
+UPDATE net.design_link_editing SET by_hand = false WHERE rejected;
+SELECT * FROM streetgen.design('net') \g /dev/null
+SELECT 'and come back with it', count(*) > 0 AND count(*) = count(a.source_ref) AND count(*) = (SELECT count(*) FROM net.axis) FROM built LEFT JOIN net.axis a USING (source_ref);
 CREATE TABLE former AS SELECT design_link_id, node_a, node_b, network FROM net.design_link;
 CREATE TABLE place AS SELECT design_node_id, geom FROM net.design_node WHERE kind = 'interchange';
 
