@@ -42,7 +42,8 @@ COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
     'always: a model cannot do without it. by_default: a new model computes it unless told '
     'otherwise. For every other subject there are functions _make_<subject>_tables (model, '
-    'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement.';
+    'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement, or '
+    '_update_<subject>, which follows that.';
 
 -- PL/pgSQL, so that a session plans it once: an edit asks several times.
 CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]

@@ -40,7 +40,8 @@ BEGIN
         FROM road r, LATERAL streetgen._arc_road_kinks(r.geom) k
         WHERE NOT EXISTS (SELECT FROM member m JOIN node n ON n.node_id = m.first_node
             WHERE m.road_id = r.road_id AND ST_DWithin(n.geom, k.place::geometry, 1e-3))
-        AND NOT EXISTS (SELECT FROM road_override o WHERE o.radius = 0 AND ST_DWithin(o.geom, k.place::geometry, 1))
+        AND NOT EXISTS (SELECT FROM road_override o JOIN edge USING (axis_id) JOIN road_edge m USING (edge_id)
+            WHERE o.radius = 0 AND m.road_id = r.road_id AND ST_DWithin(o.geom, k.place::geometry, 1))
     UNION ALL
     SELECT 'notice', 'road with a bend tighter than 5 m, m', 'road', road_id, min(radius),
         ST_Collect(centre) FROM road_arc WHERE radius < 5 GROUP BY road_id
