@@ -23,8 +23,8 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     SELECT value::numeric FROM setting WHERE name = 'object_snap' INTO snap;
-    SELECT axis_id, round(ST_Distance(geom, place)::numeric, 1) AS metres FROM axis ORDER BY geom <-> place LIMIT 1
-        INTO nearest;
+    SELECT axis_id, round(ST_Distance(geom, place)::numeric, 1) AS metres FROM axis
+        WHERE axis_id = streetgen._nearest_axis(model, place) INTO nearest;
     PERFORM streetgen._refuse('22023', format('%s stands at no street', subject),
         detail => CASE WHEN nearest.metres > snap THEN format('The nearest axis, %s, is %s m away: setting '
             'object_snap is %s m.', nearest.axis_id, nearest.metres, snap) ELSE 'It has no axis.' END,
