@@ -75,7 +75,7 @@ class SectionSides {
         nearest = i;
       }
     }
-    return beside(nearest, piece, middle);
+    return beside(nearest, middle, piece.to - piece.from);
   }
 
  private:
@@ -84,7 +84,7 @@ class SectionSides {
     return k < 2 ? border.front() : border.back();
   }
 
-  KerbSide beside(std::size_t segment, const BorderPiece& piece, const Point& p) const {
+  KerbSide beside(std::size_t segment, const Point& p, const Point& way) const {
     const Point along = unit(line_[segment] - line_[segment - 1]);
     const Point from_start = p - line_[segment - 1], from_end = p - line_[segment];
     if (segment == 1 && dot(from_start, along) < -same_place) return KerbSide::start;
@@ -93,9 +93,9 @@ class SectionSides {
     const Point direction =
         dot(from_end, along) > 0 ? along + unit(line_[segment + 1] - line_[segment]) : along;
     const double offset = cross(unit(direction), from_end);
-    // On the axis itself the way of the border tells, which has the surface on its right.
+    // A border along the axis itself has the surface on the right of its way.
     if (std::abs(offset) <= same_place)
-      return dot(piece.to - piece.from, direction) > 0 ? KerbSide::left : KerbSide::right;
+      return dot(way, direction) > 0 ? KerbSide::left : KerbSide::right;
     return offset > 0 ? KerbSide::left : KerbSide::right;
   }
 

@@ -70,13 +70,6 @@ Radii radii_by_hand(const Line& line, const Edge& edge, const std::vector<RoadOv
   return radii;
 }
 
-// The length that a bend of radius one takes of both its segments.
-double tangent_of(const Line& line, std::size_t bend) {
-  const Point in = unit(line[bend] - line[bend - 1]), out = unit(line[bend + 1] - line[bend]);
-  const double cosine = dot(in, out), sine = std::abs(cross(in, out));
-  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
-}
-
 // A bend whose radius grows as far as somebody asked. Without a wish it keeps the room of a quarter
 // of each of its segments, or less where its arc wants less, so that no wish takes its arc away.
 Bend bend_with_wish(const Line& line, std::size_t i, const std::optional<double>& wish,
@@ -84,12 +77,12 @@ Bend bend_with_wish(const Line& line, std::size_t i, const std::optional<double>
   const Point in = line[i] - line[i - 1], out = line[i + 1] - line[i];
   Bend bend;
   if (turns_back(in, out)) return bend;
-  bend.tangent = tangent_of(line, i);
-  const double square = bend.tangent * bend.tangent;
+  const Point before = unit(in), after = unit(out);
+  bend.tangent = half_turn_tangent(std::abs(cross(before, after)), dot(before, after));
   if (wish)
     bend.bound = *wish;
   else if (bend.tangent > straight_sine)
-    bend.bound = std::min(shift * (std::sqrt(1 + square) + 1) / square,
+    bend.bound = std::min(radius_of_shift(bend.tangent, shift),
                           share_of_segment * std::min(norm(in), norm(out)) / bend.tangent);
   return bend;
 }

@@ -87,6 +87,15 @@ class Growth {
 
 }  // namespace
 
+double half_turn_tangent(double sine, double cosine) {
+  return cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;  // without loss of digits
+}
+
+double radius_of_shift(double tangent, double shift) {
+  const double square = tangent * tangent;
+  return shift * (std::sqrt(1 + square) + 1) / square;
+}
+
 std::vector<double> fit_radii(const std::vector<double>& lengths, const std::vector<Bend>& bends) {
   return Growth(lengths, bends).grown();
 }

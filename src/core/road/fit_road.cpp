@@ -88,11 +88,9 @@ class Fitting {
       bend.fixed = 0;
       return bend;
     }
-    bend.tangent = cosine > 0 ? sine / (1 + cosine) : (1 - cosine) / sine;
+    bend.tangent = half_turn_tangent(sine, cosine);
     bend.bound = fit_.cap;
-    const double square = bend.tangent * bend.tangent;
-    if (fit_.shift)
-      bend.bound = std::min(bend.bound, *fit_.shift * (std::sqrt(1 + square) + 1) / square);
+    if (fit_.shift) bend.bound = std::min(bend.bound, radius_of_shift(bend.tangent, *fit_.shift));
     bend.fixed = fixed_at(vertex);
     return bend;
   }
