@@ -217,6 +217,31 @@ END $$;
 COMMENT ON FUNCTION streetgen._grant_design_views(name) IS
     'Who may read or write the axes of a model may do so with the editing views of its design.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_element_bend(was jsonb, is_now jsonb) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    subject constant text := 'alignment element ' || coalesce(is_now ->> 'alignment_element_id', 'that is new');
+    a constant float8 := is_now ->> 'curvature_start';
+    b constant float8 := is_now ->> 'curvature_end';
+    -- The turns to both sides count: they are two where the curvature changes its sign.
+    turn constant float8 := CASE WHEN a * b < 0 THEN (a * a + b * b) / (abs(a) + abs(b)) ELSE abs(a + b) END / 2
+        * (is_now ->> 'length')::float8;
+    changed constant text[] := ARRAY(SELECT c FROM unnest('{curvature_start,curvature_end,length}'::text[]) c
+        WHERE is_now -> c IS DISTINCT FROM coalesce(was, '{}') -> c);
+BEGIN
+    PERFORM streetgen._check_edit_number(format('the %s of %s', bend, subject), (is_now ->> bend)::float8, -0.2, 0.2,
+        '1/m', 'No road bends by a radius under 5 m.') FROM unnest(changed) bend WHERE bend <> 'length';
+    IF turn > 2 * pi() AND changed <> '{}' THEN
+        PERFORM streetgen._refuse('22023', format('%s would turn by %s degrees', subject, round(degrees(turn))),
+            detail => 'An element turns by 360 degrees at most.',
+            hint => 'Make it shorter, or its curvature smaller.');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_element_bend(jsonb, jsonb) IS
+    'Raises 22023 for an edit of an alignment element to a radius under 5 m, or to a turn beyond 360 degrees: coils '
+    'have more chords and crossings than can be computed.';
+
 CREATE OR REPLACE FUNCTION streetgen._begin_design_edit(model name, relation name, was jsonb, is_now jsonb)
     RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -225,29 +250,12 @@ DECLARE
     link constant bigint := coalesce(was, is_now) ->> 'design_link_id';
     released constant boolean := is_now @> '{"by_hand": false}' AND was @> '{"by_hand": true}';
     at constant float8 := was ->> 'ordinality';
-    turn float8;
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_one_build();
     LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
     IF relation = 'alignment_element' THEN
-        -- Coils have more chords and crossings than can be computed.
-        PERFORM streetgen._check_edit_number(format('the %s of alignment element %s', bend,
-            coalesce(is_now ->> 'alignment_element_id', 'that is new')), (is_now ->> bend)::float8, -0.2, 0.2, '1/m',
-            'No road bends by a radius under 5 m.')
-        FROM unnest('{curvature_start,curvature_end}'::text[]) bend
-            WHERE is_now -> bend IS DISTINCT FROM coalesce(was, '{}') -> bend;
-        -- Where the curvature changes its sign, the turns to both sides count.
-        turn := (SELECT CASE WHEN a * b < 0 THEN (a * a + b * b) / (abs(a) + abs(b)) ELSE abs(a + b) END / 2
-            * (is_now ->> 'length')::float8 FROM (SELECT (is_now ->> 'curvature_start')::float8 AS a,
-            (is_now ->> 'curvature_end')::float8 AS b) k);
-        IF turn > 2 * pi() AND EXISTS (SELECT FROM unnest('{curvature_start,curvature_end,length}'::text[]) bend
-            WHERE is_now -> bend IS DISTINCT FROM coalesce(was, '{}') -> bend) THEN
-            PERFORM streetgen._refuse('22023', format('alignment element %s would turn by %s degrees',
-                coalesce(is_now ->> 'alignment_element_id', 'that is new'), round(degrees(turn))),
-                detail => 'An element turns by 360 degrees at most.',
-                hint => 'Make it shorter, or its curvature smaller.');
-        END IF;
+        PERFORM streetgen._check_element_bend(was, is_now);
     ELSIF relation <> 'design_vertex' THEN
         RETURN;
     ELSIF released THEN

@@ -12,6 +12,14 @@ CREATE FUNCTION pg_temp.relations(model name) RETURNS text LANGUAGE sql AS $$
   SELECT string_agg(relname, ' ' ORDER BY relname) FROM pg_class WHERE relnamespace = model::regnamespace AND relkind IN ('r', 'v')
     AND relname IN ('section', 'lane', 'lane_separator', 'marking', 'interconnection', 'conflict', 'lane_editing', 'interconnection_editing') $$;
 
+-- The frame finds what a subject gives by name: a name that is written wrongly is missing here, or of no room.
+SELECT 'subject ' || subject || ' has ' || format(called, subject), to_regprocedure('streetgen.' || format(called, subject)) IS NOT NULL
+  FROM streetgen._subject(), (VALUES ('_make_%s_tables(name, integer)'), ('_check_%s(name)'), ('_%s_column()'), ('_%s_summary()')) v(called);
+SELECT 'subject ' || subject || ' is computed', to_regprocedure(format('streetgen._upsert_%s(jsonb)', computed_by)) IS NOT NULL OR to_regprocedure(format('streetgen._update_%s(name, bigint[], bigint[], bigint[])', computed_by)) IS NOT NULL
+  FROM streetgen._subject(), LATERAL (SELECT CASE subject WHEN 'signal' THEN 'junction' ELSE subject END AS computed_by) c;
+SELECT 'every list is that of a room', array_agg(proname ORDER BY proname) = '{_default_setting,_model_column,_subject_view}' FROM pg_proc, LATERAL (SELECT '_(setting|setting_beside|column|summary|drawn|drawn_instead|legend|edit_view|input_rule|view|chain|edited)$' AS list) l
+  WHERE pronamespace = 'streetgen'::regnamespace AND pronargs = 0 AND proname ~ ('^_[a-z]+' || list) AND regexp_replace(substr(proname, 2), list, '') <> ALL (streetgen._rooms());
+
 SELECT streetgen.create_model('whole', 2154) \g /dev/null
 SELECT streetgen.create_model('bare', 2154, subjects => '{}') \g /dev/null
 SELECT streetgen.create_model('laned', 2154, subjects => '{lane}') \g /dev/null

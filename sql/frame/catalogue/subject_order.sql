@@ -43,7 +43,7 @@ COMMENT ON FUNCTION streetgen._subject() IS
     'always: a model cannot do without it. by_default: a new model computes it unless told '
     'otherwise. For every other subject there are functions _make_<subject>_tables (model, '
     'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement, or '
-    '_update_<subject>, which follows that.';
+    '_update_<subject>, which follows that; one without either is computed with a subject that it needs.';
 
 -- PL/pgSQL, so that a session plans it once: an edit asks several times.
 CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]

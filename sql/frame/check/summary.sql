@@ -1,4 +1,4 @@
--- How much there is in a model.
+-- Counts of all that is in a model.
 
 CREATE OR REPLACE FUNCTION streetgen._summary_part()
     RETURNS TABLE(place integer, subject text, query text)

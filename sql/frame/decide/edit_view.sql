@@ -181,7 +181,7 @@ BEGIN
             hint => concat_ws(' ', 'Only', array_to_string(editable[:cardinality(editable) - 1], ', ') || ' and',
                 editable[cardinality(editable)], 'can be changed.', way_out));
     END IF;
-    -- Who empties by_hand means that nothing is decided.
+    -- An empty by_hand means that nothing is decided.
     RETURN CASE WHEN emptied THEN jsonb_populate_record(edited, '{"by_hand": false}') ELSE edited END;
 END $$;
 COMMENT ON FUNCTION streetgen._edited_row(regclass, anyelement, anyelement, name[], text) IS

@@ -12,13 +12,17 @@ COMMENT ON FUNCTION streetgen._live(name) IS
     'Do the streets of a model follow its axes: is streetgen.live on, and setting streetgen.live of the transaction '
     'not off (importers)?';
 
+CREATE OR REPLACE FUNCTION streetgen._always_followed(relation name) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    RETURN relation IN ('turn_restriction', 'interconnection_override', 'roundabout_override');
+COMMENT ON FUNCTION streetgen._always_followed(name) IS
+    'Does an edit of a table of decisions mark axes as stale while streetgen.live is off? No input_hash tells of it.';
+
 CREATE OR REPLACE FUNCTION streetgen._is_followed(model name, relation name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._live(model)
-        OR relation IN ('turn_restriction', 'interconnection_override', 'roundabout_override') $$;
+    AS $$ SELECT streetgen._always_followed(relation) OR streetgen._live(model) $$;
 COMMENT ON FUNCTION streetgen._is_followed(name, name) IS
-    'Does something follow an edit of a table of decisions: the streets, or, where no input_hash tells of it, the mark '
-    'that axes are stale?';
+    'Does something follow an edit of a table of decisions: the streets, or the mark that axes are stale?';
 
 CREATE OR REPLACE FUNCTION streetgen._pause() RETURNS void
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
@@ -358,7 +362,7 @@ BEGIN
         -- Triggers that delete the results of an axis with it, or mark axes as stale, stay on.
         WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%'
             AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
-            AND (relname NOT IN ('turn_restriction', 'interconnection_override', 'roundabout_override') OR live)
+            AND (live OR NOT streetgen._always_followed(relname))
             AND (tgenabled <> 'D') <> live
     LOOP
         EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE'

@@ -1,4 +1,4 @@
--- How roads are drawn.
+-- Drawings of roads, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._alignment_drawn()
     RETURNS TABLE(place integer, subject text, query text)

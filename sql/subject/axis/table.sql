@@ -4,8 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_axis_tables(model name, srid integer)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    z constant text := (SELECT CASE m.dimension WHEN 3 THEN 'Z' ELSE '' END FROM streetgen.model m
-        WHERE m.name = model);
+    z constant text := streetgen._z_of_geometry(model);
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._execute_each(ARRAY[

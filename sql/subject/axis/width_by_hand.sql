@@ -88,7 +88,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._tell_later(name, bigint[]) IS
     'Whether a statement on axis_editing of a model is under way, which edits row by row and tells of all rows at its '
-    'end; it gathers the axes.';
+    'end; it gathers the axes whose widths are not believed.';
 
 CREATE OR REPLACE FUNCTION streetgen._tell_edited_axes() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
@@ -129,11 +129,13 @@ DECLARE
     first record;
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF axes IS NULL OR axes = '{}' OR streetgen._tell_later(model, axes) THEN
+    IF axes IS NULL OR axes = '{}' THEN
         RETURN;
     END IF;
-    SELECT *, count(*) OVER () - 1 AS others INTO first FROM streetgen._unbelieved(model, axes) LIMIT 1;
-    IF FOUND AND streetgen._first_in_statement('widths', model) THEN
+    SELECT *, count(*) OVER () - 1 AS others, array_agg(axis_id) OVER () AS all_axes INTO first
+        FROM streetgen._unbelieved(model, axes) LIMIT 1;
+    IF FOUND AND NOT streetgen._tell_later(model, first.all_axes)
+        AND streetgen._first_in_statement('widths', model) THEN
         SELECT value FROM setting WHERE name = 'max_width_per_lane' INTO bound;
         RAISE NOTICE '% % m of axis % is not believed, with lane_count %: setting max_width_per_lane is % m%',
             first.attribute, first.width, first.axis_id, first.lane_count, bound,

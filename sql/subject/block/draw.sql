@@ -1,4 +1,4 @@
--- How blocks are drawn.
+-- Drawings of blocks, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._block_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -1,4 +1,4 @@
--- How bridges and tunnels are drawn.
+-- Drawings of bridges and tunnels, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._bridge_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -1,4 +1,4 @@
--- How interconnections are drawn.
+-- Drawings of interconnections, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._interconnection_drawn()
     RETURNS TABLE(place integer, subject text, query text)

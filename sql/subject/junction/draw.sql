@@ -1,4 +1,4 @@
--- How junctions are drawn.
+-- Drawings of junctions, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._junction_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -1,4 +1,4 @@
--- How kerbs are drawn.
+-- Drawings of kerbs, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._kerb_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -1,4 +1,4 @@
--- How lanes are drawn.
+-- Drawings of lanes, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._lane_drawn()
     RETURNS TABLE(place integer, subject text, query text)

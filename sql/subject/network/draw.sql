@@ -1,4 +1,4 @@
--- How nodes, edges and reports are drawn.
+-- Drawings of nodes, edges and reports, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._network_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -33,6 +33,17 @@ END $$;
 COMMENT ON FUNCTION streetgen._refuse_off_street(name, text, geometry) IS
     'Raises 22023 for an object that only a street can place, at a place where there is none, naming the nearest axis.';
 
+CREATE OR REPLACE FUNCTION streetgen._require_street(model name, subject text, object bigint) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._refuse_off_street(model, subject, geom) FROM street_object
+        WHERE street_object_id = object AND method = 'absolute';
+END $$;
+COMMENT ON FUNCTION streetgen._require_street(name, text, bigint) IS
+    'Raises 22023 for an object, such as a crossing, that needs a street and stands at none.';
+
 CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, object bigint, axes bigint[], places geometry[])
     RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -122,8 +133,9 @@ BEGIN
         END IF;
         IF NEW.axis_id IS NULL AND NEW.placement IN ('axis', 'border')
             AND NEW.placement IS DISTINCT FROM OLD.placement THEN
-            PERFORM streetgen._refuse_off_street(TG_TABLE_SCHEMA, CASE TG_OP WHEN 'INSERT'
-                THEN 'the new ' || replace(NEW.type, '_', ' ') ELSE 'object ' || OLD.street_object_id END, dropped);
+            PERFORM streetgen._refuse_off_street(TG_TABLE_SCHEMA, CASE TG_OP
+                WHEN 'INSERT' THEN 'the new ' || coalesce(replace(NEW.type, '_', ' '), 'object')
+                ELSE 'object ' || OLD.street_object_id END, dropped);
         ELSIF NEW.axis_id IS NULL THEN
             NEW.placement := 'absolute';
         END IF;

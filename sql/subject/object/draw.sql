@@ -1,4 +1,4 @@
--- How objects are drawn.
+-- Drawings of objects, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._object_drawn()
     RETURNS TABLE(place integer, subject text, query text)

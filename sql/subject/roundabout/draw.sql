@@ -1,4 +1,4 @@
--- How roundabouts are drawn.
+-- Drawings of roundabouts, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._roundabout_drawn()
     RETURNS TABLE(place integer, subject text, query text)

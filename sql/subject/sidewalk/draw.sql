@@ -1,4 +1,4 @@
--- How sidewalks are drawn.
+-- Drawings of sidewalks, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -1,4 +1,4 @@
--- How signals are drawn.
+-- Drawings of signals, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._signal_drawn()
     RETURNS TABLE(place integer, subject text, query text)

@@ -310,4 +310,4 @@ CREATE OR REPLACE FUNCTION streetgen._surface_edit_view()
             'width of the axis that the point means, metres', 'the place on the kerb'],
         $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$,
             'surface') $$;
-COMMENT ON FUNCTION streetgen._surface_edit_view() IS 'The views in which the roadway are edited.';
+COMMENT ON FUNCTION streetgen._surface_edit_view() IS 'The views in which the roadway is edited.';

@@ -1,4 +1,4 @@
--- How the roadway are drawn.
+-- Drawings of the roadway, and what their styles mean.
 
 CREATE OR REPLACE FUNCTION streetgen._surface_drawn()
     RETURNS TABLE(place integer, subject text, query text)
