@@ -9,11 +9,13 @@ CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER ()
 CREATE TEMPORARY TABLE object_report (LIKE load_report) ON COMMIT DROP;
 SELECT :'objects' <> '' AND 'object' = ANY (streetgen._subjects(:'model')) AS takes_objects \gset
 \if :takes_objects
-INSERT INTO object_report SELECT (SELECT max(line) FROM load_report) + row_number() OVER (), r.* FROM streetgen.import_osm_objects(:'model', :'objects') r;
+INSERT INTO object_report SELECT (SELECT max(line) FROM load_report) + row_number() OVER (), r.*
+    FROM streetgen.import_osm_objects(:'model', :'objects') r;
 \endif
-SELECT what, class, count, array_to_string(source_refs[:most] || CASE WHEN cardinality(source_refs) > most THEN '…' END, ', ') AS source_refs FROM (TABLE load_report UNION ALL TABLE object_report) r, (SELECT CASE WHEN :dry_run THEN 1000000 ELSE 5 END AS most) m ORDER BY line;
+SELECT what, class, count, array_to_string(source_refs[:most] || CASE WHEN cardinality(source_refs) > most THEN '…' END, ', ') AS source_refs
+    FROM (TABLE load_report UNION ALL TABLE object_report) r, (SELECT CASE WHEN :dry_run THEN 1000000 ELSE 5 END AS most) m ORDER BY line;
 -- What somebody is to settle, geometry by its length.
-SELECT EXISTS (SELECT FROM load_report WHERE what = 'in conflict') AS in_conflict \gset
+SELECT EXISTS (SELECT FROM (TABLE load_report UNION ALL TABLE object_report) r WHERE what = 'in conflict') AS in_conflict \gset
 \if :in_conflict
 SELECT source_ref, coalesce(axis_id::text, relation || ' ' || row_id) AS axis_id, column_name, by_hand, source_old, source_new, stands FROM (
     SELECT source_ref, axis_id, relation, row_id, column_name, stands, shown[1] AS by_hand, shown[2] AS source_old, shown[3] AS source_new
