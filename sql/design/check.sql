@@ -32,6 +32,11 @@ $each$, relation, relation || '_id', CASE relation WHEN 'alignment_element' THEN
 UNION ALL
 $each$, relation, relation || '_id', at), '')
         FROM (VALUES ('structure', 'start_abscissa'), ('grade_point', 'abscissa')) v(relation, at)) || $part$
+SELECT 'warning', 'by hand, radius cut to the room that there is, m', 'grade_point', g.grade_point_id, p.radius, g.geom
+    FROM %1$I.design_link l, LATERAL streetgen._link_grade_points(%1$L, l.design_link_id) p
+    JOIN %1$I.grade_point g USING (grade_point_id)
+    WHERE NOT l.rejected AND g.by_hand AND p.radius < g.radius - 0.001
+UNION ALL
 SELECT 'warning', 'by hand, waits: its links do not cross, m apart', 'design_crossing', c.design_crossing_id,
     coalesce(ST_Distance(l.geom, o.geom), 0), c.geom FROM %1$I.design_crossing c
     JOIN %1$I.design_link l USING (design_link_id) JOIN %1$I.design_link o ON o.design_link_id = c.other_link_id

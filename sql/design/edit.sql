@@ -39,10 +39,12 @@ BEGIN
             AND NOT rejected) INTO drawn;
     END IF;
     RETURN CASE WHEN drawn THEN jsonb_build_object('straight_in', coalesce((is_now ->> 'straight_in')::boolean, true),
-        'straight_out', coalesce((is_now ->> 'straight_out')::boolean, true)) ELSE '{}' END;
+            'straight_out', coalesce((is_now ->> 'straight_out')::boolean, true))
+        WHEN relation = 'design_crossing' THEN '{"abscissa": -1, "other_abscissa": -1}' ELSE '{}' END;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_default(name, name, jsonb) IS
-    'What a row that is put in has where nothing is said: a vertex among others has straight sides, as they have.';
+    'What a row that is put in has where nothing is said: a vertex among others has straight sides, as they have; a '
+    'crossing waits until its links are found to cross.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_value(model name, relation name, broken name, missing name, is_now jsonb,
     state text, message text) RETURNS void
@@ -100,6 +102,49 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_ends(name, name, jsonb) IS
     'Raises 22023 for a structure or grade point of an edit that lies before or beyond its link.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_parabola(model name, relation name, point bigint) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    cut record;
+BEGIN
+    IF relation <> 'grade_point' THEN
+        RETURN;
+    END IF;
+    PERFORM streetgen._use_model(model);
+    SELECT p.radius, g.design_link_id, g.radius AS wish INTO cut FROM grade_point g,
+        LATERAL streetgen._link_grade_points(model, g.design_link_id) p
+        WHERE g.grade_point_id = point AND g.by_hand AND p.grade_point_id = point AND p.radius < g.radius - 0.001;
+    IF cut IS NOT NULL THEN
+        PERFORM streetgen._refuse('22023',
+            format('the radius of grade point %s of link %s cannot be %s', point, cut.design_link_id, cut.wish),
+            detail => format('There is room for a radius of %s m between the points beside it.', floor(cut.radius)),
+            hint => 'Make the radius smaller, or move the points apart; NULL takes what there is room for.');
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_parabola(name, name, bigint) IS
+    'Raises 22023 for an edit of a grade point whose radius has no room between those beside it.';
+
+CREATE OR REPLACE FUNCTION streetgen._refuse_computed(model name, relation name, is_now jsonb) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    editable constant name[] := streetgen._editable_columns(model, relation);
+    computed text;
+BEGIN
+    SELECT string_agg(c, ', ') FROM unnest(streetgen._design_columns(model, relation)) c
+        WHERE c <> ALL (editable) AND c <> relation || '_id' AND is_now ->> c IS NOT NULL
+            AND (relation, c) <> ('design_crossing', 'geom') INTO computed;
+    IF computed IS NOT NULL THEN
+        PERFORM streetgen._refuse('0A000',
+            format('the %s of a new %s cannot be given', computed, replace(relation, '_', ' ')),
+            detail => 'It is computed.', hint => format('Leave it empty; %s can be given.',
+                array_to_string(editable, ', ')), schema => model, relation => relation, attribute => computed);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._refuse_computed(name, name, jsonb) IS
+    'Raises 0A000 for a new row of a design that gives what is computed. The place of a crossing says which is meant.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_design_edit_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -122,6 +167,8 @@ BEGIN
         is_now jsonb;
         was jsonb;
         given name[];
+        new_key bigint;
+        became record;
     BEGIN
         IF TG_TABLE_SCHEMA <> current_schema() THEN
             PERFORM streetgen._require_model(TG_TABLE_SCHEMA);
@@ -142,6 +189,7 @@ BEGIN
         is_now := CASE WHEN TG_OP <> 'DELETE' THEN to_jsonb(NEW) END;
         was := CASE WHEN TG_OP <> 'INSERT' THEN to_jsonb(OLD) END;
         IF TG_OP = 'INSERT' THEN
+            PERFORM streetgen._refuse_computed(TG_TABLE_SCHEMA, relation, is_now);
             NEW := jsonb_populate_record(NEW, streetgen._edit_default(TG_TABLE_SCHEMA, relation, is_now));
             is_now := to_jsonb(NEW);
         END IF;
@@ -149,10 +197,10 @@ BEGIN
         IF TG_OP = 'INSERT' THEN
             given := ARRAY(SELECT c FROM unnest(streetgen._design_columns(TG_TABLE_SCHEMA, relation)) c
                 WHERE is_now ->> c IS NOT NULL AND c <> 'by_hand');
-            EXECUTE format('INSERT INTO %I.%I (%s) SELECT %s', TG_TABLE_SCHEMA, relation,
+            EXECUTE format('INSERT INTO %I.%I (%s) SELECT %s RETURNING %I', TG_TABLE_SCHEMA, relation,
                 (SELECT string_agg(quote_ident(c), ', ') FROM unnest(ARRAY['by_hand'::name] || given) c),
-                concat_ws(', ', 'true', (SELECT string_agg(format('($1).%I', c), ', ') FROM unnest(given) c)))
-                USING NEW;
+                concat_ws(', ', 'true', (SELECT string_agg(format('($1).%I', c), ', ') FROM unnest(given) c)), key)
+                INTO new_key USING NEW;
         ELSIF TG_OP = 'UPDATE' THEN
             EXECUTE format('UPDATE %I.%I SET %s WHERE %I = ($2).%I', TG_TABLE_SCHEMA, relation,
                 (SELECT string_agg(CASE c WHEN 'by_hand' THEN 'by_hand = '
@@ -176,9 +224,19 @@ BEGIN
         END IF;
         PERFORM streetgen._follow_design(TG_TABLE_SCHEMA, relation, coalesce(is_now, was));
         PERFORM streetgen._check_ends(TG_TABLE_SCHEMA, relation, is_now);
+        PERFORM streetgen._check_parabola(TG_TABLE_SCHEMA, relation, coalesce(new_key, (is_now ->> key)::bigint));
+        IF TG_OP = 'INSERT' THEN
+            -- What INSERT … RETURNING gives, and QGIS shows: the row as it became.
+            EXECUTE format('SELECT * FROM %I.%I WHERE %I = $1', TG_TABLE_SCHEMA, TG_TABLE_NAME, key)
+                INTO became USING new_key;
+            RETURN became;
+        END IF;
         RETURN CASE WHEN TG_OP = 'DELETE' THEN OLD ELSE NEW END;
     EXCEPTION WHEN check_violation OR not_null_violation OR foreign_key_violation OR unique_violation THEN
         GET STACKED DIAGNOSTICS broken = CONSTRAINT_NAME, missing = COLUMN_NAME, at_table = TABLE_NAME;
+        IF broken = '' AND SQLSTATE <> '23502' THEN
+            RAISE;
+        END IF;
         PERFORM streetgen._refuse_value(TG_TABLE_SCHEMA, at_table, broken, missing, is_now, SQLSTATE, SQLERRM);
     END $body$;
     PERFORM streetgen._own_function(model, '_edit_design()', 'Turns an edit of a design into rows by hand');
@@ -242,6 +300,41 @@ COMMENT ON FUNCTION streetgen._check_element_bend(jsonb, jsonb) IS
     'Raises 22023 for an edit of an alignment element to a radius under 5 m, or to a turn beyond 360 degrees: coils '
     'have more chords and crossings than can be computed.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_order(model name, relation name, was jsonb, is_now jsonb) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    subject constant text := concat_ws(' ', 'the ' || replace(relation, '_', ' '), is_now ->> (relation || '_id'));
+    own_id constant bigint := was ->> (relation || '_id');
+    at constant float8 := is_now ->> 'ordinality';
+    abscissa constant float8 := is_now ->> 'abscissa';
+    beside record;
+BEGIN
+    IF is_now @> '{"rejected": true}' OR is_now -> 'ordinality' IS NOT DISTINCT FROM was -> 'ordinality'
+        AND is_now -> 'abscissa' IS NOT DISTINCT FROM was -> 'abscissa'
+    THEN
+        RETURN;
+    END IF;
+    PERFORM streetgen._check_edit_number('the ordinality of ' || subject, at, -1e6, 1e6, '',
+        'It is the place in the order of the link.');
+    EXECUTE format('SELECT bool_or(ordinality = $3) AS taken, max(%1$s) FILTER (WHERE ordinality < $3) AS low, '
+            'min(%1$s) FILTER (WHERE ordinality > $3) AS high FROM %2$I.%3$I WHERE design_link_id = $1 '
+            'AND NOT rejected AND %4$I IS DISTINCT FROM $2',
+        CASE relation WHEN 'alignment_element' THEN 'abscissa' ELSE 'NULL::float8' END, model, relation,
+        relation || '_id') INTO beside USING (is_now ->> 'design_link_id')::bigint, own_id, at;
+    IF beside.taken THEN
+        PERFORM streetgen._refuse('23505', format('the ordinality of %s cannot be %s', subject, at),
+            detail => format('Another row of %s has it on link %s.', relation, is_now ->> 'design_link_id'),
+            hint => 'Take a number between those of the rows before and after.', schema => model,
+            relation => relation, attribute => 'ordinality');
+    END IF;
+    PERFORM streetgen._check_edit_number('the abscissa of ' || subject, abscissa, coalesce(beside.low, 0),
+        coalesce(beside.high, 1e7), 'm', 'Elements follow each other along the link.');
+END $$;
+COMMENT ON FUNCTION streetgen._check_order(name, name, jsonb, jsonb) IS
+    'Raises 22023 for a vertex or element of an edit whose number in the order of its link is none, or whose abscissa '
+    'is not between those of its neighbours; 23505 where another row has the number.';
+
 CREATE OR REPLACE FUNCTION streetgen._begin_design_edit(model name, relation name, was jsonb, is_now jsonb)
     RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -254,6 +347,9 @@ BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_one_build();
     LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
+    IF relation IN ('design_vertex', 'alignment_element') THEN
+        PERFORM streetgen._check_order(model, relation, was, is_now);
+    END IF;
     IF relation = 'alignment_element' THEN
         PERFORM streetgen._check_element_bend(was, is_now);
     ELSIF relation <> 'design_vertex' THEN
@@ -272,8 +368,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
-    'Before an edit of a design: other edits and runs wait. A curvature of a radius under 5 m, or a turn beyond '
-    '360 degrees: 22023. An edit of a vertex makes all vertices of its link vertices by hand with straight sides; one '
+    'Before an edit of a design: other edits and runs wait. A curvature of a radius under 5 m, a turn beyond '
+    '360 degrees, or a place out of order: 22023; a number that another row has: 23505. An edit of a vertex makes all vertices of its link vertices by hand with straight sides; one '
     'that is taken back leaves the sides to its neighbours to the search.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_crossed(model name, links bigint[]) RETURNS bigint[]

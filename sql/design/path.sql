@@ -136,22 +136,37 @@ END $$;
 COMMENT ON FUNCTION streetgen._link_elements(name, bigint) IS
     'The elements of a link as the core takes them, seven numbers each.';
 
-CREATE OR REPLACE FUNCTION streetgen._link_grades(model name, link bigint) RETURNS float8[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._link_grade_points(model name, link bigint)
+    RETURNS TABLE(grade_point_id bigint, abscissa float8, height float8, radius float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    numbers float8[];
+#variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- A point by hand without a radius gets the widest parabola that half of both sides has room for.
-    SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}') FROM (
-        SELECT abscissa, height, coalesce(radius, least(10000, least(before, after)
-            / nullif(abs((next_height - height) / after - (height - last_height) / before), 0)), 0) AS radius
-        FROM (SELECT *, abscissa - lag(abscissa) OVER along AS before, lead(abscissa) OVER along - abscissa AS after,
-                lag(height) OVER along AS last_height, lead(height) OVER along AS next_height
-            FROM grade_point WHERE design_link_id = link AND NOT rejected WINDOW along AS (ORDER BY abscissa)) p) g,
-        unnest(ARRAY[abscissa, height, radius]) WITH ORDINALITY u(v, k) INTO numbers;
-    RETURN numbers;
+    RETURN QUERY
+    WITH point AS (SELECT *, abscissa - lag(abscissa) OVER along AS before,
+            lead(abscissa) OVER along - abscissa AS after, lag(height) OVER along AS last_height,
+            lead(height) OVER along AS next_height
+        FROM grade_point WHERE design_link_id = link AND NOT rejected WINDOW along AS (ORDER BY abscissa)),
+    -- The widest parabola that half of both sides has room for.
+    room AS (SELECT *, coalesce(abs((next_height - height) / after - (height - last_height) / before), 0) AS turn,
+            least(before, after) / nullif(abs((next_height - height) / after - (height - last_height) / before), 0)
+                AS room FROM point),
+    wish AS (SELECT *, coalesce(radius, least(10000, room), 0) AS wanted FROM room),
+    tangent AS (SELECT *, coalesce(lag(wanted * turn / 2) OVER along, 0) + wanted * turn / 2 > before + 1e-6
+            OR coalesce(lead(wanted * turn / 2) OVER along, 0) + wanted * turn / 2 > after + 1e-6 AS tight
+        FROM wish WINDOW along AS (ORDER BY abscissa))
+    SELECT grade_point_id, abscissa, height, CASE WHEN tight THEN least(wanted, room) ELSE wanted END
+    FROM tangent ORDER BY abscissa;
 END $$;
+COMMENT ON FUNCTION streetgen._link_grade_points(name, bigint) IS
+    'The grade points of a link in order. A point without a radius has the widest parabola that there is room for, and '
+    'so have two by hand that would overlap where the road beside them moved.';
+
+CREATE OR REPLACE FUNCTION streetgen._link_grades(model name, link bigint) RETURNS float8[]
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$ SELECT coalesce(array_agg(v ORDER BY abscissa, k), '{}')
+        FROM streetgen._link_grade_points(model, link),
+            unnest(ARRAY[abscissa, height, radius]) WITH ORDINALITY u(v, k) $$;
 COMMENT ON FUNCTION streetgen._link_grades(name, bigint) IS
     'The grade points of a link as the core takes them, three numbers each.';

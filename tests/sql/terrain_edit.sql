@@ -26,3 +26,29 @@ RESET ROLE; SET ROLE visitor;
 SELECT 'a reader reads, and edits nothing', test.state('SELECT * FROM edited.grade_point_editing') = 'none' AND test.state('DELETE FROM edited.grade_point_editing') = '42501';
 RESET ROLE;
 DROP OWNED BY draughtsman, visitor; DROP ROLE draughtsman, visitor;
+-- A radius by hand that fitted is cut where the road beside it moved, and told: one point must not stop the design.
+CREATE TABLE point AS SELECT grade_point_id, design_link_id, abscissa, height FROM edited.grade_point WHERE design_link_id = 1 AND NOT rejected ORDER BY abscissa OFFSET 3 LIMIT 1;
+SELECT 'a radius for which there is room is taken', test.state('UPDATE edited.grade_point_editing SET radius = 900 WHERE grade_point_id = (SELECT grade_point_id FROM point)') = 'none';
+SELECT 'one for which there is none is refused', r.state = '22023' AND r.said ~ '^the radius of grade point \d+ of link 1 cannot be 9000000' AND r.detail ~ 'There is room for a radius of \d+ m' AND r.hint ~ 'smaller' FROM test.refusal('UPDATE edited.grade_point_editing SET radius = 9e6, height = height + 4 WHERE grade_point_id = (SELECT grade_point_id FROM point)') r;
+-- As by a move of the road: the height beside it changes so much that the parabola has no room.
+UPDATE edited.grade_point SET radius = 1e6, height = height + 5 WHERE grade_point_id = (SELECT grade_point_id FROM point);
+SELECT 'a design goes on where a radius has no room any more', test.state('SELECT * FROM streetgen.design(''edited'', links => ''{1,2}'')') = 'none';
+SELECT 'the radius by hand stays', radius = 1e6 AND by_hand FROM edited.grade_point JOIN point USING (grade_point_id);
+SELECT 'the road has what there is room for', p.radius BETWEEN 1 AND 1e5 FROM point, streetgen._link_grade_points('edited', 1) p WHERE p.grade_point_id = point.grade_point_id;
+SELECT 'and check_model tells it', count(*) = 1 FROM streetgen.check_model('edited') c JOIN point ON c.id = grade_point_id WHERE rule = 'by hand, radius cut to the room that there is, m' AND relation = 'grade_point';
+DELETE FROM edited.grade_point_editing WHERE grade_point_id = (SELECT grade_point_id FROM point);
+-- What a new row says is taken or refused, and what it became is told.
+SELECT 'a new row that gives what is computed is refused: ' || relation, r.state = '0A000' AND r.said = format('the %s of a new %s cannot be given', attribute, replace(relation, '_', ' ')) AND r.hint ~ 'can be given'
+  FROM (VALUES ('design_link', 'cost', 'node_a, node_b, network', '1, 3, ''rural''', '1'), ('grade_point', 'geom', 'design_link_id, abscissa, height', '1, 210, 40', '''SRID=2154;POINT Z (0 0 0)'''),
+    ('structure', 'geom', 'design_link_id, kind, start_abscissa, end_abscissa', '1, ''bridge'', 10, 20', '''SRID=2154;LINESTRING Z (0 0 0, 1 1 1)'''), ('design_crossing', 'abscissa', 'design_link_id, other_link_id, kind, geom', '1, 2, ''over'', ''SRID=2154;POINT(0 0)''', '4')) v(relation, attribute, columns, vals, value),
+    LATERAL test.refusal(format('INSERT INTO edited.%s_editing (%s, %s) VALUES (%s, %s)', relation, columns, attribute, vals, value)) r;
+INSERT INTO edited.grade_point_editing (design_link_id, abscissa, height) SELECT 1, abscissa + 10, height FROM point RETURNING grade_point_id AS new_point, by_hand, geom IS NOT NULL AS placed \gset
+SELECT 'a new row is returned with its key, and as it became', :'by_hand' AND :'placed' AND EXISTS (SELECT FROM edited.grade_point WHERE grade_point_id = :new_point AND by_hand);
+SELECT name || ' is refused', r.state = v.state AND r.said ~ wanted AND r.hint <> ''
+  FROM (VALUES ('a vertex without a number', 'INSERT INTO edited.design_vertex_editing (design_link_id, ordinality, geom) SELECT 1, ''NaN'', geom FROM edited.design_node LIMIT 1', '22023', '^the ordinality of the design vertex cannot be NaN'),
+    ('a vertex far off the order', 'INSERT INTO edited.design_vertex_editing (design_link_id, ordinality, geom) SELECT 1, 1e300, geom FROM edited.design_node LIMIT 1', '22023', '^the ordinality of the design vertex cannot be 1e\+300'),
+    ('a number that another vertex has', 'INSERT INTO edited.design_vertex_editing (design_link_id, ordinality, geom) SELECT design_link_id, ordinality, geom FROM edited.design_vertex WHERE NOT rejected ORDER BY design_vertex_id LIMIT 1', '23505', '^the ordinality of the design vertex cannot be'),
+    ('a number that another element has', 'INSERT INTO edited.alignment_element_editing (design_link_id, ordinality, kind, abscissa, start, heading, length, curvature_start, curvature_end) SELECT design_link_id, ordinality, kind, abscissa, start, heading, length, curvature_start, curvature_end FROM edited.alignment_element WHERE NOT rejected ORDER BY alignment_element_id LIMIT 1', '23505', '^the ordinality of the alignment element cannot be 1'),
+    ('an element beyond those after it', 'UPDATE edited.alignment_element_editing SET abscissa = 1e6 WHERE design_link_id = 1 AND ordinality = 2', '22023', '^the abscissa of the alignment element \d+ cannot be 1000000'),
+    ('an element before its link', 'UPDATE edited.alignment_element_editing SET abscissa = -5 WHERE design_link_id = 1 AND ordinality = 1', '22023', '^the abscissa of the alignment element \d+ cannot be -5')) v(name, statement, state, wanted),
+    LATERAL test.refusal(statement) r;

@@ -17,17 +17,21 @@ BEGIN
     END IF;
     NEW.direction := coalesce(NEW.direction, 'both');
     NEW.level := coalesce(NEW.level, 0);
+    IF TG_OP = 'INSERT' OR NEW.axis_id <> OLD.axis_id THEN
+        SELECT count(*) FROM axis WHERE axis_id = NEW.axis_id INTO written;
+        IF written > 0 THEN
+            PERFORM streetgen._refuse('23505', format('%s cannot be axis %s',
+                    CASE TG_OP WHEN 'INSERT' THEN 'the new axis' ELSE 'axis ' || OLD.axis_id END, NEW.axis_id),
+                detail => 'Another axis has this number.', hint => CASE TG_OP
+                    WHEN 'INSERT' THEN 'Leave axis_id empty: it is numbered by itself.' ELSE 'Leave it as it is.' END,
+                schema => TG_TABLE_SCHEMA, relation => 'axis', attribute => 'axis_id');
+        END IF;
+    END IF;
     IF TG_OP = 'INSERT' AND NEW.axis_id IS NULL THEN
         INSERT INTO axis (geom, width, lane_count, direction, speed, importance, name, level)
             VALUES (NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level)
             RETURNING axis_id INTO NEW.axis_id;
     ELSIF TG_OP = 'INSERT' THEN
-        SELECT count(*) FROM axis WHERE axis_id = NEW.axis_id INTO written;
-        IF written > 0 THEN
-            PERFORM streetgen._refuse('23505', format('the new axis cannot be axis %s', NEW.axis_id),
-                detail => 'Another axis has this number.', hint => 'Leave axis_id empty: it is numbered by itself.',
-                schema => TG_TABLE_SCHEMA, relation => 'axis', attribute => 'axis_id');
-        END IF;
         INSERT INTO axis (axis_id, geom, width, lane_count, direction, speed, importance, name, level)
             VALUES (NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
             NEW.name, NEW.level);
