@@ -20,52 +20,11 @@ CREATE OR REPLACE FUNCTION streetgen._row_json(relation regclass, alias text, co
 COMMENT ON FUNCTION streetgen._row_json(regclass, text, text[]) IS
     'SQL that gives a row, or some columns of it, as jsonb with geometries as EWKB: those of PostGIS lose digits.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_delivered_tables(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-        SET client_min_messages = warning
-    AS $$
-BEGIN
-    EXECUTE format($sql$
-CREATE TABLE IF NOT EXISTS %1$I.delivered (
-    relation text NOT NULL, source text NOT NULL, source_ref text NOT NULL, row_id bigint NOT NULL, said jsonb,
-    source_geom geometry, cleaned geometry, gone boolean NOT NULL DEFAULT false,
-    PRIMARY KEY (source, source_ref, relation));
-COMMENT ON TABLE %1$I.delivered IS
-    'What sources said last: importers write it, and tell by it what is by hand. Delete a row that has no axis any '
-    'more, and the next delivery brings the axis anew';
-CREATE TABLE IF NOT EXISTS %1$I.open_conflict (
-    relation text NOT NULL, row_id bigint NOT NULL, column_name text NOT NULL, source text, source_ref text,
-    by_hand text, source_old text, source_new text, stands text NOT NULL CHECK (stands IN ('hand', 'source')),
-    PRIMARY KEY (relation, row_id, column_name));
-COMMENT ON TABLE %1$I.open_conflict IS
-    'Conflicts of view import_conflict: streetgen.settle_conflict ends one'
-$sql$, model);
-END $$;
-COMMENT ON FUNCTION streetgen._make_delivered_tables(name) IS
-    'Makes the tables of a model that keep what sources said last and the conflicts with it, where they are missing.';
-
 CREATE OR REPLACE FUNCTION streetgen._source_column()
     RETURNS TABLE(relation name, attribute name, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
     AS $$ VALUES
-    ('delivered'::name, 'relation'::name, 'key: the table that it became a row of'),
-    ('delivered', 'source', 'key: the source, as in that table'),
-    ('delivered', 'source_ref', 'key: its identity in the source'),
-    ('delivered', 'row_id', 'the key of that row, which may have been deleted by hand'),
-    ('delivered', 'said', 'what the source said last, column by column; NULL: an older build did not keep it'),
-    ('delivered', 'source_geom', 'its line or point as the source has it, in the reference of the model'),
-    ('delivered', 'cleaned', 'its line as it was cleaned; NULL: as source_geom'),
-    ('delivered', 'gone', 'has the source deleted it since? The row stays for what was edited by hand'),
-    ('open_conflict', 'relation', 'key: the table of the row'),
-    ('open_conflict', 'row_id', 'key: the key of the row'),
-    ('open_conflict', 'column_name', 'key: the column; *: the whole row, deleted by hand or by the source'),
-    ('open_conflict', 'source', 'the source, as in that table'),
-    ('open_conflict', 'source_ref', 'its identity in the source'),
-    ('open_conflict', 'by_hand', 'the value by hand; geometry as EWKB; NULL: empty, or of *: deleted by hand'),
-    ('open_conflict', 'source_old', 'what the source said when that was edited; of *: what it said otherwise'),
-    ('open_conflict', 'source_new', 'what the source says now; NULL: nothing, or of *: deleted by the source'),
-    ('open_conflict', 'stands', 'hand or source: whose value the row has, by setting delivery_wins'),
-    ('import_conflict', 'axis_id', 'the axis; NULL: a row of another table'),
+    ('import_conflict'::name, 'axis_id'::name, 'the axis; NULL: a row of another table'),
     ('import_conflict', 'column_name', 'its column; *: the whole row, deleted by hand or by the source'),
     ('import_conflict', 'by_hand', 'the value by hand; geometry as EWKB; NULL: empty, or of *: deleted by hand'),
     ('import_conflict', 'source_old', 'what the source said when that was edited; of *: what it said otherwise'),
@@ -192,12 +151,3 @@ CREATE OR REPLACE FUNCTION streetgen._is_piece(source_ref text, of_ref text) RET
 COMMENT ON FUNCTION streetgen._is_piece(text, text) IS
     'May an axis with this source_ref be a piece of one of that, as clients name what they cut off: none, or 12_1 '
     'of 12?';
-
-CREATE OR REPLACE FUNCTION streetgen._make_source_input_tables(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._make_followed_table(model), streetgen._make_delivered_tables(model);
-END $$;
-COMMENT ON FUNCTION streetgen._make_source_input_tables(name) IS
-    'Makes the tables of what a model follows and of what sources delivered, where they are missing.';

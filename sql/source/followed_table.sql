@@ -6,21 +6,6 @@ CREATE OR REPLACE FUNCTION streetgen._follower(source text) RETURNS name
 COMMENT ON FUNCTION streetgen._follower(text) IS
     'Name of the trigger function in the schema of a model that follows a source.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_followed_table(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-        SET client_min_messages = warning
-    AS $$
-BEGIN
-    EXECUTE format($sql$
-CREATE TABLE IF NOT EXISTS %1$I.followed (source text PRIMARY KEY, mapping jsonb NOT NULL);
-COMMENT ON TABLE %1$I.followed IS
-    'Tables that the model is in step with: streetgen.follow and unfollow write it, adopt_model reads it';
-COMMENT ON COLUMN %1$I.followed.source IS 'the table, as in axis.source';
-COMMENT ON COLUMN %1$I.followed.mapping IS 'column of axis -> column of the table, or {"value": constant}'
-$sql$, model);
-END $$;
-COMMENT ON FUNCTION streetgen._make_followed_table(name) IS 'Makes the table of a model that keeps what it follows.';
-
 CREATE OR REPLACE FUNCTION streetgen._refs_of(source_ref text, geom geometry) RETURNS SETOF text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$ SELECT source_ref

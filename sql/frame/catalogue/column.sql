@@ -23,16 +23,3 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._comment_model(name) IS 'Comments every column of a model''s tables and views.';
-
-CREATE OR REPLACE FUNCTION streetgen._frame_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('setting'::name, 'name'::name, 'name of the setting'),
-    ('setting', 'value', 'its value as text'),
-    ('setting', 'unit', 'unit of the value'),
-    ('setting', 'description', 'what it decides'),
-    ('setting', 'minimum', 'smallest value of a number; NULL: the value is no number'),
-    ('setting', 'maximum', 'greatest value of a number'),
-    ('setting', 'choice', 'the words that the value may be') $$;
-COMMENT ON FUNCTION streetgen._frame_column() IS 'The columns of every model, and what each is.';

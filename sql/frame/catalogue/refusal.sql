@@ -97,8 +97,7 @@ BEGIN
             AND relname = ANY (streetgen._edited_tables(model) || 'axis_class'::name) OFFSET 0) c
         CROSS JOIN LATERAL streetgen._conditions(c.oid)
         -- Columns that others added keep to their constraints: a trigger would bar them from being dropped or altered.
-        JOIN streetgen._model_column() USING (attribute)
-        WHERE relation = relname GROUP BY c.oid
+        JOIN streetgen.template ON relation = relname AND attribute = ANY (attributes) GROUP BY c.oid
     LOOP
         -- The condition is read with the row; the function is called for a row that breaks it.
         EXECUTE format('CREATE OR REPLACE TRIGGER refuse BEFORE INSERT OR UPDATE OF %s ON %s FOR EACH ROW WHEN ((%s) '

@@ -131,18 +131,6 @@ CREATE OR REPLACE FUNCTION streetgen._frame_setting()
     ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']) $$;
 COMMENT ON FUNCTION streetgen._frame_setting() IS 'The settings of every model, with their defaults and ranges.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_setting_table(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    CREATE TABLE setting (name text PRIMARY KEY, value text, unit text, description text NOT NULL, minimum float8,
-        maximum float8, choice text[]);
-    COMMENT ON TABLE setting IS 'Settings of the model; streetgen.set changes one, within its range';
-    INSERT INTO setting SELECT * FROM streetgen._default_setting();
-END $$;
-COMMENT ON FUNCTION streetgen._make_setting_table(name) IS 'Makes the settings of a model, as they are by default.';
-
 CREATE OR REPLACE FUNCTION streetgen._setting_beside() RETURNS TABLE(name text)
     LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
     AS $$

@@ -41,9 +41,9 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
     'always: a model cannot do without it. by_default: a new model computes it unless told '
-    'otherwise. For every other subject there are functions _make_<subject>_tables (model, '
-    'srid), which makes its computed tables, and _upsert_<subject> (places), its part of the one statement, or '
-    '_update_<subject>, which follows that; one without either is computed with a subject that it needs.';
+    'otherwise. For every subject there is a template of its computed tables (streetgen.template), and a function '
+    '_upsert_<subject> (places), its part of the one statement, or _update_<subject>, which follows that; one without '
+    'either is computed with a subject that it needs.';
 
 -- PL/pgSQL, so that a session plans it once: an edit asks several times.
 CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]

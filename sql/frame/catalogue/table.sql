@@ -45,7 +45,7 @@ CREATE OR REPLACE FUNCTION streetgen._street_input(model name) RETURNS name[]
     AS $$ SELECT array_agg(relname ORDER BY relname) FROM pg_class
         WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
             -- A table of the user's may have a name of that kind.
-            AND relname IN (SELECT relation FROM streetgen._model_column()
+            AND relname IN (SELECT relation FROM streetgen.template
                 WHERE relation IN ('axis', 'turn_restriction', 'control_point') OR relation LIKE '%\_override') $$;
 COMMENT ON FUNCTION streetgen._street_input(name) IS
     'The tables of a model that streets follow: axes, turn restrictions, control points and overrides.';

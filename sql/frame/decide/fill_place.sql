@@ -29,20 +29,3 @@ END $$;
 COMMENT ON FUNCTION streetgen._fill_place() IS
     'Trigger of override tables: the place (geom) from axis and abscissa, or axis and end, where none is given or '
     'these change without it; NULL beyond the axis.';
-
-CREATE OR REPLACE FUNCTION streetgen._finish_override_table(model name, relation name, fills_place boolean) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-        SET client_min_messages = warning
-    AS $$
-BEGIN
-    EXECUTE format('CREATE INDEX IF NOT EXISTS %2$I ON %1$I.%3$I USING gist (geom)', model, relation || '_geom',
-        relation);
-    IF fills_place THEN
-        EXECUTE format('CREATE OR REPLACE TRIGGER fill_place BEFORE INSERT OR UPDATE ON %I.%I FOR EACH ROW EXECUTE '
-            'FUNCTION streetgen._fill_place()', model, relation);
-        EXECUTE format('COMMENT ON TRIGGER fill_place ON %I.%I IS %L', model, relation,
-            'Fills geom where it is left out');
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._finish_override_table(name, name, boolean) IS
-    'Makes the index of the places of a table of decisions, and where asked for the trigger that fills the place.';

@@ -40,14 +40,14 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETUR
 DECLARE
     before constant oid[] := streetgen._relations(model);
 BEGIN
-    PERFORM streetgen._call_rooms('_make_%s_input_tables', model, streetgen._rooms()),
+    PERFORM streetgen._make_tables(model, '{input_table}', streetgen._rooms()),
+        streetgen._make_tables(model, '{kept_table}', ARRAY(SELECT DISTINCT t.room FROM streetgen.template t
+            WHERE t.part = 'kept_table' AND to_regclass(format('%I.%I', model, t.relation)) IS NOT NULL)),
         streetgen._call_rooms('_mend_%s_tables', model, streetgen._rooms()),
-        streetgen._make_edit_log_table(model, srid), streetgen._make_cluster_table(model, srid),
-        streetgen._call_rooms('_make_%s_edit_indexes', model, streetgen._subjects(model));
-    PERFORM streetgen._give_to_owner(model, before);
+        streetgen._complete_tables(model), streetgen._give_to_owner(model, before);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS
-    'Makes the tables, columns and indexes that came after the first models, where they are missing.';
+    'Makes the tables, columns, indexes and comments that came after the first models, where they are missing.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2,
     subjects text[] DEFAULT NULL, driving_side text DEFAULT 'auto') RETURNS void
@@ -82,10 +82,8 @@ BEGIN
     EXECUTE format('CREATE SCHEMA %I', model);
     EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
     PERFORM streetgen._register_model(model, srid, dimension);
-    PERFORM streetgen._make_setting_table(model);
-    PERFORM streetgen._call_rooms('_make_%s_tables', model, '{axis}');
-    PERFORM streetgen._make_subject_tables(model, srid, wanted);
-    PERFORM streetgen._add_tables(model, srid);
+    PERFORM streetgen._make_tables(model, '{kept_table,table}', '{frame,axis}'::text[] || wanted),
+        streetgen._make_tables(model, '{input_table}', streetgen._rooms());
     PERFORM streetgen._make_dependents(model);
     PERFORM streetgen._comment_model(model);
     IF driving_side <> 'auto' THEN

@@ -21,21 +21,6 @@ COMMENT ON FUNCTION streetgen.subject(name) IS
     'need it, its tables, what it costs and what it holds. A model that does not exist: 3F000; NULL: 22004; a '
     'caller who may not read the model: 42501.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_subject_tables(model name, srid integer, subjects text[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    word text;
-BEGIN
-    FOR word IN SELECT s.subject FROM streetgen._subject() s
-        WHERE s.subject = ANY (subjects) AND s.subject <> ALL (streetgen._subjects(model)) ORDER BY s.place
-    LOOP
-        EXECUTE format('SELECT streetgen.%I($1, $2)', '_make_' || word || '_tables') USING model, srid;
-    END LOOP;
-END $$;
-COMMENT ON FUNCTION streetgen._make_subject_tables(name, integer, text[]) IS
-    'Makes the computed tables of those subjects that a model does not compute yet.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_dependents(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -93,9 +78,7 @@ BEGIN
     END IF;
     before := streetgen._relations(model);
     IF wanted THEN
-        PERFORM streetgen._make_subject_tables(model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model),
-            streetgen._with_needs(ARRAY[subject]));
-        PERFORM streetgen._call_rooms('_make_%s_edit_indexes', model, streetgen._subjects(model));
+        PERFORM streetgen._make_tables(model, '{kept_table,table}', streetgen._with_needs(ARRAY[subject]));
         PERFORM streetgen._make_dependents(model);
         PERFORM streetgen._give_to_owner(model, before);
         PERFORM streetgen._grant_like_axes(model, ARRAY(

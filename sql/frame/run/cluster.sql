@@ -50,33 +50,6 @@ COMMENT ON FUNCTION streetgen.cluster(name, integer) IS
     'gone and have left edges behind count. No axes: no rows. k that is NULL: 22004; beyond 1 to the number of axes: '
     '22023. Source: the StreetGen paper, figure 29.';
 
-CREATE OR REPLACE FUNCTION streetgen._make_cluster_table(model name, srid integer) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-        SET client_min_messages = warning
-    AS $$
-BEGIN
-    EXECUTE format($sql$
-CREATE TABLE IF NOT EXISTS %1$I.cluster (
-    cluster_id integer PRIMARY KEY, axes bigint[] NOT NULL, hull geometry(Geometry, %2$s) NOT NULL,
-        setting_hash bigint NOT NULL,
-    began timestamptz, ended timestamptz, session integer);
-CREATE INDEX IF NOT EXISTS cluster_hull ON %1$I.cluster USING gist (hull);
-COMMENT ON TABLE %1$I.cluster IS
-    'The last run of the model by clusters, or the one under way: a row per cluster; streetgen.plan_clusters writes '
-    'it, streetgen.generate_cluster ends its rows, streetgen.progress sums them up';
-COMMENT ON COLUMN %1$I.cluster.cluster_id IS
-    'number of the cluster, from 1; those that follow each other are neighbours';
-COMMENT ON COLUMN %1$I.cluster.axes IS 'its axes';
-COMMENT ON COLUMN %1$I.cluster.hull IS 'convex hull of its axes';
-COMMENT ON COLUMN %1$I.cluster.setting_hash IS 'hash of the settings that the run was planned with';
-COMMENT ON COLUMN %1$I.cluster.began IS 'when a session took it; NULL: not computed yet';
-COMMENT ON COLUMN %1$I.cluster.ended IS 'when it was done; NULL: not computed yet';
-COMMENT ON COLUMN %1$I.cluster.session IS 'process of the session that computed it'
-$sql$, model, srid);
-END $$;
-COMMENT ON FUNCTION streetgen._make_cluster_table(name, integer) IS
-    'Makes the table by which a model is computed in clusters.';
-
 CREATE OR REPLACE FUNCTION streetgen._setting_hash(model name) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

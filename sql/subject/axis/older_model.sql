@@ -44,6 +44,17 @@ COMMENT ON FUNCTION streetgen._add_class_meanings(name) IS
     'Adds the columns of axis_class that say what a class means for ramps, people on foot and lanes, where a model was '
     'made before them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_roundabout_tag(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    ALTER TABLE axis ADD IF NOT EXISTS roundabout_tag text;
+END $$;
+COMMENT ON FUNCTION streetgen._add_roundabout_tag(name) IS
+    'Adds the word of the source for a roundabout where a model was made before.';
+
 CREATE OR REPLACE FUNCTION streetgen._mend_axis_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -203,3 +203,36 @@ $sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END);
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_views(name) IS
     'Makes the views setting_used and axis_used of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('setting_used'::name, 'settings'::name, 'name of each to its value'),
+    ('setting_used', 'setting_hash', 'their hash'),
+    ('axis_used', 'axis_id', 'the axis'),
+    ('axis_used', 'geom', 'the axis of the road'),
+    ('axis_used', 'level', 'level of the axis'),
+    ('axis_used', 'width', 'width kerb to kerb at the start, metres'),
+    ('axis_used', 'width_end', 'width kerb to kerb at the end, metres'),
+    ('axis_used', 'lane_count', 'number of general and bus lanes of both directions'),
+    ('axis_used', 'lanes_forward', 'general and bus lanes along the axis'),
+    ('axis_used', 'lanes_backward', 'general and bus lanes against the axis'),
+    ('axis_used', 'lanes_both', 'lanes that both directions use'),
+    ('axis_used', 'direction', 'direction of the traffic'),
+    ('axis_used', 'kind_forward', 'kinds of the lanes along the axis, NULL: all general'),
+    ('axis_used', 'kind_backward', 'kinds of the lanes against the axis, NULL: all general'),
+    ('axis_used', 'lane_width_forward', 'widths of the lanes along the axis, metres'),
+    ('axis_used', 'lane_width_backward', 'widths of the lanes against the axis, metres'),
+    ('axis_used', 'turn_forward', 'movements of the lanes along the axis'),
+    ('axis_used', 'turn_backward', 'movements of the lanes against the axis'),
+    ('axis_used', 'speed', 'speed of the traffic, km/h'),
+    ('axis_used', 'importance', 'importance, 1 the highest'),
+    ('axis_used', 'radius', 'wanted radius of its corners, metres, 0: none'),
+    ('axis_used', 'estimated', 'which of these values are estimated'),
+    ('axis_used', 'input_hash', 'hash of the axis and the values used'),
+    ('axis_used', 'setting_hash', 'hash of the settings'),
+    ('axis_used', 'sidewalk_left', 'width of the sidewalk on the left, metres; 0: none'),
+    ('axis_used', 'sidewalk_right', 'width of the sidewalk on the right, metres; 0: none'),
+    ('axis_used', 'roadway_offset', 'metres from the axis to the middle of the roadway, left positive') $$;
+COMMENT ON FUNCTION streetgen._axis_column() IS 'The columns of these views, and what each is.';

@@ -34,3 +34,13 @@ CREATE OR REPLACE FUNCTION streetgen._block_view() RETURNS TABLE(name name, subj
         ('block_interior', 'sidewalk') $$;
 COMMENT ON FUNCTION streetgen._block_view() IS
     'Views of blocks, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('sidewalk_block'::name, 'sidewalk_id'::name, 'the sidewalk'),
+    ('sidewalk_block', 'block_id', 'the block that it lies on; NULL: it lies in no face'),
+    ('block_interior', 'block_id', 'the block'),
+    ('block_interior', 'geom', 'its ground behind the sidewalks; empty: they take all of it') $$;
+COMMENT ON FUNCTION streetgen._block_column() IS 'The columns of these views, and what each is.';

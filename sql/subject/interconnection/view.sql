@@ -64,3 +64,17 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_interconnection_views(name) IS
     'Makes the view conflict of a model without junctions, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('conflict'::name, 'node_id'::name, 'the node'),
+    ('conflict', 'interconnection_a', 'one of the two, the smaller key'),
+    ('conflict', 'interconnection_b', 'the other'),
+    ('conflict', 'kind', 'crossing, merging in one lane, or opposing: one enters the lane that the other leaves'),
+    ('conflict', 'geom', 'where they cross, or the end of the lane in which they merge or meet'),
+    ('conflict', 'junction_id', 'the junction, where the model computes junctions'),
+    ('conflict', 'junction_movement_a', 'one of the paths, across a junction of several nodes'),
+    ('conflict', 'junction_movement_b', 'the other one') $$;
+COMMENT ON FUNCTION streetgen._interconnection_column() IS 'The columns of these views, and what each is.';

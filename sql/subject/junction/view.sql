@@ -71,3 +71,54 @@ CREATE OR REPLACE FUNCTION streetgen._junction_view() RETURNS TABLE(name name, s
         ('junction_link', 'junction'), ('junction_crossing', 'junction') $$;
 COMMENT ON FUNCTION streetgen._junction_view() IS
     'Views of junctions, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('junction_link'::name, 'edge_id'::name, 'the edge'),
+    ('junction_link', 'axis_id', 'its axis'),
+    ('junction_link', 'from_junction', 'the junction at its start, or the node that is none'),
+    ('junction_link', 'to_junction', 'the junction at its end, or the node that is none'),
+    ('junction_link', 'lanes_along', 'lanes from start to end'),
+    ('junction_link', 'lanes_against', 'lanes from end to start'),
+    ('junction_link', 'geom', 'its line'),
+    ('junction_crossing', 'junction_id', 'the junction'),
+    ('junction_crossing', 'control_point_id', 'the control point of kind pedestrian_crossing'),
+    ('junction_crossing', 'node_id', 'the node of the junction that is nearest to it'),
+    ('junction_crossing', 'edge_id', 'the street that is crossed; two rows where the point lies on a node'),
+    ('junction_crossing', 'inside', 'does the street lie within the junction?'),
+    ('junction_crossing', 'width', 'of the roadway there, metres'),
+    ('junction_crossing', 'seconds', 'to cross: 4 s to begin with, and the width at 1.2 m/s'),
+    ('junction_crossing', 'geom', 'the place of the control point'),
+    ('movement', 'junction_id', 'the junction; NULL: a node that is none'),
+    ('movement', 'node_id', 'the node; NULL: across a junction of several nodes'),
+    ('movement', 'lane_in', 'the lane that comes in'),
+    ('movement', 'lane_out', 'the lane that goes out'),
+    ('movement', 'along_in', 'does one drive along the axis of lane_in?'),
+    ('movement', 'along_out', 'does one drive along the axis of lane_out?'),
+    ('movement', 'turn', 'through, left, right or u_turn'),
+    ('movement', 'angle', 'from lane to lane, degrees, positive to the left'),
+    ('movement', 'plausible', 'would traffic take it?'),
+    ('movement', 'reason', 'why it is plausible or not'),
+    ('movement', 'connecting', 'does traffic go that way?'),
+    ('movement', 'interconnections', 'paths at single nodes that lead the same way, in their order'),
+    ('movement', 'junction_movement_id', 'its row of junction_movement; NULL: it is one of interconnection'),
+    ('movement', 'geom', 'the path'),
+    ('rim_marking', 'marking_id', 'its row of marking'),
+    ('rim_marking', 'edge_id', 'the edge'),
+    ('rim_marking', 'lane_position', 'the lane, from 1 at the left kerb'),
+    ('rim_marking', 'along_axis', 'does the traffic that it speaks to run along the axis?'),
+    ('rim_marking', 'node_id', 'where that traffic goes'),
+    ('rim_marking', 'kind', 'stop, yield or arrow'),
+    ('rim_marking', 'geom', 'across the lane, or from the foot of an arrow to its tip'),
+    ('rim_marking', 'surface', 'the paint'),
+    ('right_of_way', 'lane_in', 'the lane that comes in'),
+    ('right_of_way', 'lane_out', 'the lane that goes out'),
+    ('right_of_way', 'along_in', 'does one drive along the axis of lane_in?'),
+    ('right_of_way', 'along_out', 'does one drive along the axis of lane_out?'),
+    ('right_of_way', 'junction_id', 'the junction'),
+    ('right_of_way', 'turn', 'through, left, right or u_turn'),
+    ('right_of_way', 'connecting', 'does traffic go that way?'),
+    ('right_of_way', 'rule', 'signals, stop, yield, right_before_left, priority or free') $$;
+COMMENT ON FUNCTION streetgen._junction_column() IS 'The columns of these views, and what each is.';

@@ -21,3 +21,13 @@ CREATE OR REPLACE FUNCTION streetgen._kerb_view() RETURNS TABLE(name name, subje
     AS $$ VALUES ('corner_on_kerb'::name, 'kerb') $$;
 COMMENT ON FUNCTION streetgen._kerb_view() IS
     'Views of kerbs, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('corner_on_kerb'::name, 'corner_id'::name, 'the corner'),
+    ('corner_on_kerb', 'node_id', 'its node'),
+    ('corner_on_kerb', 'on_kerb', 'share of the arc that lies on the border of the roadway of its level, 0 to 1'),
+    ('corner_on_kerb', 'arc', 'the arc') $$;
+COMMENT ON FUNCTION streetgen._kerb_column() IS 'The columns of these views, and what each is.';

@@ -62,3 +62,50 @@ BEGIN
         streetgen._make_lane_adjacency_views(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_views(name) IS 'Makes the views of lanes of a model, again and again.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('lane_extent'::name, 'lane_id'::name, 'the lane'),
+    ('lane_extent', 'axis_id', 'its axis'),
+    ('lane_extent', 'edge_id', 'its edge'),
+    ('lane_extent', 'start_abscissa', 'where it begins, metres along the axis'),
+    ('lane_extent', 'end_abscissa', 'where it ends, metres along the axis'),
+    ('lane_adjacency', 'lane_adjacency_id', 'key'),
+    ('lane_adjacency', 'lane_a', 'a lane'),
+    ('lane_adjacency', 'lane_b', 'the lane beside it'),
+    ('lane_adjacency', 'side', 'on which side of lane_a, left or right along the axis'),
+    ('lane_adjacency', 'start_abscissa', 'from where, metres along the axis'),
+    ('lane_adjacency', 'end_abscissa', 'to where, metres along the axis'),
+    ('lane_adjacency', 'change',
+        'may one change from lane_a to lane_b: allowed, forbidden, or opposite (against the traffic)'),
+    ('lane_adjacency', 'by_hand', 'was the change decided by hand?'),
+    ('lane_adjacency', 'geom', 'the line between the two lanes, along the axis'),
+    ('lane_interval', 'lane_id', 'the lane'),
+    ('lane_interval', 's', 'where the interval starts on it, share of its extent'),
+    ('lane_interval', 'e', 'where it ends'),
+    ('lane_interval', 'os', 'where it starts on the other lane, share of its extent'),
+    ('lane_interval', 'oe', 'where it ends there'),
+    ('lane_interval', 'l', 'the other lane'),
+    ('lane_driving', 'lane_driving_id', 'unique and kept as long as the lane: twice lane_id, and one along the axis'),
+    ('lane_driving', 'lane_id', 'the lane'),
+    ('lane_driving', 'edge_id', 'its edge'),
+    ('lane_driving', 'along_axis', 'does this traffic run in the direction of the axis'),
+    ('lane_driving', 'lane_position', 'number from 1 at the left kerb, in the direction of the axis'),
+    ('lane_driving', 'kind', 'general, bus, cycle or parking'),
+    ('lane_driving', 'width', 'width at the start limit of the edge, metres'),
+    ('lane_driving', 'geom', 'centre line between the limits, in the direction of this traffic'),
+    ('lane_group', 'lane_group_id', 'lane_driving_id of its lane at the kerb'),
+    ('lane_group', 'edge_id', 'the edge'),
+    ('lane_group', 'along_axis', 'does its traffic run in the direction of the axis'),
+    ('lane_group', 'number',
+        'number from 1 at the kerb among the groups of this direction of the edge; more than one only where lanes '
+        'of the other direction part them'),
+    ('lane_group', 'from_node', 'node that its traffic comes from'),
+    ('lane_group', 'to_node', 'node that its traffic comes to'),
+    ('lane_group', 'lanes', 'its lanes from the kerb inwards, lane_id'),
+    ('lane_group', 'lane_count', 'how many they are, parking lanes too'),
+    ('lane_group', 'width', 'sum of their widths, metres'),
+    ('lane_group', 'geom', 'mean of their centre lines, in the direction of their traffic') $$;
+COMMENT ON FUNCTION streetgen._lane_column() IS 'The columns of these views, and what each is.';

@@ -187,7 +187,7 @@ BEGIN
     IF oid IS NULL THEN
         RAISE EXCEPTION 'there is no table %.%', model, relation USING ERRCODE = '42P01',
             HINT = 'Make it first, in the schema of the model.';
-    ELSIF relation = 'object_edge' OR relation = ANY (streetgen._object_table()) THEN
+    ELSIF relation IN (SELECT t.relation FROM streetgen.template t WHERE t.room = 'object') THEN
         RAISE EXCEPTION 'table %.% is one of the model itself', model, relation USING ERRCODE = '22023',
             HINT = 'Make a table of your own, in the schema of the model.';
     ELSIF NOT EXISTS (SELECT FROM pg_index i JOIN pg_attribute a ON a.attrelid = i.indrelid AND a.attnum = i.indkey[0]

@@ -34,3 +34,15 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_view() RETURNS TABLE(name name, subje
     AS $$ VALUES ('ramp_path'::name, 'ramp') $$;
 COMMENT ON FUNCTION streetgen._ramp_view() IS
     'Views of ramps, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('ramp_path'::name, 'interconnection_id'::name, 'the interconnection'),
+    ('ramp_path', 'ramp_id', 'the ramp'),
+    ('ramp_path', 'kind', 'on or off the highway'),
+    ('ramp_path', 'lane_in', 'lane that traffic comes by'),
+    ('ramp_path', 'lane_out', 'lane that it goes on'),
+    ('ramp_path', 'geom', 'the path') $$;
+COMMENT ON FUNCTION streetgen._ramp_column() IS 'The columns of these views, and what each is.';

@@ -29,3 +29,15 @@ CREATE OR REPLACE FUNCTION streetgen._signal_view() RETURNS TABLE(name name, sub
     AS $$ VALUES ('signal_crossing'::name, 'signal') $$;
 COMMENT ON FUNCTION streetgen._signal_view() IS
     'Views of signals, and the subjects whose tables they read.';
+
+CREATE OR REPLACE FUNCTION streetgen._signal_column()
+    RETURNS TABLE(relation name, attribute name, description text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('signal_crossing'::name, 'controller_id'::name, 'the controller'),
+    ('signal_crossing', 'ordinality', 'the state'),
+    ('signal_crossing', 'control_point_id', 'the crossing: a control point'),
+    ('signal_crossing', 'edge_id', 'the street that is crossed'),
+    ('signal_crossing', 'right_of_way', 'protected, or permitted: who turns into the street gives way'),
+    ('signal_crossing', 'geom', 'the place of the control point') $$;
+COMMENT ON FUNCTION streetgen._signal_column() IS 'The columns of these views, and what each is.';

@@ -1,0 +1,97 @@
+-- Templates of tables: files that psql runs as they stand, such as sql/subject/kerb/table.sql.  The build puts each of
+-- them into one table, and a model gets its tables, indexes and comments from there.
+
+CREATE TABLE streetgen.template (
+    room text, part text CHECK (part IN ('table', 'kept_table', 'input_table')), place integer,
+    relation name NOT NULL UNIQUE, attributes name[] NOT NULL, statements text NOT NULL,
+    PRIMARY KEY (room, part, place));
+COMMENT ON TABLE streetgen.template IS 'The tables that models have from StreetGen, and the statements that make them.';
+COMMENT ON COLUMN streetgen.template.room IS 'folder of the file';
+COMMENT ON COLUMN streetgen.template.part IS
+    'name of the file. table: what the room computes, and what every model has; input_table: what users and importers '
+    'write, in every model; kept_table: what users write about a subject, and what stays where the subject goes';
+COMMENT ON COLUMN streetgen.template.place IS 'number in the file, from 1';
+COMMENT ON COLUMN streetgen.template.relation IS 'name of the table';
+COMMENT ON COLUMN streetgen.template.attributes IS 'its columns; any other was added by somebody';
+COMMENT ON COLUMN streetgen.template.statements IS
+    'CREATE TABLE, and what stands below it: indexes, triggers, first rows, comments. Variables of psql are model, '
+    'srid, z (the letter Z where geometries may have heights, or nothing) and compression (lz4 where it is there)';
+GRANT SELECT ON streetgen.template TO PUBLIC;
+
+CREATE OR REPLACE FUNCTION streetgen._take_template(room text, part text, file text) RETURNS void
+    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ INSERT INTO streetgen.template
+        SELECT room, part, place - 1, substring(statements, '^TABLE :"model"\.(\w+)'), ARRAY(SELECT m[1]
+            FROM regexp_matches(statements, '^COMMENT ON COLUMN :"model"\.\w+\.(\w+) IS', 'gn') m),
+            'CREATE ' || statements
+        FROM regexp_split_to_table(file, '^CREATE (?=TABLE )', 'n') WITH ORDINALITY p(statements, place)
+        WHERE place > 1 $$;
+COMMENT ON FUNCTION streetgen._take_template(text, text, text) IS
+    'Takes a file of a room into streetgen.template, table by table: each begins with CREATE TABLE :"model".';
+
+CREATE OR REPLACE FUNCTION streetgen._table_values(model name) RETURNS text[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ARRAY[m.srid::text, CASE m.dimension WHEN 3 THEN 'Z' ELSE '' END,
+            CASE WHEN 'lz4' = ANY (s.enumvals) THEN 'lz4' ELSE 'default' END, quote_ident(m.name)]
+        FROM streetgen.model m, pg_settings s
+        WHERE m.name = _table_values.model AND s.name = 'default_toast_compression' $$;
+COMMENT ON FUNCTION streetgen._table_values(name) IS
+    'What srid, z, compression and "model" are in templates of a model.';
+
+CREATE OR REPLACE FUNCTION streetgen._fill_table(statements text, said text[]) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    -- The name comes last, as it may hold the name of a variable.
+    AS $$ SELECT replace(replace(replace(replace(statements, ':srid', said[1]), ':z', said[2]),
+        ':compression', said[3]), ':"model"', said[4]) $$;
+COMMENT ON FUNCTION streetgen._fill_table(text, text[]) IS
+    'Statements of a template with what streetgen._table_values says in place of the variables.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_tables(model name, parts text[], rooms text[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE
+        -- PostGIS is found there; what an index of a table of another subject is there already, says nothing.
+        SET search_path = pg_catalog, public SET client_min_messages = warning
+    AS $$
+DECLARE
+    said constant text[] := streetgen._table_values(model);
+    statements text;
+BEGIN
+    FOR statements IN SELECT streetgen._fill_table(t.statements, said)
+        FROM unnest(rooms) WITH ORDINALITY r(room, place), unnest(parts) WITH ORDINALITY p(part, step),
+            streetgen.template t
+        WHERE (t.room, t.part) = (r.room, p.part) AND to_regclass(format('%I.%I', model, t.relation)) IS NULL
+        ORDER BY r.place, p.step, t.place
+    LOOP
+        EXECUTE statements;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._make_tables(name, text[], text[]) IS
+    'Makes the tables of these parts of some rooms that a model lacks, with all that stands below them.';
+
+CREATE OR REPLACE FUNCTION streetgen._complete_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+        SET client_min_messages = warning
+    AS $$
+DECLARE
+    said constant text[] := streetgen._table_values(model);
+    missing text;
+BEGIN
+    FOR missing IN
+        WITH there AS (SELECT to_regclass(format('%I.%I', model, relation)) AS oid, statements
+                FROM streetgen.template),
+            stated AS (SELECT oid, regexp_replace(s, '^(\s*--[^\n]*\n|\s)+', '') AS statement
+                FROM there, string_to_table(statements, E';\n') s WHERE oid IS NOT NULL)
+        SELECT streetgen._fill_table(statement, said) FROM stated WHERE CASE
+            WHEN statement ~ '^CREATE (UNIQUE )?INDEX' THEN to_regclass(format('%I.%I', model,
+                substring(statement, 'INDEX (?:IF NOT EXISTS )?(\w+) ON'))) IS NULL
+            WHEN statement ~ '^COMMENT ON COLUMN' THEN EXISTS (SELECT FROM pg_attribute WHERE attrelid = oid
+                AND attname = substring(statement, '\.(\w+) IS') AND NOT attisdropped)
+            WHEN statement ~ '^COMMENT ON CONSTRAINT' THEN EXISTS (SELECT FROM pg_constraint WHERE conrelid = oid
+                AND conname = substring(statement, 'CONSTRAINT (\w+)'))
+            ELSE statement ~ '^(COMMENT|CREATE OR REPLACE TRIGGER)' END
+    LOOP
+        EXECUTE missing;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._complete_tables(name) IS
+    'Gives the tables that a model has the indexes, triggers and comments of this build: another one may have made '
+    'them, or somebody may have taken some away.';
