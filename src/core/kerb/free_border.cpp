@@ -64,6 +64,29 @@ void join_crumbs(BorderLoop& loop) {
     if (loop[(i + 1) % loop.size()].shared && is_crumb(loop[i])) loop[i].shared = true;
 }
 
+// A border that goes to and fro within a millimetre shares itself there, and takes nothing from
+// the kerb, which goes on at the place where it left.
+void drop_spikes(BorderLoop& loop) {
+  const auto free = std::find_if(loop.begin(), loop.end(),
+                                 [](const BorderPiece& piece) { return !piece.shared; });
+  if (free == loop.end()) return;
+  std::rotate(loop.begin(), free, loop.end());
+  BorderLoop kept;
+  for (std::size_t i = 0; i < loop.size();) {
+    std::size_t next = i;
+    double length = 0;
+    for (; next < loop.size() && loop[next].shared; ++next)
+      length += distance(loop[next].from, loop[next].to);
+    const bool is_spike =
+        next > i && length <= 2 * coordinate_margin && same(loop[i].from, loop[next - 1].to);
+    if (is_spike)
+      i = next;
+    else
+      kept.push_back(loop[i++]);
+  }
+  loop = std::move(kept);
+}
+
 }  // namespace
 
 bool lie_along(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -230,6 +253,7 @@ std::vector<BorderLoop> FreeBorder::loops() const {
       append_pieces(i, first, next, loop);
     }
     join_crumbs(loop);
+    drop_spikes(loop);
     if (!loop.empty()) loops.push_back(std::move(loop));
   }
   return loops;

@@ -116,6 +116,25 @@ TEST(FreeBorder, GoesOverAHoleThatIsNoGroundAtABorder) {
       EXPECT_TRUE(piece.shared || std::min(piece.from.y, piece.to.y) < -1);
 }
 
+// The vertices of an intersection of Sophia Antipolis: its ring goes back by four micrometres.
+TEST(FreeBorder, IsOnePieceWhereItsRingGoesToAndFro) {
+  const MultiPolygon folded = {{{{10.5731586, -1.5591624, 0},
+                                 {3.4210810, -0.5044922, 0},
+                                 {3.4210854, -0.5044928, 0},
+                                 {0, 0, 0},
+                                 {-0.6, -20, 0},
+                                 {11, -20, 0},
+                                 {10.5731586, -1.5591624, 0}}}};
+  FreeBorder border(folded);
+  border.share_with_itself();
+  const std::vector<BorderLoop> loops = border.loops();
+  ASSERT_EQ(loops.size(), 1u);
+  for (std::size_t i = 0; i < loops[0].size(); ++i) {
+    EXPECT_FALSE(loops[0][i].shared);
+    EXPECT_LT(distance(loops[0][i].to, loops[0][(i + 1) % loops[0].size()].from), 1e-7);
+  }
+}
+
 // The ring of an intersection goes back by 19 micrometres and on again.
 TEST(FreeBorder, LeavesNoGapWhereItsRingGoesToAndFro) {
   const MultiPolygon folded = {{{{17.9084782, -1.4043094, 0},
