@@ -59,7 +59,19 @@ CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAU
     RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
+DECLARE
+    doubted bigint[];
 BEGIN
+    -- To plan the values used costs more than to see that there is nothing to doubt.
+    IF axes IS NOT NULL THEN
+        PERFORM streetgen._use_model(model);
+        SELECT array_agg(a.axis_id) FROM axis a WHERE a.axis_id = ANY (axes) AND NOT a.width_by_hand
+            AND a.lane_count IS NOT NULL AND (a.width IS NOT NULL OR a.width_end IS NOT NULL) INTO doubted;
+        IF doubted IS NULL THEN
+            RETURN;
+        END IF;
+    END IF;
     RETURN QUERY EXECUTE format($sql$
 SELECT a.axis_id, w.attribute, w.width, a.lane_count, a.source_ref, a.geom::geometry
 FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id),
@@ -67,7 +79,7 @@ FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id),
 WHERE %2$s AND a.lane_count IS NOT NULL AND w.width IS NOT NULL AND w.attribute = ANY (u.estimated) ORDER BY 1, 2
 $sql$, model, CASE WHEN axes IS NULL THEN 'true' ELSE
         -- Both relations are narrowed: the planner computes the values used of all axes otherwise.
-        'a.axis_id = ANY ($1) AND u.axis_id = ANY ($1)' END) USING axes;
+        'a.axis_id = ANY ($1) AND u.axis_id = ANY ($1)' END) USING doubted;
 END $$;
 COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
     'The widths (metres, in column width or width_end) that sources give the axes of a model, or some of them, and '
