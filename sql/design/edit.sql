@@ -369,8 +369,9 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._begin_design_edit(name, name, jsonb, jsonb) IS
     'Before an edit of a design: other edits and runs wait. A curvature of a radius under 5 m, a turn beyond '
-    '360 degrees, or a place out of order: 22023; a number that another row has: 23505. An edit of a vertex makes all vertices of its link vertices by hand with straight sides; one '
-    'that is taken back leaves the sides to its neighbours to the search.';
+    '360 degrees, or a place out of order: 22023; a number that another row has: 23505. An edit of a vertex makes all '
+    'vertices of its link vertices by hand with straight sides; one that is taken back leaves the sides to its '
+    'neighbours to the search.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_crossed(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog

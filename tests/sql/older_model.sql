@@ -19,6 +19,13 @@ CREATE FUNCTION pg_temp.columns() RETURNS SETOF text LANGUAGE sql AS $$
   WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' AND attnum > 0 AND NOT attisdropped
   UNION ALL SELECT pg_get_constraintdef(oid) FROM pg_constraint WHERE connamespace = 'older'::regnamespace $$;
 CREATE TABLE wanted AS SELECT pg_temp.columns() AS column;
+CREATE FUNCTION pg_temp.words() RETURNS SETOF text LANGUAGE sql AS $$
+  SELECT pg_get_indexdef(indexrelid) FROM pg_index JOIN pg_class c ON c.oid = indrelid WHERE relnamespace = 'older'::regnamespace
+  UNION ALL SELECT format('%s.%s %s', attrelid::regclass, attname, col_description(attrelid, attnum)) FROM pg_attribute JOIN pg_class c ON c.oid = attrelid
+  WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' AND attnum > 0 AND NOT attisdropped
+  UNION ALL SELECT format('%s %s %s', conrelid::regclass, pg_get_constraintdef(oid), obj_description(oid)) FROM pg_constraint WHERE connamespace = 'older'::regnamespace
+  UNION ALL SELECT format('%s %s', oid::regclass, obj_description(oid)) FROM pg_class WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' $$;
+CREATE TABLE worded AS SELECT pg_temp.words() AS words;
 ALTER TABLE older.axis DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
 ALTER TABLE older.axis_class DROP highway_role CASCADE, DROP walked_along CASCADE, DROP crossed_on_foot CASCADE, DROP lanes_by_width CASCADE;
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
@@ -36,8 +43,17 @@ ALTER TABLE older.turn_restriction DROP via_axes CASCADE, DROP via_geom CASCADE,
 ALTER TABLE older.street_object DROP control_point_id CASCADE;
 ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES older.street_object ON DELETE CASCADE, ADD FOREIGN KEY (edge_id) REFERENCES older.edge ON DELETE CASCADE;
 DROP TABLE older.free_place CASCADE;
+DROP INDEX older.edge_axis, older.lane_override_axis;
+DO $$ DECLARE said text; BEGIN
+  FOR said IN SELECT format('COMMENT ON COLUMN %s.%I IS NULL', attrelid::regclass, attname) FROM pg_attribute JOIN pg_class c ON c.oid = attrelid WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' AND attnum > 0 AND NOT attisdropped
+    UNION ALL SELECT format('COMMENT ON CONSTRAINT %I ON %s IS NULL', conname, conrelid::regclass) FROM pg_constraint WHERE connamespace = 'older'::regnamespace
+    UNION ALL SELECT format('COMMENT ON TABLE %s IS NULL', oid::regclass) FROM pg_class WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' LOOP
+    EXECUTE said;
+  END LOOP;
+END $$;
 DO $$ BEGIN PERFORM streetgen.adopt_model('older'); END $$;
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
+SELECT 'and the indexes and comments of a new one', count(*) > 500 AND NOT EXISTS ((SELECT pg_temp.words() EXCEPT TABLE worded) UNION ALL (TABLE worded EXCEPT SELECT pg_temp.words())) FROM worded;
 SELECT 'its classes mean what those of a new model do', NOT EXISTS (TABLE older.axis_class EXCEPT SELECT * FROM streetgen._default_axis_class());
 SELECT 'its rows say what they said', NOT EXISTS ((SELECT * FROM test.content('older') EXCEPT TABLE content) UNION ALL (TABLE content EXCEPT SELECT * FROM test.content('older')));
 SELECT 'and keep their keys over a run', (SELECT bool_and(inserted + deleted = 0 AND (relation = 'edge' OR updated = 0)) FROM streetgen.generate('older')) AND (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('older')) AND NOT EXISTS (TABLE named EXCEPT SELECT interconnection_id, lane_in, lane_out FROM older.interconnection);

@@ -10,16 +10,17 @@ COMMENT ON FUNCTION streetgen._refuse(text, text, text, text, text, text, text, 
     'what is wrong and what to do, and a GIS shows all of it. NULL leaves a field out. A state that is no '
     'SQLSTATE: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 70 SET search_path = pg_catalog
-    AS $$
-BEGIN
-    RETURN QUERY EXECUTE streetgen._rows_of_rooms('input_rule');
-END $$;
-COMMENT ON FUNCTION streetgen._input_rule() IS
-    'What the constraints on columns of input tables ask for, in words, and the way out, from functions '
-    '_ROOM_input_rule.';
+CREATE OR REPLACE FUNCTION streetgen._input_rule(input regclass, attribute name)
+    RETURNS TABLE(expected text, way_out text)
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ SELECT said[1], said[2]
+        FROM pg_attribute JOIN pg_constraint c ON conrelid = attrelid AND conkey = ARRAY[attnum],
+            regexp_match(obj_description(c.oid, 'pg_constraint'), '^(.*?)\. (.*)$') said
+        WHERE attrelid = input AND attname = attribute AND contype = 'c' AND said IS NOT NULL
+        ORDER BY conname LIMIT 1 $$;
+COMMENT ON FUNCTION streetgen._input_rule(regclass, name) IS
+    'What the constraint on a column of an input table asks for, in words, and the way out: the first sentence of its '
+    'comment, and the rest.';
 
 CREATE OR REPLACE FUNCTION streetgen._conditions(input regclass)
     RETURNS TABLE(attribute name, condition text, sqlstate text, name name)
@@ -55,8 +56,7 @@ BEGIN
             format(CASE broken.atttypid WHEN 'geometry'::regtype THEN 'left(ST_AsText(%I), 80)' WHEN 'text'::regtype
                 THEN 'to_json(%I)::text' ELSE '%I::text' END, broken.attribute)) INTO holds, key, value USING NEW;
         IF holds IS FALSE THEN
-            SELECT expected, way_out INTO rule FROM streetgen._input_rule()
-                WHERE (relation, attribute) = (TG_TABLE_NAME, broken.attribute);
+            SELECT * INTO rule FROM streetgen._input_rule(TG_RELID, broken.attribute);
             PERFORM streetgen._refuse(broken.sqlstate,
                 format('the %s of %s cannot be %s', broken.attribute, concat_ws(' ', CASE TG_OP WHEN 'INSERT'
                     THEN 'the new' END, replace(TG_TABLE_NAME, '_', ' '), key), coalesce(value, 'NULL')),

@@ -76,16 +76,16 @@ DECLARE
     missing text;
 BEGIN
     FOR missing IN
-        WITH there AS (SELECT to_regclass(format('%I.%I', model, relation)) AS oid, statements
+        WITH there AS (SELECT to_regclass(format('%I.%I', model, relation)) AS input, statements
                 FROM streetgen.template),
-            stated AS (SELECT oid, regexp_replace(s, '^(\s*--[^\n]*\n|\s)+', '') AS statement
-                FROM there, string_to_table(statements, E';\n') s WHERE oid IS NOT NULL)
+            stated AS (SELECT input, regexp_replace(s, '^(\s*--[^\n]*\n|\s)+', '') AS statement
+                FROM there, string_to_table(statements, E';\n') s WHERE input IS NOT NULL)
         SELECT streetgen._fill_table(statement, said) FROM stated WHERE CASE
             WHEN statement ~ '^CREATE (UNIQUE )?INDEX' THEN to_regclass(format('%I.%I', model,
                 substring(statement, 'INDEX (?:IF NOT EXISTS )?(\w+) ON'))) IS NULL
-            WHEN statement ~ '^COMMENT ON COLUMN' THEN EXISTS (SELECT FROM pg_attribute WHERE attrelid = oid
+            WHEN statement ~ '^COMMENT ON COLUMN' THEN EXISTS (SELECT FROM pg_attribute WHERE attrelid = input
                 AND attname = substring(statement, '\.(\w+) IS') AND NOT attisdropped)
-            WHEN statement ~ '^COMMENT ON CONSTRAINT' THEN EXISTS (SELECT FROM pg_constraint WHERE conrelid = oid
+            WHEN statement ~ '^COMMENT ON CONSTRAINT' THEN EXISTS (SELECT FROM pg_constraint WHERE conrelid = input
                 AND conname = substring(statement, 'CONSTRAINT (\w+)'))
             ELSE statement ~ '^(COMMENT|CREATE OR REPLACE TRIGGER)' END
     LOOP

@@ -99,20 +99,19 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_edit_number(text, float8, float8, float8, text, text) IS
     'Raises 22023 for a value of an edit beyond its range, or NaN; NULL passes.';
 
-CREATE OR REPLACE FUNCTION streetgen._check_edit_word(subject text, value text, relation name, attribute name)
+CREATE OR REPLACE FUNCTION streetgen._check_edit_word(subject text, value text, input regclass, attribute name)
     RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    expected text;
+    expected constant text := (SELECT r.expected FROM streetgen._input_rule(input, attribute) r);
 BEGIN
-    SELECT r.expected FROM streetgen._input_rule() r WHERE (r.relation, r.attribute) = ($3, $4) INTO expected;
     IF value <> ALL (regexp_split_to_array(expected, ', | or ')) THEN
         PERFORM streetgen._refuse('23514', format('the %s of %s cannot be %s', attribute, subject, to_json(value)),
             detail => format('Expected %s.', expected), hint => 'NULL takes back what was decided by hand.');
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._check_edit_word(text, text, name, name) IS
+COMMENT ON FUNCTION streetgen._check_edit_word(text, text, regclass, name) IS
     'Raises 23514 for a word of an edit that is none of those that a column of an override table takes, naming the row '
     'of the view; NULL passes.';
 

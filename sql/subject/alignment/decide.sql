@@ -74,14 +74,6 @@ COMMENT ON FUNCTION streetgen._edit_road_arc() IS
     'Trigger of road_arc_editing: writes road_override, the radius as typed or from where the centre was dragged to. '
     'A radius beyond 0 to 4000 m, or a bend that is gone: 22023; INSERT: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._alignment_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('road_override'::name, 'abscissa'::name, '0 m or more along the axis', 'Edit road_arc_editing, which fills it.'),
-    ('road_override', 'radius', '0 to 4000 m', '0 for a sharp bend; delete the row to have it computed.') $$;
-COMMENT ON FUNCTION streetgen._alignment_input_rule() IS 'What may be typed into tables of roads, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

@@ -19,5 +19,9 @@ COMMENT ON TABLE :"model".road_override IS
 COMMENT ON COLUMN :"model".road_override.road_override_id IS 'key';
 COMMENT ON COLUMN :"model".road_override.axis_id IS 'the axis';
 COMMENT ON COLUMN :"model".road_override.abscissa IS 'where the bend is, metres along the axis';
+COMMENT ON CONSTRAINT road_override_abscissa_check ON :"model".road_override IS
+    '0 m or more along the axis. Edit road_arc_editing, which fills it.';
 COMMENT ON COLUMN :"model".road_override.radius IS 'radius of the bend, metres; 0: it stays sharp';
+COMMENT ON CONSTRAINT road_override_radius_check ON :"model".road_override IS
+    '0 to 4000 m. 0 for a sharp bend; delete the row to have it computed.';
 COMMENT ON COLUMN :"model".road_override.geom IS 'its place: that of the axis at the abscissa; filled where left out';

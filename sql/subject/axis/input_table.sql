@@ -22,12 +22,20 @@ COMMENT ON TABLE :"model".control_point IS
 COMMENT ON COLUMN :"model".control_point.control_point_id IS 'key';
 COMMENT ON COLUMN :"model".control_point.geom IS 'where it stands, on or beside an axis';
 COMMENT ON COLUMN :"model".control_point.kind IS 'signals, stop, yield, mini_roundabout or pedestrian_crossing';
+COMMENT ON CONSTRAINT control_point_kind_check ON :"model".control_point IS
+    'signals, stop, yield, mini_roundabout or pedestrian_crossing. Say what stands there.';
 COMMENT ON COLUMN :"model".control_point.direction IS
     'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: that of a one-way street, else '
     'that towards the nearer junction, and all that comes to a node it lies on';
+COMMENT ON CONSTRAINT control_point_direction_check ON :"model".control_point IS
+    'direct, reverse or both. Leave it empty where it is unknown.';
 COMMENT ON COLUMN :"model".control_point.axis_id IS
     'the axis; filled with the nearest where left out; NULL: it stands off all axes';
 COMMENT ON COLUMN :"model".control_point.abscissa IS 'its place along the axis, metres; filled';
+COMMENT ON CONSTRAINT control_point_abscissa_check ON :"model".control_point IS
+    '0 m or more along the axis. Leave it empty: it follows from the place.';
 COMMENT ON COLUMN :"model".control_point.axis_distance IS 'how far it stands from the axis, metres; filled';
+COMMENT ON CONSTRAINT control_point_axis_distance_check ON :"model".control_point IS
+    '0 m or more from the axis. Leave it empty: it follows from the place.';
 COMMENT ON COLUMN :"model".control_point.source IS 'table that it was imported from';
 COMMENT ON COLUMN :"model".control_point.source_ref IS 'its identity in the source';

@@ -14,11 +14,19 @@ COMMENT ON TABLE :"model".axis_class IS
 COMMENT ON COLUMN :"model".axis_class.class IS 'class of the source, as in axis.kind';
 COMMENT ON COLUMN :"model".axis_class.taken IS 'do importers take it as an axis';
 COMMENT ON COLUMN :"model".axis_class.width IS 'width kerb to kerb where neither width nor lanes are known, metres';
+COMMENT ON CONSTRAINT axis_class_width_check ON :"model".axis_class IS
+    '0.001 to 200 m. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis_class.speed IS 'speed where unknown, km/h';
+COMMENT ON CONSTRAINT axis_class_speed_check ON :"model".axis_class IS
+    '0 to 400 km/h. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis_class.importance IS 'importance where unknown, 1 the highest';
+COMMENT ON CONSTRAINT axis_class_importance_check ON :"model".axis_class IS
+    '1 to 99, 1 the highest. Leave it empty for setting importance_default.';
 COMMENT ON COLUMN :"model".axis_class.highway_role IS
     'what the class is at ramps: highway; fast_road, a highway where its speed is 60 km/h or more or unknown; '
     'highway_link, the link of a highway; link, that of another road; NULL: nothing';
+COMMENT ON CONSTRAINT axis_class_highway_role_check ON :"model".axis_class IS
+    'highway, fast_road, highway_link or link. Leave it empty where the class is nothing at ramps.';
 COMMENT ON COLUMN :"model".axis_class.walked_along IS 'do people walk along it; else its sidewalks are not estimated';
 COMMENT ON COLUMN :"model".axis_class.crossed_on_foot IS
     'do people cross it; else no rule that names no class places a crossing on it';
@@ -81,48 +89,89 @@ COMMENT ON TABLE :"model".axis IS
     'lists with |, from left to right in driving direction; source_geom is the line before cleaning';
 COMMENT ON COLUMN :"model".axis.axis_id IS 'key';
 COMMENT ON COLUMN :"model".axis.geom IS 'the axis of the road; direction speaks of its direction';
+COMMENT ON CONSTRAINT geom_is_a_finite_line ON :"model".axis IS
+    'a line through two different places, every coordinate a number within 1e12. Draw it again, or undo the edit.';
 COMMENT ON COLUMN :"model".axis.width IS
     'width kerb to kerb at the start, metres; NULL: estimated. Put by hand, or without a source, it is believed; of '
     'a source up to setting max_width_per_lane for each lane of lane_count, else estimated; NULL over one put by '
     'hand: that of the source';
+COMMENT ON CONSTRAINT axis_width_check ON :"model".axis IS '0.001 to 200 m. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.width_end IS
     'width kerb to kerb at the end, metres, reached linearly; NULL: as at the start. Believed as width is';
+COMMENT ON CONSTRAINT axis_width_end_check ON :"model".axis IS
+    '0.001 to 200 m. Leave it empty where the width stays the same.';
 COMMENT ON COLUMN :"model".axis.roadway_offset IS
     'metres from the axis to the middle of the roadway, left of geom positive; at most half of the width, as far as '
     'leaves the axis on the roadway; NULL: 0';
+COMMENT ON CONSTRAINT axis_roadway_offset_check ON :"model".axis IS
+    '-100 to 100 m. Leave it empty where the axis runs along the middle.';
 COMMENT ON COLUMN :"model".axis.lane_count IS 'number of general and bus lanes of both directions; NULL: estimated';
+COMMENT ON CONSTRAINT axis_lane_count_check ON :"model".axis IS '1 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.direction IS 'traffic flows in both directions, direct (that of geom) or reverse';
+COMMENT ON CONSTRAINT axis_direction_check ON :"model".axis IS
+    'both, direct (that of the line) or reverse. Leave it out for both.';
 COMMENT ON COLUMN :"model".axis.speed IS 'speed of the traffic, km/h; NULL: estimated';
+COMMENT ON CONSTRAINT axis_speed_check ON :"model".axis IS '0.001 to 400 km/h. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.importance IS 'importance, 1 the highest; NULL: that of the class';
+COMMENT ON CONSTRAINT axis_importance_check ON :"model".axis IS
+    '1 to 99, 1 the highest. Leave it empty to take that of the class.';
 COMMENT ON COLUMN :"model".axis.name IS 'name of the street';
 COMMENT ON COLUMN :"model".axis.level IS 'level above the ground, for bridges and tunnels';
+COMMENT ON CONSTRAINT axis_level_check ON :"model".axis IS '-50 to 50. Leave it out for 0, the ground.';
 COMMENT ON COLUMN :"model".axis.kind IS 'class of the source, see axis_class';
 COMMENT ON COLUMN :"model".axis.radius IS
     'wanted radius of its corners, metres, 0: none; NULL: from importance or speed';
+COMMENT ON CONSTRAINT axis_radius_check ON :"model".axis IS
+    '0 to 200 m. Leave it empty to have it estimated, 0 for no arc.';
 COMMENT ON COLUMN :"model".axis.lanes_forward IS 'general and bus lanes along geom; NULL or 0: from lane_count';
+COMMENT ON CONSTRAINT axis_lanes_forward_check ON :"model".axis IS '0 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.lanes_backward IS 'general and bus lanes against geom; NULL or 0: from lane_count';
+COMMENT ON CONSTRAINT axis_lanes_backward_check ON :"model".axis IS '0 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.lanes_both IS
     'general lanes in the middle that both directions use, of a two-way street; NULL or 0: from lane_count and width';
+COMMENT ON CONSTRAINT axis_lanes_both_check ON :"model".axis IS '0 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.sidewalk_left IS
     'width of the sidewalk on the left of geom, metres; 0: none; NULL: estimated, by setting sidewalk_by_importance; '
     'none on the island of a roundabout by roundabout_tag';
+COMMENT ON CONSTRAINT axis_sidewalk_left_check ON :"model".axis IS
+    '0 to 50 m, 0 for none. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.sidewalk_right IS 'the same on the right of geom';
+COMMENT ON CONSTRAINT axis_sidewalk_right_check ON :"model".axis IS
+    '0 to 50 m, 0 for none. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.flow IS 'vehicles an hour, of both directions; NULL: unknown';
+COMMENT ON CONSTRAINT axis_flow_check ON :"model".axis IS
+    '0 to 1000000 vehicles an hour. Leave it empty where it is unknown.';
 COMMENT ON COLUMN :"model".axis.kind_forward IS
     'kinds of all lanes along geom, such as general|bus|cycle|parking, from left to right; NULL: general lanes only';
+COMMENT ON CONSTRAINT axis_kind_forward_check ON :"model".axis IS
+    'kinds of lanes such as general|bus. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.kind_backward IS 'the same against geom, from left to right in driving direction';
+COMMENT ON CONSTRAINT axis_kind_backward_check ON :"model".axis IS
+    'kinds of lanes such as general|bus. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.lane_width_forward IS
     'widths of the lanes along geom, such as 3.5||1.5, metres; empty or 0: an equal share of what the others leave; '
     'cycle and parking lanes may be left out';
+COMMENT ON CONSTRAINT axis_lane_width_forward_check ON :"model".axis IS
+    'widths in metres such as 3.5||3. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.lane_width_backward IS 'the same against geom';
+COMMENT ON CONSTRAINT axis_lane_width_backward_check ON :"model".axis IS
+    'widths in metres such as 3.5||3. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.turn_forward IS
     'movements of the lanes along geom, as OSM''s turn:lanes: left|through;right; cycle and parking lanes may be '
     'left out';
+COMMENT ON CONSTRAINT axis_turn_forward_check ON :"model".axis IS
+    'turns such as left|through;right. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.turn_backward IS 'the same against geom, from left to right in driving direction';
+COMMENT ON CONSTRAINT axis_turn_backward_check ON :"model".axis IS
+    'turns such as left|through;right. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.change_forward IS
     'where one may leave the lanes along geom, as OSM''s change:lanes: yes|not_right|no; cycle and parking lanes may '
     'be left out; NULL or empty: as the lines between lanes say';
+COMMENT ON CONSTRAINT axis_change_forward_check ON :"model".axis IS
+    'words such as yes|not_right|no. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.change_backward IS 'the same against geom, from left to right in driving direction';
+COMMENT ON CONSTRAINT axis_change_backward_check ON :"model".axis IS
+    'words such as yes|not_right|no. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.roundabout_tag IS
     'what the source says of a roundabout: roundabout or circular (OpenStreetMap, one way round along geom), '
     'Rond-point (BD TOPO); it counts where setting roundabout_tags is true';

@@ -27,7 +27,8 @@ BEGIN
         PERFORM streetgen._refuse('22023', format('block %s has no ground', OLD.block_id),
             detail => 'It is roadway all over.', hint => 'Only ground has a kind: make a street beside it narrower.');
     END IF;
-    PERFORM streetgen._check_edit_word('block ' || OLD.block_id, NEW.kind, 'block_override', 'kind');
+    PERFORM streetgen._check_edit_word('block ' || OLD.block_id, NEW.kind,
+        format('%I.block_override', TG_TABLE_SCHEMA), 'kind');
     IF known = '{}' THEN
         INSERT INTO block_override (geom, kind) VALUES (ST_PointOnSurface(OLD.geom), NEW.kind);
     ELSE
@@ -58,13 +59,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._axes_of_block_override(name, jsonb[]) IS
     'An axis at each block that holds the place of a row of block_override: a run for it renews the block.';
-
-CREATE OR REPLACE FUNCTION streetgen._block_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('block_override'::name, 'kind'::name, 'block, island or strip', 'Delete the row to have it computed.') $$;
-COMMENT ON FUNCTION streetgen._block_input_rule() IS 'What may be typed into tables of blocks, and the way out.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)

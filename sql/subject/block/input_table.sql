@@ -13,3 +13,5 @@ COMMENT ON TABLE :"model".block_override IS
 COMMENT ON COLUMN :"model".block_override.block_override_id IS 'key';
 COMMENT ON COLUMN :"model".block_override.geom IS 'a place on the ground of the block';
 COMMENT ON COLUMN :"model".block_override.kind IS 'block, island or strip';
+COMMENT ON CONSTRAINT block_override_kind_check ON :"model".block_override IS
+    'block, island or strip. Delete the row to have it computed.';

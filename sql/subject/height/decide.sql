@@ -59,14 +59,6 @@ COMMENT ON FUNCTION streetgen._edit_height() IS
     'Trigger of height_editing: writes height_override, the axis being the nearest one unless given. A point over '
     '100 m from it, or a height beyond -1000 to 10000 m: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._height_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('height_override'::name, 'abscissa'::name, '0 m or more along the axis', 'Edit height_editing, which fills it.'),
-    ('height_override', 'height', '-1000 to 10000 m', 'Delete the row to have the height computed.') $$;
-COMMENT ON FUNCTION streetgen._height_input_rule() IS 'What may be typed into tables of heights, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._height_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

@@ -18,5 +18,9 @@ COMMENT ON TABLE :"model".height_override IS
 COMMENT ON COLUMN :"model".height_override.height_override_id IS 'key';
 COMMENT ON COLUMN :"model".height_override.axis_id IS 'the axis';
 COMMENT ON COLUMN :"model".height_override.abscissa IS 'the place, metres along the axis';
+COMMENT ON CONSTRAINT height_override_abscissa_check ON :"model".height_override IS
+    '0 m or more along the axis. Edit height_editing, which fills it.';
 COMMENT ON COLUMN :"model".height_override.height IS 'the road lies at least so high there, metres';
+COMMENT ON CONSTRAINT height_override_height_check ON :"model".height_override IS
+    '-1000 to 10000 m. Delete the row to have the height computed.';
 COMMENT ON COLUMN :"model".height_override.geom IS 'its place: that of the axis at the abscissa; filled where left out';

@@ -87,25 +87,6 @@ COMMENT ON FUNCTION streetgen._edit_interconnection() IS
     'Trigger of interconnection_editing: writes interconnection_override. A line whose ends moved, that has not three '
     'points, or whose middle one lies over 200 m from its node: 22023; INSERT: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._interconnection_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('turn_restriction'::name, 'kind'::name, 'no or only', 'no forbids the turn, only forbids all others.'),
-    ('turn_restriction', 'turn', 'through, left, right or u_turn',
-        'Leave it empty for all ways from the one axis to the other.'),
-    ('turn_restriction', 'via_geom', 'a point on each of via_axes, every coordinate a number within 1e12',
-        'Leave via_axes, via_geom and to_geom empty where it is about one node.'),
-    ('turn_restriction', 'to_geom', 'a point, every coordinate a number within 1e12',
-        'Leave via_axes, via_geom and to_geom empty where it is about one node.'),
-    ('turn_restriction', 'except_kinds', 'bus, cycle or bus|cycle', 'Leave it empty where it binds all traffic.'),
-    ('interconnection_override', 'lane_in', '1 to 60', 'Lanes are numbered from the middle outwards.'),
-    ('interconnection_override', 'lane_out', '1 to 60', 'Lanes are numbered from the middle outwards.'),
-    ('interconnection_override', 'control', 'a point, every coordinate a number within 1e12',
-        'Leave it empty to have it computed.') $$;
-COMMENT ON FUNCTION streetgen._interconnection_input_rule() IS
-    'What may be typed into tables of interconnections, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._interconnection_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

@@ -154,7 +154,8 @@ BEGIN
             RETURN NEW;
         END IF;
         decided := CASE WHEN NOT OLD.by_hand OR NEW.by_hand THEN NEW.kind END;
-        PERFORM streetgen._check_edit_word('junction ' || OLD.junction_id, decided, 'junction_override', 'kind');
+        PERFORM streetgen._check_edit_word('junction ' || OLD.junction_id, decided,
+            format('%I.junction_override', TG_TABLE_SCHEMA), 'kind');
         NEW.by_hand := decided IS NOT NULL;
     END IF;
     PERFORM streetgen._lock_junctions(TG_TABLE_SCHEMA, ARRAY[OLD.junction_id]);
@@ -208,15 +209,6 @@ COMMENT ON FUNCTION streetgen._edit_junction_edge() IS
     'Trigger of junction_edge_editing: writes to junction_override, in the middle of the edge, whether the edge lies '
     'inside a junction, which merges or parts what is at its ends; inside NULL, or DELETE, takes it back. An edge '
     'whose axis is gone: 22023; INSERT, another key or line: 0A000.';
-
-CREATE OR REPLACE FUNCTION streetgen._junction_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('junction_override'::name, 'kind'::name,
-        'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end',
-        'Leave it empty where the row decides of an edge.') $$;
-COMMENT ON FUNCTION streetgen._junction_input_rule() IS 'What may be typed into tables of junctions, and the way out.';
 
 CREATE OR REPLACE FUNCTION streetgen._junction_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)

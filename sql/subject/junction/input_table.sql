@@ -25,3 +25,6 @@ COMMENT ON COLUMN :"model".junction_override.geom IS 'a place on the edge, or at
 COMMENT ON COLUMN :"model".junction_override.inside IS
     'does the edge join its two nodes to one junction? NULL: the row decides a kind';
 COMMENT ON COLUMN :"model".junction_override.kind IS 'the kind of the junction; NULL: the row decides of an edge';
+COMMENT ON CONSTRAINT junction_override_kind_check ON :"model".junction_override IS
+    'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end. Leave it empty where the row '
+    'decides of an edge.';

@@ -137,7 +137,7 @@ BEGIN
                 hint => 'Turn a lane round in lane_editing; lanes of one direction take allowed or forbidden.');
         END IF;
         PERFORM streetgen._check_edit_word(format('lane adjacency %s (lane %s to lane %s)', OLD.lane_adjacency_id,
-            OLD.lane_a, OLD.lane_b), decided, 'lane_adjacency_override', 'change');
+            OLD.lane_a, OLD.lane_b), decided, format('%I.lane_adjacency_override', TG_TABLE_SCHEMA), 'change');
         NEW.by_hand := decided IS NOT NULL;
     END IF;
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, format('SELECT axis_id FROM %1$I.lane JOIN %1$I.edge USING (edge_id) '
@@ -169,22 +169,6 @@ COMMENT ON FUNCTION streetgen._edit_lane_adjacency() IS
     'Trigger of lane_adjacency_editing: writes lane_adjacency_override; change NULL, or DELETE, takes it back. '
     '"opposite", a change between lanes of opposite directions, lanes that are gone: 22023; another word: 23514; '
     'INSERT: 0A000.';
-
-CREATE OR REPLACE FUNCTION streetgen._lane_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('lane_override'::name, 'abscissa'::name, '0 m or more along the axis', 'Edit lane_editing, which fills it.'),
-    ('lane_override', 'ordinality', '1 to 60', 'Lanes are numbered from the middle outwards.'),
-    ('lane_override', 'width', '0.1 to 200 m', 'Leave it empty to have it computed.'),
-    ('lane_override', 'line', 'a line with every coordinate a number within 1e12',
-        'Leave it empty to have it computed.'),
-    ('lane_adjacency_override', 'abscissa', '0 m or more along the axis', 'Edit lane_adjacency_editing, which fills '
-        'it.'),
-    ('lane_adjacency_override', 'lane_from', '1 to 60', 'Lanes are numbered from the middle outwards.'),
-    ('lane_adjacency_override', 'lane_to', '1 to 60', 'Lanes are numbered from the middle outwards.'),
-    ('lane_adjacency_override', 'change', 'allowed or forbidden', 'Delete the row to have it computed.') $$;
-COMMENT ON FUNCTION streetgen._lane_input_rule() IS 'What may be typed into tables of lanes, and the way out.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)

@@ -24,12 +24,20 @@ COMMENT ON TABLE :"model".lane_override IS
 COMMENT ON COLUMN :"model".lane_override.lane_override_id IS 'key';
 COMMENT ON COLUMN :"model".lane_override.axis_id IS 'the axis';
 COMMENT ON COLUMN :"model".lane_override.abscissa IS 'place on the edge of the lane, metres along the axis';
+COMMENT ON CONSTRAINT lane_override_abscissa_check ON :"model".lane_override IS
+    '0 m or more along the axis. Edit lane_editing, which fills it.';
 COMMENT ON COLUMN :"model".lane_override.ordinality IS 'the lane, as lane.ordinality';
+COMMENT ON CONSTRAINT lane_override_ordinality_check ON :"model".lane_override IS
+    '1 to 60. Lanes are numbered from the middle outwards.';
 COMMENT ON COLUMN :"model".lane_override.along_axis IS 'direction of its traffic; NULL: as it is';
 COMMENT ON COLUMN :"model".lane_override.both_ways IS 'true: both directions use it; else as along_axis says';
 COMMENT ON COLUMN :"model".lane_override.width IS 'width, metres; NULL: as it is';
+COMMENT ON CONSTRAINT lane_override_width_check ON :"model".lane_override IS
+    '0.1 to 200 m. Leave it empty to have it computed.';
 COMMENT ON COLUMN :"model".lane_override.line IS
     'centre line between the limits, in the direction of the axis; NULL: computed';
+COMMENT ON CONSTRAINT line_is_finite ON :"model".lane_override IS
+    'a line with every coordinate a number within 1e12. Leave it empty to have it computed.';
 COMMENT ON COLUMN :"model".lane_override.geom IS 'its place: that of the axis at the abscissa; filled where left out';
 
 CREATE TABLE :"model".lane_adjacency_override (
@@ -53,8 +61,16 @@ COMMENT ON TABLE :"model".lane_adjacency_override IS
 COMMENT ON COLUMN :"model".lane_adjacency_override.lane_adjacency_override_id IS 'key';
 COMMENT ON COLUMN :"model".lane_adjacency_override.axis_id IS 'the axis';
 COMMENT ON COLUMN :"model".lane_adjacency_override.abscissa IS 'place on the edge of the lanes, metres along the axis';
+COMMENT ON CONSTRAINT lane_adjacency_override_abscissa_check ON :"model".lane_adjacency_override IS
+    '0 m or more along the axis. Edit lane_adjacency_editing, which fills it.';
 COMMENT ON COLUMN :"model".lane_adjacency_override.lane_from IS 'the lane that one leaves, as lane.ordinality';
+COMMENT ON CONSTRAINT lane_adjacency_override_lane_from_check ON :"model".lane_adjacency_override IS
+    '1 to 60. Lanes are numbered from the middle outwards.';
 COMMENT ON COLUMN :"model".lane_adjacency_override.lane_to IS 'the lane beside it, as lane.ordinality';
+COMMENT ON CONSTRAINT lane_adjacency_override_lane_to_check ON :"model".lane_adjacency_override IS
+    '1 to 60. Lanes are numbered from the middle outwards.';
 COMMENT ON COLUMN :"model".lane_adjacency_override.change IS 'allowed or forbidden';
+COMMENT ON CONSTRAINT lane_adjacency_override_change_check ON :"model".lane_adjacency_override IS
+    'allowed or forbidden. Delete the row to have it computed.';
 COMMENT ON COLUMN :"model".lane_adjacency_override.geom IS
     'its place: that of the axis at the abscissa; filled where left out';

@@ -213,38 +213,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._own_axis_near(name, bigint, geometry) IS
     'An axis that is still within setting object_snap of a place; else NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._object_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 26 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('object_type'::name, 'type'::name, 'a word', 'Say what it is.'),
-    ('object_type', 'geometry', 'point or line', 'Leave it out for a point.'),
-    ('object_type', 'size', '0.01 to 100 m', 'Leave it out for 1 m.'),
-    ('object_type', 'distance_least', '0 to 50 m', 'Leave it out for 0: a rule looks at no neighbour.'),
-    ('placement_rule', 'along', 'border, axis, arm or corner', 'Leave it out for border.'),
-    ('placement_rule', 'side', 'left, right, both or alternating', 'Leave it out for both.'),
-    ('placement_rule', 'every', '0.5 to 10000 m', 'Leave it out for 25 m.'),
-    ('placement_rule', 'phase', '0 to 10000 m', 'Leave it out for 0.'),
-    ('placement_rule', 'axis_offset', '-200 to 200 m', 'Leave it out for 1 m.'),
-    ('placement_rule', 'orientation', '-360 to 360 degrees', 'Leave it out for 0, along the axis.'),
-    ('placement_rule', 'distance_from_limit', '0 to 1000 m', 'Leave it out for 5 m.'),
-    ('placement_rule', 'turn', 'a turn such as left, through or sharp_right', 'Leave it empty for all arms.'),
-    ('placement_rule', 'density', '0 to 1', 'Leave it out for 1: all places are taken.'),
-    ('pedestrian_crossing', 'width', '0.5 to 20 m', 'Leave it out for 4 m.'),
-    ('pedestrian_crossing', 'angle', '20 to 160 degrees', 'Leave it out for 90, square.'),
-    ('parking_bay', 'length', '1 to 30 m', 'Leave it out for 5 m.'),
-    ('parking_bay', 'width', '1 to 10 m', 'Leave it out for 2.3 m.'),
-    ('parking_bay', 'angle', '0, or 20 to 160 degrees', '0 is parallel to the border, 90 perpendicular.'),
-    ('street_object', 'orientation', '-360 to 360 degrees', 'Leave it out for 0.'),
-    ('street_object', 'orientation_kind', 'absolute or axis', 'Leave it out for axis.'),
-    ('street_object', 'abscissa', '0 m or more along the axis', 'Drag the object in street_object_editing.'),
-    ('street_object', 'side', 'left or right', 'Leave it empty where the axis places it.'),
-    ('street_object', 'axis_offset', '-200 to 200 m', 'Drag the object in street_object_editing.'),
-    ('street_object', 'method', 'absolute, relative or orphaned', 'Leave it out: it is computed.'),
-    ('street_object', 'placement', 'absolute, axis or border', 'Leave it out for axis.'),
-    ('street_object', 'placed_by', 'user, import or rule', 'Leave it out for user.') $$;
-COMMENT ON FUNCTION streetgen._object_input_rule() IS 'What may be typed into tables of objects, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._object_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog

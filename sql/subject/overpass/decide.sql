@@ -64,13 +64,6 @@ COMMENT ON FUNCTION streetgen._edit_overpass() IS
     'Trigger of overpass_editing: writes overpass_override. An axis that does not cross there, or a clearance beyond 0 '
     'to 100 m: 22023; INSERT: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._overpass_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('overpass_override'::name, 'clearance'::name, '0 to 100 m', 'Leave it empty for setting clearance.') $$;
-COMMENT ON FUNCTION streetgen._overpass_input_rule() IS 'What may be typed into tables of overpasses, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._overpass_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

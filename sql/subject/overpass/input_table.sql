@@ -18,3 +18,5 @@ COMMENT ON COLUMN :"model".overpass_override.geom IS 'place of the crossing, wit
 COMMENT ON COLUMN :"model".overpass_override.axis_above IS 'axis that passes over';
 COMMENT ON COLUMN :"model".overpass_override.axis_below IS 'axis below';
 COMMENT ON COLUMN :"model".overpass_override.clearance IS 'from roadway to roadway, metres; NULL: setting clearance';
+COMMENT ON CONSTRAINT overpass_override_clearance_check ON :"model".overpass_override IS
+    '0 to 100 m. Leave it empty for setting clearance.';

@@ -80,15 +80,6 @@ COMMENT ON FUNCTION streetgen._edit_ramp() IS
     'Trigger of ramp_editing: writes ramp_override. A tangent or length beyond 0 to 1000 m, or a ramp that is gone: '
     '22023; INSERT: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._ramp_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('ramp_override'::name, 'abscissa'::name, '0 m or more along the axis', 'Edit ramp_editing, which fills it.'),
-    ('ramp_override', 'tangent', '0 to 1000 m', 'Leave it empty for setting ramp_tangent.'),
-    ('ramp_override', 'length', '0 to 1000 m', '0 for no merging lane; leave it empty for setting merging_length.') $$;
-COMMENT ON FUNCTION streetgen._ramp_input_rule() IS 'What may be typed into tables of ramps, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._ramp_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

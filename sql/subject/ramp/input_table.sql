@@ -20,8 +20,14 @@ COMMENT ON COLUMN :"model".ramp_override.ramp_override_id IS 'key';
 COMMENT ON COLUMN :"model".ramp_override.axis_id IS 'the link';
 COMMENT ON COLUMN :"model".ramp_override.abscissa IS
     'a place on the link, metres along the axis; the nearer end of its edge is meant';
+COMMENT ON CONSTRAINT ramp_override_abscissa_check ON :"model".ramp_override IS
+    '0 m or more along the axis. Edit ramp_editing, which fills it.';
 COMMENT ON COLUMN :"model".ramp_override.tangent IS
     'metres before and behind the bend into the lane; NULL: setting ramp_tangent';
+COMMENT ON CONSTRAINT ramp_override_tangent_check ON :"model".ramp_override IS
+    '0 to 1000 m. Leave it empty for setting ramp_tangent.';
 COMMENT ON COLUMN :"model".ramp_override.length IS
     'metres that a merging lane keeps its width; 0: none; NULL: setting merging_length';
+COMMENT ON CONSTRAINT ramp_override_length_check ON :"model".ramp_override IS
+    '0 to 1000 m. 0 for no merging lane; leave it empty for setting merging_length.';
 COMMENT ON COLUMN :"model".ramp_override.geom IS 'its place: that of the axis at the abscissa; filled where left out';

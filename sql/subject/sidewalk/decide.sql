@@ -46,16 +46,6 @@ COMMENT ON FUNCTION streetgen._edit_sidewalk() IS
     'Trigger of sidewalk_editing: writes sidewalk_override for the side of an edge. A width beyond 0 to 50 m: 22023; '
     'INSERT and other changes: 0A000.';
 
-CREATE OR REPLACE FUNCTION streetgen._sidewalk_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('sidewalk_override'::name, 'abscissa'::name, '0 m or more along the axis',
-        'Edit sidewalk_editing, which fills it.'),
-    ('sidewalk_override', 'side', 'left or right', 'It is the side of the axis.'),
-    ('sidewalk_override', 'width', '0 to 50 m', '0 takes the sidewalk away; delete the row to have it computed.') $$;
-COMMENT ON FUNCTION streetgen._sidewalk_input_rule() IS 'What may be typed into tables of sidewalks, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

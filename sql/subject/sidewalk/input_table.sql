@@ -19,6 +19,12 @@ COMMENT ON TABLE :"model".sidewalk_override IS
 COMMENT ON COLUMN :"model".sidewalk_override.sidewalk_override_id IS 'key';
 COMMENT ON COLUMN :"model".sidewalk_override.axis_id IS 'the axis';
 COMMENT ON COLUMN :"model".sidewalk_override.abscissa IS 'a place on the edge, metres along the axis';
+COMMENT ON CONSTRAINT sidewalk_override_abscissa_check ON :"model".sidewalk_override IS
+    '0 m or more along the axis. Edit sidewalk_editing, which fills it.';
 COMMENT ON COLUMN :"model".sidewalk_override.side IS 'left or right of the axis';
+COMMENT ON CONSTRAINT sidewalk_override_side_check ON :"model".sidewalk_override IS
+    'left or right. It is the side of the axis.';
 COMMENT ON COLUMN :"model".sidewalk_override.width IS 'width of the sidewalk, metres; 0: none';
+COMMENT ON CONSTRAINT sidewalk_override_width_check ON :"model".sidewalk_override IS
+    '0 to 50 m. 0 takes the sidewalk away; delete the row to have it computed.';
 COMMENT ON COLUMN :"model".sidewalk_override.geom IS 'the place on the axis';

@@ -178,16 +178,6 @@ COMMENT ON FUNCTION streetgen.coordinate(name, bigint[], float8) IS
     'begins. Returns the controllers with the metres from the start to where one waits, cycle and offset, seconds. An '
     'unknown axis, another speed: 22023; NULL: 22004; a model without signals: 55000.';
 
-CREATE OR REPLACE FUNCTION streetgen._signal_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('controller_override'::name, 'program'::name, 'phases or paper', 'Leave it empty for setting signal_program.'),
-    ('controller_override', 'cycle', '10 to 3600 s', 'Leave it empty for as long as the states last.'),
-    ('controller_override', 'durations', '0.1 to 3600 s for each state', 'Leave it empty to have them computed.'),
-    ('controller_override', 'start_offset', '0 to 3600 s', 'Leave it empty for 0.') $$;
-COMMENT ON FUNCTION streetgen._signal_input_rule() IS 'What may be typed into tables of signals, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._signal_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

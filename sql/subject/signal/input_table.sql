@@ -20,7 +20,15 @@ COMMENT ON COLUMN :"model".controller_override.controller_override_id IS 'key';
 COMMENT ON COLUMN :"model".controller_override.axis_id IS 'an axis of the junction';
 COMMENT ON COLUMN :"model".controller_override.geom IS 'a place near the node of that axis';
 COMMENT ON COLUMN :"model".controller_override.program IS 'phases or paper; NULL: setting signal_program';
+COMMENT ON CONSTRAINT controller_override_program_check ON :"model".controller_override IS
+    'phases or paper. Leave it empty for setting signal_program.';
 COMMENT ON COLUMN :"model".controller_override.cycle IS
     'seconds; greens stretch or shrink to it; NULL: as long as the states last';
+COMMENT ON CONSTRAINT controller_override_cycle_check ON :"model".controller_override IS
+    '10 to 3600 s. Leave it empty for as long as the states last.';
 COMMENT ON COLUMN :"model".controller_override.start_offset IS 'seconds; NULL: 0';
+COMMENT ON CONSTRAINT controller_override_start_offset_check ON :"model".controller_override IS
+    '0 to 3600 s. Leave it empty for 0.';
 COMMENT ON COLUMN :"model".controller_override.durations IS 'seconds of the states in order; NULL in it: computed';
+COMMENT ON CONSTRAINT durations_are_seconds ON :"model".controller_override IS
+    '0.1 to 3600 s for each state. Leave it empty to have them computed.';

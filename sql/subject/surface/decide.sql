@@ -254,20 +254,6 @@ COMMENT ON FUNCTION streetgen._fill_width() IS
     'Trigger of kerb_point_override: abscissa, and width as twice the distance from the axis, where none is given or '
     'the point moves without it; as they are where the axis is gone.';
 
-CREATE OR REPLACE FUNCTION streetgen._surface_input_rule()
-    RETURNS TABLE(relation name, attribute name, expected text, way_out text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('transition_override'::name, 'which'::name, 'start or end', 'It is the end of the axis where the width changes.'),
-    ('transition_override', 'kind', 'symmetric, left or right', 'Leave it empty for setting transition_kind.'),
-    ('transition_override', 'length', '0 to 200 m', 'Leave it empty for setting transition_length.'),
-    ('section_limit_override', 'abscissa', '0 m or more along the axis', 'Edit section_limit_editing, which fills it.'),
-    ('section_limit_override', 'which', 'start or end', 'It is the end of the edge that the limit is at.'),
-    ('corner_override', 'radius', '0 to 200 m', '0 for no arc; delete the row to have it computed.'),
-    ('kerb_point_override', 'abscissa', '0 m or more along the axis', 'Leave it empty: it follows from the place.'),
-    ('kerb_point_override', 'width', '0.001 to 200 m', 'Leave it empty: it is twice the distance from the axis.') $$;
-COMMENT ON FUNCTION streetgen._surface_input_rule() IS 'What may be typed into tables of the roadway, and the way out.';
-
 CREATE OR REPLACE FUNCTION streetgen._surface_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
