@@ -114,6 +114,11 @@ SELECT pg_temp.draw(1, 'LINESTRING(0 -2, 100 -2)') \g /dev/null
 SELECT * FROM pg_temp.holds('an axis redrawn aside takes along what still meets, the kerb stays',
   'transition 1 end left (100 -2); lane 1 at 80 1 f (80 -2) (60 1); limit 1 at 90 end (90 -2); kerb 1 at 75 12 (75 4); corner 1 3 (100 -2); interconnection 1.2 3.2 (100 -2) (98 -4); restriction 1 2 (100 0)');
 
+SELECT pg_temp.draw(1, 'LINESTRING(0 4, 100 4)') \g /dev/null
+SELECT 'an axis drawn over its kerb point leaves it its width', (axis_id, width) = (1, 12) FROM town.kerb_point_override;
+SELECT pg_temp.draw(1, 'LINESTRING(0 170, 100 170)') \g /dev/null
+SELECT 'one drawn far away too, and that is told', (axis_id, width) = (1, 12) AND EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'kerb point override without its axis') FROM town.kerb_point_override;
+
 -- The node is dragged: all its axes at once, or one after the other.
 CALL pg_temp.decide();
 UPDATE town.axis SET geom = CASE axis_id WHEN 1 THEN pg_temp.line('LINESTRING(0 0, 50 0, 100 9)') WHEN 2 THEN pg_temp.line('LINESTRING(100 9, 200 0)') ELSE pg_temp.line('LINESTRING(100 9, 100 -80)') END WHERE axis_id < 4;

@@ -51,21 +51,24 @@ BEGIN
                     AND NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = o.axis_id
                         AND ST_DWithin(a.geom, v.geom, o.reach)))
             ORDER BY relation, override_id, node, role, axis_id),
-        -- Each is now on its own axis, if that still lies there (1); on one that came by (2); on the one that took its
-        -- line over (3); on its own, redrawn and neither cut back nor, for an end, made longer (4).
+        -- Each is now on its own axis, if that still lies there (1); on one that came by and is not farther (2); on its
+        -- own, redrawn and neither cut back nor, for an end, made longer (3); on one that lies along the line that its
+        -- own left (4); on its own, which ends just short of it (5).
         heir AS (
             SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
-                CASE WHEN a.axis_id = p.axis_id THEN 1
-                    WHEN c.axis_id IS NOT NULL
+                CASE WHEN a.axis_id = p.axis_id THEN CASE WHEN ST_DWithin(p.line, p.geom, 3 * tolerance)
+                        OR streetgen._metres_beyond(p.line, p.geom) <= tolerance THEN 1 ELSE 5 END
+                    WHEN c.axis_id IS NOT NULL AND (p.line IS NULL
+                            OR ST_Distance(a.geom, p.geom) <= ST_Distance(p.line, p.geom))
                         AND streetgen._remap_comes_by(p.relation, c.before, c.after, p.geom, p.reach) THEN 2
                     -- A control point on a node stands on all the axes that meet there.
-                    WHEN p.before IS NOT NULL AND p.line IS NULL AND (p.relation = 'control_point'
-                        OR ST_DWithin(a.geom, streetgen._remap_point_beside(p.before, p.geom), tolerance)) THEN 3
+                    WHEN p.before IS NOT NULL AND (p.line IS NULL AND p.relation = 'control_point'
+                        OR streetgen._remap_lies_along(p.before, ST_Force2D(a.geom), p.geom, tolerance)) THEN 4
                     END AS turn
             FROM place p JOIN axis a ON ST_DWithin(a.geom, p.geom, p.reach)
                 LEFT JOIN changed c ON c.axis_id = a.axis_id
             WHERE ST_DWithin(streetgen._remap_part_of_axis(p.relation, ST_Force2D(a.geom)), p.geom, p.reach)
-            UNION ALL SELECT p.*, p.axis_id, p.after, 4 FROM place p
+            UNION ALL SELECT p.*, p.axis_id, p.after, 3 FROM place p
             WHERE NOT p.at_node AND ST_DWithin(streetgen._remap_part_of_axis(p.relation, p.before), p.geom, p.reach)
                 AND NOT streetgen._remap_is_cut_back(p.before, p.after, tolerance)
                 AND CASE p.relation
@@ -73,13 +76,15 @@ BEGIN
                     WHEN 'turn_restriction' THEN true ELSE streetgen._remap_lies_beside(p.after, p.geom) END),
         found AS MATERIALIZED (
             SELECT relation, override_id, role, geom, abscissa, heir AS axis_id, heir_line AS line,
-                turn = 4 AS redrawn, before, streetgen._remap_runs_against(before, heir_line, geom) AS turned
+                turn = 3 AS redrawn, before, CASE WHEN before IS NULL AND heir <> axis_id
+                    THEN coalesce(streetgen._remap_joins_against(h.line, heir_line, tolerance), false)
+                    ELSE streetgen._remap_runs_against(before, heir_line, geom) END AS turned
             FROM (SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
-                WHERE turn IN (1, 4) OR turn IS NOT NULL
+                WHERE heir = axis_id OR turn IS NOT NULL
                     AND NOT EXISTS (SELECT FROM place o WHERE (o.relation, o.override_id, o.axis_id)
                         = (h.relation, h.override_id, h.heir) AND o.role <> h.role)
                 ORDER BY relation, override_id, role, turn, ST_Distance(heir_line, geom), heir) h
-            WHERE (named OR turn > 1) AND NOT (at_node AND EXISTS (SELECT FROM moved m
+            WHERE (named OR heir <> axis_id) AND NOT (at_node AND EXISTS (SELECT FROM moved m
                 WHERE (m.relation, m.override_id, m.node) = (h.relation, h.override_id, h.node)))),
         -- A decision on one axis goes with its vertex, where that moved, and comes onto an axis that was redrawn.
         placed AS MATERIALIZED (
@@ -185,6 +190,8 @@ BEGIN
                 width = 2 * ST_Distance(p.line, p.place)
             FROM unnest(decisions) p WHERE p.relation = 'kerb_point_override'
                 AND o.kerb_point_override_id = p.override_id
+                -- One that an axis is drawn over, or far away from, says no width.
+                AND 2 * ST_Distance(p.line, p.place) BETWEEN 0.001 AND 200
                 AND (o.axis_id, o.abscissa, o.width)
                     IS DISTINCT FROM (p.axis_id, p.abscissa, 2 * ST_Distance(p.line, p.place));
         END IF;

@@ -17,6 +17,18 @@ CREATE OR REPLACE FUNCTION streetgen._remap_runs_against(before geometry, after 
 COMMENT ON FUNCTION streetgen._remap_runs_against(geometry, geometry, geometry) IS
     'Whether a line runs against another at a place; false where one is NULL.';
 
+CREATE OR REPLACE FUNCTION streetgen._remap_joins_against(line geometry, piece geometry, slack float8)
+    RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT (ST_DWithin(ST_EndPoint(line), ST_EndPoint(piece), slack)
+            OR ST_DWithin(ST_StartPoint(line), ST_StartPoint(piece), slack))
+        AND NOT ST_DWithin(ST_EndPoint(line), ST_StartPoint(piece), slack)
+        AND NOT ST_DWithin(ST_StartPoint(line), ST_EndPoint(piece), slack)
+    $$;
+COMMENT ON FUNCTION streetgen._remap_joins_against(geometry, geometry, float8) IS
+    'Whether a piece that goes on where a line was cut runs against it, as their ends say.';
+
 CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT CASE WHEN lanes = 0 OR (lanes % 2 = 1 AND ordinality = 1) THEN ordinality
@@ -73,6 +85,32 @@ CREATE OR REPLACE FUNCTION streetgen._remap_lies_beside(line geometry, place geo
     AS $$ SELECT at > 0 AND at < 1 FROM (SELECT ST_LineLocatePoint(line, place) AS at) l $$;
 COMMENT ON FUNCTION streetgen._remap_lies_beside(geometry, geometry) IS
     'Whether a place lies beside a line and not beyond its ends.';
+
+CREATE OR REPLACE FUNCTION streetgen._metres_beyond(line geometry, place geometry) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN at > 0 AND at < 1 THEN 0 ELSE greatest(0,
+        ST_Distance(foot, place) * cos(ST_Azimuth(inside, foot) - ST_Azimuth(foot, place))) END
+    FROM (SELECT ST_LineLocatePoint(line, place) AS at) l, ST_LineInterpolatePoint(line, at) foot,
+        streetgen._remap_point_beside(line, foot) inside
+    $$;
+COMMENT ON FUNCTION streetgen._metres_beyond(geometry, geometry) IS
+    'How far (metres) a place lies beyond the nearer end of a line, along the last 5 m of it; 0 beside the line.';
+
+CREATE OR REPLACE FUNCTION streetgen._remap_lies_along(before geometry, line geometry, place geometry, slack float8)
+    RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    -- A stretch of less than twice the slack may be the end of a street that meets the line.
+    SELECT coalesce(bool_or(stretch.length >= 2 * slack AND NOT EXISTS (
+        SELECT FROM ST_DumpPoints(ST_LineSubstring(line, stretch.start, stretch.start + stretch.length / whole)) v
+        WHERE NOT ST_DWithin(v.geom, before, slack))), false)
+    FROM (SELECT ST_LineLocatePoint(line, place) AS at, ST_Length2D(line) AS whole) l,
+        LATERAL (VALUES (greatest(at - 5 / whole, 0), least(5, at * whole)),
+            (at, least(5, (1 - at) * whole))) stretch(start, length)
+    $$;
+COMMENT ON FUNCTION streetgen._remap_lies_along(geometry, geometry, geometry, float8) IS
+    'Whether a line, 5 m back or on from a place or to its end, lies along another line.';
 
 CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geometry, after geometry, place geometry,
     reach float8) RETURNS boolean

@@ -22,12 +22,13 @@ BEGIN
     IF 'lane' <> ALL (streetgen._subjects(model)) THEN
         RETURN 0;
     END IF;
-    SELECT count(*) FROM lane l JOIN edge e USING (edge_id) WHERE axis_id = axis AND abscissa >= e.start_abscissa
-        AND abscissa < e.end_abscissa AND l.kind <> 'merging' INTO lanes;
+    SELECT count(*) FROM lane l WHERE l.kind <> 'merging' AND edge_id = (SELECT e.edge_id FROM edge e
+        WHERE axis_id = axis AND e.start_abscissa <= abscissa ORDER BY e.start_abscissa DESC LIMIT 1) INTO lanes;
     RETURN lanes;
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_at(name, bigint, float8) IS
-    'Number of lanes of an axis at an abscissa, without merging lanes, as generated last; 0 where there are none.';
+    'Number of lanes of an axis at an abscissa, or beyond it at its end, without merging lanes, as generated last; 0 '
+    'where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_by(model name, axis bigint, place geometry) RETURNS bigint
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

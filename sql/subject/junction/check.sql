@@ -4,6 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._check_junction(model name) RETURNS SETOF s
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    tolerance constant float8 := streetgen._tolerance(model);
     finding streetgen.finding;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -35,7 +36,8 @@ BEGIN
                 LEFT JOIN junction_edge j USING (edge_id))
     UNION ALL
     SELECT 'warning', 'junction override without its axis', 'junction_override', o.junction_override_id, 0, o.geom
-        FROM junction_override o WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = o.axis_id)
+        FROM junction_override o WHERE NOT EXISTS (SELECT FROM edge e JOIN axis a USING (axis_id)
+            WHERE e.axis_id = o.axis_id AND streetgen._metres_beyond(ST_Force2D(a.geom), o.geom) <= 3 * tolerance)
     LOOP
         RETURN NEXT finding;
     END LOOP;

@@ -96,7 +96,9 @@ BEGIN
     UNION ALL
     SELECT 'warning', 'kerb point override without its axis', 'kerb_point_override', o.kerb_point_override_id,
         o.width, o.geom FROM kerb_point_override o
-        WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = o.axis_id)
+        WHERE NOT EXISTS (SELECT FROM used u WHERE u.axis_id = o.axis_id
+            AND ST_DWithin(u.geom, o.geom, o.width / 2 + tolerance)
+            AND streetgen._metres_beyond(ST_Force2D(u.geom), o.geom) <= tolerance)
     UNION ALL
     SELECT 'notice', 'lanes for both directions of a one-way street, not taken', 'axis', axis_id, lanes_both,
         geom FROM axis WHERE direction <> 'both' AND lanes_both > 0
@@ -125,7 +127,8 @@ BEGIN
             AND side IS NOT NULL HAVING count(*) > 0
     UNION ALL
     SELECT 'warning', 'control point off all axes', 'control_point', p.control_point_id, 0, p.geom
-        FROM control_point p WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = p.axis_id)
+        FROM control_point p WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = p.axis_id
+            AND streetgen._metres_beyond(ST_Force2D(a.geom), p.geom) <= coalesce(p.axis_distance, 0) + tolerance)
     UNION ALL
     SELECT 'error', 'smoothed line off its axis, m', 'edge', e.edge_id, off, e.geom
         FROM edge e JOIN used u USING (axis_id), (SELECT max(value) FILTER (WHERE name = 'smoothing') AS smoothing,

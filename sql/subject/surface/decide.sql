@@ -213,8 +213,7 @@ BEGIN
         END IF;
     END IF;
     NEW.width := 2 * ST_Distance(axis, NEW.geom);
-    IF at IN (0, 1) AND NOT ST_DWithin(streetgen._remap_point_beside(axis, foot), NEW.geom,
-        sqrt(25 + NEW.width * NEW.width / 4) + 0.01) OR NOT NEW.width BETWEEN 0.001 AND 200 THEN
+    IF streetgen._metres_beyond(axis, NEW.geom) > 0.01 OR NOT NEW.width BETWEEN 0.001 AND 200 THEN
         PERFORM streetgen._refuse('22023', format('%s lies beside no street', subject),
             detail => format('It is %s m from axis %s%s.', round((NEW.width / 2)::numeric, 2), NEW.axis_id,
                 CASE WHEN at IN (0, 1) THEN ', beyond its end' ELSE '' END),

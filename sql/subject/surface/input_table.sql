@@ -95,7 +95,7 @@ CREATE OR REPLACE TRIGGER fill_width BEFORE INSERT OR UPDATE ON :"model".kerb_po
 COMMENT ON TRIGGER fill_width ON :"model".kerb_point_override IS 'Fills abscissa and width where they are left out';
 COMMENT ON TABLE :"model".kerb_point_override IS
     'By hand: places on the kerbs of an axis. The mean of their widths is its width, instead of width and width_end '
-    'of the axis. generate never changes it; one whose axis is gone stays and is a row of check_model';
+    'of the axis. generate never changes it; one off its axis stays and is a row of check_model';
 COMMENT ON COLUMN :"model".kerb_point_override.kerb_point_override_id IS 'key';
 COMMENT ON COLUMN :"model".kerb_point_override.axis_id IS 'the axis';
 COMMENT ON COLUMN :"model".kerb_point_override.geom IS 'the place on the kerb';
