@@ -200,7 +200,9 @@ Bend bend_of(const Layout& layout, const Ramp& ramp, double least) {
   const double beside = found.value_or(0);
   Bend best{beside, ramp.tangent, 0, found.has_value()};
   for (double tangent = ramp.tangent; tangent <= longest; tangent += tangent_step) {
-    const Point leaves = position_at(link.line, std::max(least, beside + tangent)).direction;
+    // A limit at a vertex leaves along the piece behind it, whatever rounding says.
+    const Point leaves =
+        position_at(link.line, std::max(least, beside + tangent) + margin).direction;
     if (tangent > ramp.tangent && -dot(leaves, along) < least_along) break;
     const double turn = std::atan2(std::abs(cross(leaves, along)), -dot(leaves, along));
     const double radius = tangent / std::tan(std::max(turn, no_turn) / 2);

@@ -573,5 +573,34 @@ TEST(FindRamps, DoesNotReachAroundALoopForAGreaterRadius) {
     }
 }
 
+// The outer kerb of a ramp of Hannover meets the link at a vertex, and the limit of the link is that
+// vertex, on this side or the other by rounding.
+TEST(FindRamps, BendsAsOnTurnedPaperWhereTheLimitIsAVertex) {
+  const auto limit_of = [](double degrees) {
+    const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
+    const auto turned_by = [&](double x, double y) {
+      return Point{5e5 + c * x - s * y, 5.8e6 + s * x + c * y, 0};
+    };
+    const Highway highway;
+    StreetModelInput in;
+    highway.add(in, before, {turned_by(64.7232, -9.388), turned_by(0.3925, 0.3643)}, 3,
+                RampPart::highway, 100);
+    highway.add(in, after, {turned_by(0.3925, 0.3643), turned_by(-165.1101, 29.8862)}, 4,
+                RampPart::highway, 100);
+    highway.add(in, link,
+                {turned_by(69.3369, 5.4978), turned_by(35.9376, 7.2549), turned_by(0.3925, 0.3643)},
+                1, RampPart::link, 80);
+    const Streets streets = street_model(in).streets;
+    for (const SectionLimit& limit : streets.limits)
+      if (streets.network.edges[limit.edge].axis_id == link && !limit.at_start)
+        return length(streets.network.edges[limit.edge].line) - limit.abscissa;
+    return -1.0;
+  };
+  const double drawn = limit_of(0);
+  EXPECT_GT(drawn, 30);
+  for (double degrees = 7; degrees < 360; degrees += 7)
+    EXPECT_NEAR(limit_of(degrees), drawn, 1e-6) << degrees;
+}
+
 }  // namespace find_ramps_test
 }  // namespace streetgen
