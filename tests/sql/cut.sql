@@ -10,8 +10,7 @@ INSERT INTO quarter.kerb_point_override (axis_id, geom) SELECT axis_id, ST_Trans
 INSERT INTO quarter.section_limit_override (axis_id, abscissa, which) SELECT axis_id, ST_Length(geom) - 2, 'end' FROM quarter.axis WHERE axis_id = 2;
 \o
 CREATE FUNCTION pg_temp.relations() RETURNS SETOF text LANGUAGE sql AS $$
-  SELECT relname::text FROM pg_class WHERE relnamespace = 'quarter'::regnamespace AND relkind = 'r'
-    AND pg_get_viewdef('quarter.override_place') LIKE '%''' || relname || '''%' ORDER BY 1 $$;
+  SELECT relation::text FROM streetgen._decision() WHERE axes <> '{}' ORDER BY 1 $$;
 SELECT 'a row of each table of decisions at axes', array_agg(r) = ARRAY(SELECT DISTINCT relation FROM quarter.override_place ORDER BY 1) AND count(*) > 15 FROM pg_temp.relations() r;
 -- The rows of all these tables by their keys.
 CREATE FUNCTION pg_temp.decided() RETURNS TABLE (relation text, id bigint, said jsonb) LANGUAGE plpgsql AS $$

@@ -30,6 +30,20 @@ COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
     'runs with the rights of the owner first looks for functions of others, and nobody else may call it; any other '
     'one may be called by who may use the schema.';
 
+CREATE OR REPLACE FUNCTION streetgen._compose_function(model name, declaration text, result text, body text,
+    signature text, description text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    EXECUTE format('CREATE OR REPLACE FUNCTION %I.%s RETURNS %s LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT '
+        'AS %L', model, declaration, result, body);
+    PERFORM streetgen._own_function(model, signature, description);
+END $$;
+COMMENT ON FUNCTION streetgen._compose_function(name, text, text, text, text, text) IS
+    'Makes a function in the schema of a model whose statements are put together from the lists of rooms. declaration: '
+    'name and arguments with their names; signature: the same without these.';
+
 CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name, names name[] DEFAULT NULL) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -45,10 +45,9 @@ CREATE OR REPLACE FUNCTION streetgen._street_input(model name) RETURNS name[]
     AS $$ SELECT array_agg(relname ORDER BY relname) FROM pg_class
         WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r'
             -- A table of the user's may have a name of that kind.
-            AND relname IN (SELECT relation FROM streetgen.template
-                WHERE relation IN ('axis', 'turn_restriction', 'control_point') OR relation LIKE '%\_override') $$;
+            AND relname IN (SELECT 'axis' UNION ALL SELECT relation FROM streetgen._decision()) $$;
 COMMENT ON FUNCTION streetgen._street_input(name) IS
-    'The tables of a model that streets follow: axes, turn restrictions, control points and overrides.';
+    'The tables of a model that streets follow: axes, and what is decided by hand.';
 
 CREATE OR REPLACE FUNCTION streetgen._edited() RETURNS TABLE(relation name)
     LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog

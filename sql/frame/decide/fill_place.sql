@@ -13,9 +13,9 @@ BEGIN
     IF axis IS NULL THEN
         RETURN NEW;
     END IF;
-    IF TG_TABLE_NAME = 'transition_override' THEN
+    IF TG_ARGV[0] = 'end' THEN
         moved := (NEW.axis_id, NEW.which) IS DISTINCT FROM (OLD.axis_id, OLD.which);
-        place := CASE NEW.which WHEN 'start' THEN ST_StartPoint(axis) ELSE ST_EndPoint(axis) END;
+        place := streetgen._end_of(axis, NEW.which);
     ELSE
         moved := (NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.axis_id, OLD.abscissa);
         place := CASE WHEN NEW.abscissa BETWEEN 0 AND ST_Length(axis)

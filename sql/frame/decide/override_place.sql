@@ -29,12 +29,12 @@ CREATE OR REPLACE FUNCTION streetgen._remap_joins_against(line geometry, piece g
 COMMENT ON FUNCTION streetgen._remap_joins_against(geometry, geometry, float8) IS
     'Whether a piece that goes on where a line was cut runs against it, as their ends say.';
 
-CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN lanes = 0 OR (lanes % 2 = 1 AND ordinality = 1) THEN ordinality
-        WHEN (ordinality + lanes) % 2 = 1 THEN ordinality + 1 ELSE ordinality - 1 END $$;
-COMMENT ON FUNCTION streetgen._mirrored_ordinality(integer, bigint) IS
-    'Ordinality, on an axis turned round, of the lane that had this one among so many lanes (0: unknown, as it was).';
+CREATE OR REPLACE FUNCTION streetgen._swapped(word text, one text, other text, swap boolean) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN NOT swap THEN word WHEN word = one THEN other WHEN word = other THEN one ELSE word END;
+COMMENT ON FUNCTION streetgen._swapped(text, text, text, boolean) IS
+    'One of two words in place of the other, where asked for, as of the sides of an axis that is turned round; any '
+    'other word as it is.';
 
 CREATE OR REPLACE FUNCTION streetgen._end_of(line geometry, which text) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -73,12 +73,12 @@ CREATE OR REPLACE FUNCTION streetgen._remap_point_beside(line geometry, place ge
 COMMENT ON FUNCTION streetgen._remap_point_beside(geometry, geometry) IS
     'The place on a line 5 m along it from another, towards its farther end.';
 
-CREATE OR REPLACE FUNCTION streetgen._remap_part_of_axis(relation text, line geometry) RETURNS geometry
+CREATE OR REPLACE FUNCTION streetgen._remap_part_of_axis(anchor text, line geometry) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT CASE relation WHEN 'transition_override' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))
+    AS $$ SELECT CASE anchor WHEN 'end' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))
         ELSE line END $$;
 COMMENT ON FUNCTION streetgen._remap_part_of_axis(text, geometry) IS
-    'What of an axis the override of a relation lies at: its ends for a transition, else all of it.';
+    'What of an axis a decision with that anchor lies at: its ends or all of it.';
 
 CREATE OR REPLACE FUNCTION streetgen._remap_lies_beside(line geometry, place geometry) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -112,14 +112,12 @@ CREATE OR REPLACE FUNCTION streetgen._remap_lies_along(before geometry, line geo
 COMMENT ON FUNCTION streetgen._remap_lies_along(geometry, geometry, geometry, float8) IS
     'Whether a line, 5 m back or on from a place or to its end, lies along another line.';
 
-CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(relation text, before geometry, after geometry, place geometry,
+CREATE OR REPLACE FUNCTION streetgen._remap_comes_by(anchor text, before geometry, after geometry, place geometry,
     reach float8) RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT ST_DWithin(streetgen._remap_part_of_axis(relation, before), place, reach) IS NOT TRUE
-        OR relation IN ('lane_override', 'section_limit_override', 'kerb_point_override', 'sidewalk_override',
-            'control_point', 'junction_override', 'controller_override', 'road_override', 'ramp_override',
-            'height_override', 'lane_adjacency_override')
+    SELECT ST_DWithin(streetgen._remap_part_of_axis(anchor, before), place, reach) IS NOT TRUE
+        OR anchor NOT IN ('end', 'node', 'via')
             AND streetgen._remap_lies_beside(after, place) AND NOT streetgen._remap_lies_beside(before, place)
     $$;
 COMMENT ON FUNCTION streetgen._remap_comes_by(text, geometry, geometry, geometry, float8) IS

@@ -12,15 +12,9 @@ COMMENT ON FUNCTION streetgen._live(name) IS
     'Do the streets of a model follow its axes: is streetgen.live on, and setting streetgen.live of the transaction '
     'not off (importers)?';
 
-CREATE OR REPLACE FUNCTION streetgen._always_followed(relation name) RETURNS boolean
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
-    RETURN relation IN ('turn_restriction', 'interconnection_override', 'roundabout_override');
-COMMENT ON FUNCTION streetgen._always_followed(name) IS
-    'Does an edit of a table of decisions mark axes as stale while streetgen.live is off? No input_hash tells of it.';
-
 CREATE OR REPLACE FUNCTION streetgen._is_followed(model name, relation name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._always_followed(relation) OR streetgen._live(model) $$;
+    AS $$ SELECT streetgen._live(model) OR NOT streetgen._is_hashed(relation) $$;
 COMMENT ON FUNCTION streetgen._is_followed(name, name) IS
     'Does something follow an edit of a table of decisions: the streets, or the mark that axes are stale?';
 
@@ -269,8 +263,7 @@ BEGIN
                 UNION ALL SELECT to_jsonb(n) FROM (SELECT * FROM new_override EXCEPT SELECT * FROM old_override) n);
         END IF;
         named := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(changed) c
-            CROSS JOIN unnest(ARRAY['axis_id', 'axis_a', 'axis_b', 'axis_in', 'axis_out', 'from_axis', 'to_axis',
-                'axis_above', 'axis_below']) role
+            CROSS JOIN unnest(TG_ARGV) role
             JOIN axis a ON a.axis_id = (c ->> role)::bigint);
         -- A room tells which axes a decision on ground or about a ring is about.
         IF to_regprocedure(format('streetgen._axes_of_%s(name, jsonb[])', TG_TABLE_NAME)) IS NOT NULL THEN
@@ -296,12 +289,14 @@ BEGIN
             'Locks the model beside other editors');
         FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
             EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_%3$s AFTER %3$s ON %1$I.%2$I REFERENCING %4$s FOR '
-                'EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I()', model, relation, event,
+                'EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I(%6$s)', model, relation, event,
                 concat_ws(' ', CASE WHEN event <> 'insert' THEN 'OLD TABLE AS old_' || CASE relation WHEN 'axis'
                     THEN 'axis' ELSE 'override' END END,
                                CASE WHEN event <> 'delete' THEN 'NEW TABLE AS new_' || CASE relation WHEN 'axis'
                                    THEN 'axis' ELSE 'override' END END),
-                CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END);
+                CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END,
+                (SELECT string_agg(quote_literal(role), ', ') FROM streetgen._decision() d(decided, anchor, axes),
+                    unnest(d.axes) role WHERE decided = relation));
             EXECUTE format('COMMENT ON TRIGGER z_follow_%3$s ON %1$I.%2$I IS %4$L', model, relation, event,
                 'The streets follow');
         END LOOP;
@@ -362,7 +357,7 @@ BEGIN
         -- Triggers that delete the results of an axis with it, or mark axes as stale, stay on.
         WHERE relnamespace = quote_ident(model)::regnamespace AND tgname LIKE 'z\_follow\_%'
             AND NOT (relname = 'axis' AND tgname = 'z_follow_delete')
-            AND (live OR NOT streetgen._always_followed(relname))
+            AND (live OR streetgen._is_hashed(relname) IS NOT FALSE)
             AND (tgenabled <> 'D') <> live
     LOOP
         EXECUTE format('ALTER TABLE %s %s TRIGGER %I', trigger.relation, CASE WHEN live THEN 'ENABLE'

@@ -85,3 +85,11 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
             'decided by hand; false takes it back', 'centre of the arc; of a sharp bend its place'],
         streetgen._road_arc_handles(), 'alignment') $$;
 COMMENT ON FUNCTION streetgen._alignment_edit_view() IS 'The views in which roads are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._alignment_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('road_override'::name, 'vertex', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._alignment_decision() IS
+    'The anchors of decisions about roads, and which of their columns follow the axes.';

@@ -55,3 +55,12 @@ COMMENT ON FUNCTION streetgen._axis_beside(name, geometry) IS
     'The nearest axis of a model on whose roadway a place lies, or within three tolerances beside it; NULL: none. Of '
     'equally near axes the smallest axis_id. After these come axes whose end piece there is no longer than the '
     'tolerance, since their edge ends before it. Axes no longer than the tolerance have no edge and come last.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('control_point'::name, 'ground', '{axis_id}'::name[], 'coalesce(axis_distance, 0) + {tolerance}',
+        jsonb_build_object('direction', 'streetgen._swapped(o.direction, ''direct'', ''reverse'', n.turned)'), true) $$;
+COMMENT ON FUNCTION streetgen._axis_decision() IS
+    'The anchors of decisions about control points, and which of their columns follow the axes.';

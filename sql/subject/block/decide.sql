@@ -72,3 +72,11 @@ CREATE OR REPLACE FUNCTION streetgen._block_edit_view()
                 AND ST_Intersects(o.geom, b.surface)) AS by_hand, b.surface AS geom
             FROM %1$I.block b$sql$, 'block') $$;
 COMMENT ON FUNCTION streetgen._block_edit_view() IS 'The views in which blocks are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('block_override'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._block_decision() IS
+    'The anchors of decisions about blocks, and which of their columns follow the axes.';

@@ -68,3 +68,11 @@ CREATE OR REPLACE FUNCTION streetgen._height_edit_view()
         ARRAY['key', 'the axis: the nearest one where left out', 'height, metres', 'the place on the axis'],
         $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height') $$;
 COMMENT ON FUNCTION streetgen._height_edit_view() IS 'The views in which heights are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._height_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('height_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._height_decision() IS
+    'The anchors of decisions about heights, and which of their columns follow the axes.';

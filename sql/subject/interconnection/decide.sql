@@ -103,3 +103,26 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_edit_view()
                 ST_EndPoint(c.geom)])::geometry(LineString, %2$s) AS geom
         FROM %1$I.interconnection c$sql$, 'interconnection') $$;
 COMMENT ON FUNCTION streetgen._interconnection_edit_view() IS 'The views in which interconnections are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._ordinality_at(ordinality integer, axis bigint, place geometry, turned boolean)
+    RETURNS integer
+    LANGUAGE sql STABLE PARALLEL UNSAFE
+    RETURN CASE WHEN turned THEN streetgen._mirrored_ordinality(ordinality,
+        streetgen._lanes_by(current_schema(), axis, place)) ELSE ordinality END;
+COMMENT ON FUNCTION streetgen._ordinality_at(integer, bigint, geometry, boolean) IS
+    'Ordinality of a lane beside a node of an axis of the model in use, where the axis may be turned round.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('interconnection_override'::name, 'node', '{axis_in,axis_out}'::name[], '3 * {tolerance}', jsonb_build_object(
+        'geom', 'coalesce(n.new_place, o.geom)',
+        'control', 'ST_Translate(o.control, n.east, n.north)',
+        'lane_in', 'streetgen._ordinality_at(o.lane_in, o.axis_in, o.geom, n.first_turned)',
+        'lane_out', 'streetgen._ordinality_at(o.lane_out, o.axis_out, o.geom, n.second_turned)',
+        'along_in', 'o.along_in <> n.first_turned',
+        'along_out', 'o.along_out <> n.second_turned'), false),
+    ('turn_restriction', 'route', '{from_axis,to_axis}', '3 * {tolerance}', '{}', false) $$;
+COMMENT ON FUNCTION streetgen._interconnection_decision() IS
+    'The anchors of decisions about interconnections, and which of their columns follow the axes.';

@@ -230,3 +230,11 @@ CREATE OR REPLACE FUNCTION streetgen._junction_edit_view()
                     ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)) AS by_hand, e.geom
         FROM %1$I.edge e$sql$, 'junction') $$;
 COMMENT ON FUNCTION streetgen._junction_edit_view() IS 'The views in which junctions are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('junction_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._junction_decision() IS
+    'The anchors of decisions about junctions, and which of their columns follow the axes.';

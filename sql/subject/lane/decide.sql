@@ -194,3 +194,66 @@ CREATE OR REPLACE FUNCTION streetgen._lane_edit_view()
         $sql$SELECT lane_adjacency_id, lane_a, lane_b, side, change, by_hand, geom
         FROM %1$I.lane_adjacency$sql$, 'lane') $$;
 COMMENT ON FUNCTION streetgen._lane_edit_view() IS 'The views in which lanes are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa float8) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    lanes bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        RETURN 0;
+    END IF;
+    SELECT count(*) FROM lane l WHERE l.kind <> 'merging' AND edge_id = (SELECT e.edge_id FROM edge e
+        WHERE axis_id = axis AND e.start_abscissa <= abscissa ORDER BY e.start_abscissa DESC LIMIT 1) INTO lanes;
+    RETURN lanes;
+END $$;
+COMMENT ON FUNCTION streetgen._lanes_at(name, bigint, float8) IS
+    'Number of lanes of an axis at an abscissa, or beyond it at its end, without merging lanes, as generated last; 0 '
+    'where there are none.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_by(model name, axis bigint, place geometry) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    lanes bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        RETURN 0;
+    END IF;
+    SELECT count(*) FROM lane WHERE edge_id = streetgen._edge_at(model, axis, place) INTO lanes;
+    RETURN lanes;
+END $$;
+COMMENT ON FUNCTION streetgen._lanes_by(name, bigint, geometry) IS
+    'Number of lanes of an axis at its edge nearest to a place, as generated last.';
+
+CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN lanes = 0 OR (lanes % 2 = 1 AND ordinality = 1) THEN ordinality
+        WHEN (ordinality + lanes) % 2 = 1 THEN ordinality + 1 ELSE ordinality - 1 END $$;
+COMMENT ON FUNCTION streetgen._mirrored_ordinality(integer, bigint) IS
+    'Ordinality, on an axis turned round, of the lane that had this one among so many lanes (0: unknown, as it was).';
+
+CREATE OR REPLACE FUNCTION streetgen._ordinality_along(ordinality integer, axis bigint, abscissa float8, turned boolean)
+    RETURNS integer
+    LANGUAGE sql STABLE PARALLEL UNSAFE
+    RETURN CASE WHEN turned THEN streetgen._mirrored_ordinality(ordinality,
+        streetgen._lanes_at(current_schema(), axis, abscissa)) ELSE ordinality END;
+COMMENT ON FUNCTION streetgen._ordinality_along(integer, bigint, float8, boolean) IS
+    'Ordinality of a lane at an abscissa of an axis of the model in use, where the axis may be turned round.';
+
+CREATE OR REPLACE FUNCTION streetgen._lane_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('lane_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', jsonb_build_object(
+        'along_axis', 'o.along_axis <> (n.turned AND o.both_ways IS NOT TRUE)',
+        'line', 'CASE WHEN n.turned THEN ST_Reverse(o.line) ELSE o.line END',
+        'ordinality', 'streetgen._ordinality_along(o.ordinality, o.axis_id, o.abscissa, n.turned)'), true),
+    ('lane_adjacency_override', 'along', '{axis_id}', '{tolerance}', jsonb_build_object(
+        'lane_from', 'streetgen._ordinality_along(o.lane_from, o.axis_id, o.abscissa, n.turned)',
+        'lane_to', 'streetgen._ordinality_along(o.lane_to, o.axis_id, o.abscissa, n.turned)'), true) $$;
+COMMENT ON FUNCTION streetgen._lane_decision() IS
+    'The anchors of decisions about lanes, and which of their columns follow the axes.';

@@ -78,3 +78,11 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_edit_view()
         FROM %1$I.overpass o JOIN %1$I.edge a ON a.edge_id = o.edge_above
             JOIN %1$I.edge b ON b.edge_id = o.edge_below$sql$, 'overpass') $$;
 COMMENT ON FUNCTION streetgen._overpass_edit_view() IS 'The views in which overpasses are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._overpass_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('overpass_override'::name, 'node', '{axis_above,axis_below}'::name[], '20', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._overpass_decision() IS
+    'The anchors of decisions about overpasses, and which of their columns follow the axes.';

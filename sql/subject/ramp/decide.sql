@@ -99,3 +99,11 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_edit_view()
                 AND (2 * o.abscissa <= e.start_abscissa + e.end_abscissa) = (e.from_node = r.node_id)
             ORDER BY o.ramp_override_id DESC LIMIT 1) d ON r.method = 'by_hand'$sql$, 'ramp') $$;
 COMMENT ON FUNCTION streetgen._ramp_edit_view() IS 'The views in which ramps are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._ramp_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('ramp_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._ramp_decision() IS
+    'The anchors of decisions about ramps, and which of their columns follow the axes.';

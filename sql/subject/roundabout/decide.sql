@@ -53,3 +53,11 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_edit_view()
             r.accepted, r.geom
         FROM %1$I.roundabout r ORDER BY nearness, r.roundabout_id$sql$, 'roundabout') $$;
 COMMENT ON FUNCTION streetgen._roundabout_edit_view() IS 'The views in which roundabouts are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('roundabout_override'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false) $$;
+COMMENT ON FUNCTION streetgen._roundabout_decision() IS
+    'The anchors of decisions about roundabouts, and which of their columns follow the axes.';

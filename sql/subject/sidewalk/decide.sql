@@ -61,3 +61,12 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_edit_view()
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, s.surface AS geom
         FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$, 'sidewalk') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_edit_view() IS 'The views in which sidewalks are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('sidewalk_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', jsonb_build_object(
+        'side', 'streetgen._swapped(o.side, ''left'', ''right'', n.turned)'), true) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_decision() IS
+    'The anchors of decisions about sidewalks, and which of their columns follow the axes.';

@@ -192,3 +192,11 @@ CREATE OR REPLACE FUNCTION streetgen._signal_edit_view()
                 ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
         FROM %1$I.controller c$sql$, 'signal') $$;
 COMMENT ON FUNCTION streetgen._signal_edit_view() IS 'The views in which signals are edited.';
+
+CREATE OR REPLACE FUNCTION streetgen._signal_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('controller_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true) $$;
+COMMENT ON FUNCTION streetgen._signal_decision() IS
+    'The anchors of decisions about signals, and which of their columns follow the axes.';

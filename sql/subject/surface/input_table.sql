@@ -10,7 +10,7 @@ CREATE TABLE :"model".transition_override (
 CREATE INDEX transition_override_axis ON :"model".transition_override (axis_id);
 CREATE INDEX transition_override_geom ON :"model".transition_override USING gist (geom);
 CREATE OR REPLACE TRIGGER fill_place BEFORE INSERT OR UPDATE ON :"model".transition_override
-    FOR EACH ROW EXECUTE FUNCTION streetgen._fill_place();
+    FOR EACH ROW EXECUTE FUNCTION streetgen._fill_place('end');
 COMMENT ON TRIGGER fill_place ON :"model".transition_override IS 'Fills geom where it is left out';
 COMMENT ON TABLE :"model".transition_override IS
     'Input: change of width at one end of an axis, instead of the settings transition_kind and transition_length; '
