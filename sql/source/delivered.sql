@@ -58,7 +58,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_source_functions(model name) RETURNS 
 DECLARE
     relation name;
     settler name;
-    event record;
 BEGIN
     FOREACH relation IN ARRAY '{axis,control_point,turn_restriction,street_object}'::name[] LOOP
         CONTINUE WHEN to_regclass(format('%I.%I', model, relation)) IS NULL;
@@ -90,15 +89,10 @@ BEGIN
 END $body$ $sql$, model, settler, relation, relation || '_id',
             streetgen._row_json(format('%I.%I', model, relation)::regclass, 'a',
                 streetgen._delivered_columns(relation)));
-        FOR event IN SELECT * FROM (VALUES ('update', 'REFERENCING NEW TABLE AS after'),
-            ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables)
-            -- Streets that change write their objects: of these streetgen.settle_conflict alone says whose holds.
-            WHERE (relation, name) <> ('street_object', 'update') LOOP
-            EXECUTE format('CREATE OR REPLACE TRIGGER settle_%1$s AFTER %1$s ON %2$I.%3$I %4$s FOR EACH STATEMENT '
-                'EXECUTE FUNCTION %2$I.%5$I()', event.name, model, relation, event.tables, settler);
-            EXECUTE format('COMMENT ON TRIGGER settle_%s ON %I.%I IS %L', event.name, model, relation,
-                'After an edit: conflicts with a delivery that it settles end');
-        END LOOP;
+        -- Streets that change write their objects: of these streetgen.settle_conflict alone says whose holds.
+        PERFORM streetgen._make_statement_triggers(model, relation, 'settle', CASE relation WHEN 'street_object'
+            THEN '{delete,truncate}'::text[] ELSE '{update,delete,truncate}' END, settler || '()', 'before', 'after',
+            'After an edit: conflicts with a delivery that it settles end');
         PERFORM streetgen._own_function(model, format('%I()', settler),
             'After an edit: conflicts with a delivery that it settles end');
     END LOOP;

@@ -8,12 +8,10 @@ DECLARE
     followed record;
 BEGIN
     FOR followed IN SELECT format('%s_%s', trigger_name, event) AS name, f.* FROM (VALUES
-        ('insert', 'REFERENCING NEW TABLE AS after', 'SELECT axis_id, NULL::geometry AS was, geom AS now FROM after'),
-        ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after',
-            'SELECT axis_id, b.geom AS was, a.geom AS now FROM before b FULL JOIN after a USING (axis_id) '
+        ('insert', 'SELECT axis_id, NULL::geometry AS was, geom AS now FROM after'),
+        ('update', 'SELECT axis_id, b.geom AS was, a.geom AS now FROM before b FULL JOIN after a USING (axis_id) '
             'WHERE b.geom IS DISTINCT FROM a.geom'),
-        ('delete', 'REFERENCING OLD TABLE AS before',
-            'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, tables, changed)
+        ('delete', 'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, changed)
     LOOP
         EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
@@ -25,10 +23,9 @@ BEGIN
             array_agg(now ORDER BY axis_id)) FROM (%5$s) c HAVING count(*) > 0;
     END IF;
     RETURN NULL;
-END $body$;
-CREATE OR REPLACE TRIGGER %2$I AFTER %6$s ON %1$I.axis %7$s FOR EACH STATEMENT EXECUTE FUNCTION %1$I.%2$I()
-$sql$, model, followed.name, relation, follower, followed.changed, upper(followed.event), followed.tables);
-        EXECUTE format('COMMENT ON TRIGGER %I ON %I.axis IS %L', followed.name, model, 'After an edit: ' || purpose);
+END $body$ $sql$, model, followed.name, relation, follower, followed.changed);
+        PERFORM streetgen._make_statement_triggers(model, 'axis', trigger_name, ARRAY[followed.event],
+            followed.name || '()', 'before', 'after', 'After an edit: ' || purpose);
         PERFORM streetgen._own_function(model, format('%I()', followed.name), 'After an edit of axes: ' || purpose);
     END LOOP;
 END $$;

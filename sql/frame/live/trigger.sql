@@ -160,7 +160,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_triggers(model name) RETURNS void
     AS $$
 DECLARE
     relation name;
-    event text;
     former regclass;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -283,32 +282,20 @@ BEGIN
             streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
     FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
-        EXECUTE format('CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON %I.%I FOR '
-            'EACH STATEMENT EXECUTE FUNCTION %1$I._begin_edit()', model, relation);
-        EXECUTE format('COMMENT ON TRIGGER a_enter ON %I.%I IS %L', model, relation,
-            'Locks the model beside other editors');
-        FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete'] LOOP
-            EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_%3$s AFTER %3$s ON %1$I.%2$I REFERENCING %4$s FOR '
-                'EACH STATEMENT EXECUTE FUNCTION %1$I.%5$I(%6$s)', model, relation, event,
-                concat_ws(' ', CASE WHEN event <> 'insert' THEN 'OLD TABLE AS old_' || CASE relation WHEN 'axis'
-                    THEN 'axis' ELSE 'override' END END,
-                               CASE WHEN event <> 'delete' THEN 'NEW TABLE AS new_' || CASE relation WHEN 'axis'
-                                   THEN 'axis' ELSE 'override' END END),
-                CASE relation WHEN 'axis' THEN '_follow_axis' ELSE '_follow_override' END,
-                (SELECT string_agg(quote_literal(role), ', ') FROM streetgen._decision() d(decided, anchor, axes),
-                    unnest(d.axes) role WHERE decided = relation));
-            EXECUTE format('COMMENT ON TRIGGER z_follow_%3$s ON %1$I.%2$I IS %4$L', model, relation, event,
-                'The streets follow');
-        END LOOP;
+        PERFORM streetgen._execute_each(ARRAY['CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR '
+            'TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT EXECUTE FUNCTION %1$I._begin_edit()',
+            'COMMENT ON TRIGGER a_enter ON %1$I.%2$I IS ''Locks the model beside other editors'''], model, relation);
     END LOOP;
+    PERFORM streetgen._make_statement_triggers(model, 'axis', 'z_follow', '{insert,update,delete,truncate}',
+            '_follow_axis()', 'old_axis', 'new_axis', 'The streets follow'),
+        streetgen._make_statement_triggers(model, d.relation, 'z_follow', '{insert,update,delete}',
+            format('_follow_override(%s)', (SELECT string_agg(quote_literal(role), ', ') FROM unnest(d.axes) role)),
+            'old_override', 'new_override', 'The streets follow') FROM streetgen._decisions_of(model) d;
     -- Tables of decisions of older builds have one for TRUNCATE, too.
     FOR former IN SELECT tgrelid::regclass FROM pg_trigger WHERE tgname = 'z_follow_truncate'
         AND tgfoid = '_follow_override()'::regprocedure LOOP
         EXECUTE format('DROP TRIGGER z_follow_truncate ON %s', former);
     END LOOP;
-    EXECUTE format('CREATE OR REPLACE TRIGGER z_follow_truncate AFTER TRUNCATE ON %1$I.axis FOR EACH STATEMENT EXECUTE '
-        'FUNCTION %1$I._follow_axis()', model);
-    EXECUTE format('COMMENT ON TRIGGER z_follow_truncate ON %I.axis IS %L', model, 'The streets follow');
 END $$;
 COMMENT ON FUNCTION streetgen._make_triggers(name) IS
     'Makes the triggers by which the streets of a model follow its axes and overrides.';

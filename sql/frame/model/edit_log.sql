@@ -5,7 +5,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_edit_log(model name) RETURNS void
     AS $$
 DECLARE
     relation name;
-    event record;
     logger text;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -45,14 +44,8 @@ BEGIN
         RETURN;
     END IF;
     FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
-        FOR event IN SELECT * FROM (VALUES ('insert', 'REFERENCING NEW TABLE AS after'),
-            ('update', 'REFERENCING OLD TABLE AS before NEW TABLE AS after'),
-            ('delete', 'REFERENCING OLD TABLE AS before'), ('truncate', '')) e(name, tables) LOOP
-            EXECUTE format('CREATE OR REPLACE TRIGGER log_%3$s AFTER %3$s ON %1$I.%2$I %4$s FOR EACH STATEMENT '
-                'EXECUTE FUNCTION %1$I._log_edit()', model, relation, event.name, event.tables);
-            EXECUTE format('COMMENT ON TRIGGER log_%3$s ON %1$I.%2$I IS %4$L', model, relation, event.name,
-                'Writes the log');
-        END LOOP;
+        PERFORM streetgen._make_statement_triggers(model, relation, 'log', '{insert,update,delete,truncate}',
+            '_log_edit()', 'before', 'after', 'Writes the log');
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_edit_log(name) IS
