@@ -63,6 +63,21 @@ SELECT 'a change by hand is told and repaired: ' || statement, pg_temp.told_by_h
   ('DELETE FROM checked.section_limit WHERE edge_id = (SELECT max(edge_id) FROM checked.edge)'),
   ('TRUNCATE checked.marking')) s(statement);
 SELECT 'nothing of it is left', NOT EXISTS ((SELECT content FROM whole EXCEPT ALL SELECT content FROM test.content('checked')) UNION ALL (SELECT content FROM test.content('checked') EXCEPT ALL SELECT content FROM whole));
+-- So of each table of each subject: the edges that its rows belong to are said in columns that it has.
+SELECT streetgen.create_model('every', 2154, subjects => '{all}') \g /dev/null
+INSERT INTO every.axis (geom, width, level) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 7, 0), ('SRID=2154;LINESTRING(650050 6859950, 650050 6860050)', 7, 1);
+CREATE FUNCTION pg_temp.belongs(marked name, edges text) RETURNS boolean LANGUAGE plpgsql SET search_path = every, public, pg_catalog AS $$
+DECLARE
+  counted bigint;
+BEGIN
+  EXECUTE format('SELECT count(*) FROM edge e, (SELECT NULL::%I) r(old) WHERE %s', marked, replace(edges, '$1', 'old')) INTO counted;
+  RETURN counted IN (0, 2);
+END $$;
+SELECT 'rows of every table belong to edges', count(*) = 33 AND bool_and(pg_temp.belongs(relname, encode(substring(tgargs FOR octet_length(tgargs) - 1), 'escape')))
+  FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'every'::regnamespace AND tgname = 'by_hand' AND relname <> 'axis';
+UPDATE every.overpass SET clearance = 1;
+SELECT 'an overpass changed by hand is told at both its edges', count(*) = 2 FROM every.edge WHERE input_hash = streetgen._changed_by_hand();
+SELECT streetgen.drop_model('every') \g /dev/null
 UPDATE checked.axis SET kind = CASE axis_id WHEN 3 THEN 'primary' WHEN 4 THEN 'primay' END WHERE axis_id IN (3, 4);
 SELECT 'a kind that is no class is told', array_agg(id) = '{4}' FROM streetgen.check_model('checked') WHERE rule LIKE 'kind that is no class%';
 SELECT 'the summary counts the axes', EXISTS (SELECT FROM streetgen.summary('checked') WHERE subject = 'axes' AND amount = (SELECT count(*) FROM checked.axis));

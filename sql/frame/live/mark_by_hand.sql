@@ -7,11 +7,24 @@ CREATE OR REPLACE FUNCTION streetgen._changed_by_hand() RETURNS bigint
 COMMENT ON FUNCTION streetgen._changed_by_hand() IS
     'The input_hash of an edge of which rows were changed by hand since they were computed; it is that of no axis.';
 
+CREATE OR REPLACE FUNCTION streetgen._marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('marked_by_hand');
+END $$;
+COMMENT ON FUNCTION streetgen._marked_by_hand() IS
+    'The edges e to which a row of a computed table belongs, $1, as SQL, from functions _ROOM_marked_by_hand. A table '
+    'that is not on the list belongs to its edge_id.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_marks_by_hand(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    relation name;
+    computed record;
+    -- Not what a run writes, nor what goes with something else.
+    by_hand constant text := 'pg_trigger_depth() = 0 AND current_setting(''streetgen.computes'', true) '
+        'IS DISTINCT FROM ''on''';
 BEGIN
     PERFORM streetgen._use_model(model);
     CREATE OR REPLACE FUNCTION _mark_by_hand() RETURNS trigger
@@ -20,48 +33,27 @@ BEGIN
     BEGIN
         IF TG_OP = 'TRUNCATE' THEN
             UPDATE edge SET input_hash = streetgen._changed_by_hand();
-        ELSIF TG_TABLE_NAME = 'edge' THEN
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE axis_id = OLD.axis_id;
-        ELSIF TG_TABLE_NAME = 'corner' THEN
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (OLD.edge_a, OLD.edge_b);
-        ELSIF TG_TABLE_NAME = 'road' THEN
-            -- Its rows of road_edge may be gone with it.
-            UPDATE edge e SET input_hash = streetgen._changed_by_hand() WHERE NOT EXISTS (
-                SELECT FROM road_edge m WHERE m.edge_id = e.edge_id AND m.road_id <> OLD.road_id);
-        ELSIF TG_TABLE_NAME IN ('node', 'intersection', 'interconnection', 'junction_node') THEN
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.node_id
-                OR to_node = OLD.node_id;
-        ELSIF TG_TABLE_NAME = 'block' THEN
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id IN (
-                SELECT edge_id FROM block_edge WHERE block_id = OLD.block_id);
-        ELSIF TG_TABLE_NAME IN ('controller', 'signal_state', 'signal_movement', 'signal_head') THEN
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.controller_id
-                OR to_node = OLD.controller_id;
-        ELSIF TG_TABLE_NAME IN ('junction', 'junction_movement') THEN
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE from_node = OLD.junction_id
-                OR to_node = OLD.junction_id;
         ELSE
-            UPDATE edge SET input_hash = streetgen._changed_by_hand() WHERE edge_id = OLD.edge_id;
+            EXECUTE 'UPDATE edge e SET input_hash = streetgen._changed_by_hand() WHERE ' || TG_ARGV[0] USING OLD;
         END IF;
         RETURN NULL;
     END $body$;
     PERFORM streetgen._own_function(model, '_mark_by_hand()',
         'After derived rows were changed by hand: marks their edges as stale');
-    FOREACH relation IN ARRAY streetgen._computed_tables(model) LOOP
-        CONTINUE WHEN relation = 'report';
-        -- Not what a run writes, nor what goes with something else.
-        EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER by_hand AFTER UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW
-    WHEN (pg_trigger_depth() = 0 AND current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I._mark_by_hand();
-COMMENT ON TRIGGER by_hand ON %1$I.%2$I IS 'Marks edges of which rows were changed by hand' $sql$, model, relation);
-        CONTINUE WHEN relation IN ('node', 'edge');
-        EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER by_hand_truncate BEFORE TRUNCATE ON %1$I.%2$I FOR EACH STATEMENT
-    WHEN (pg_trigger_depth() = 0 AND current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I._mark_by_hand();
-COMMENT ON TRIGGER by_hand_truncate ON %1$I.%2$I IS
-    'Marks all edges where a table was emptied by hand' $sql$, model, relation);
+    FOR computed IN SELECT t.relation, coalesce(m.edges, 'e.edge_id = ($1).edge_id') AS edges
+        FROM unnest(streetgen._computed_tables(model)) t(relation)
+            LEFT JOIN streetgen._marked_by_hand() m USING (relation)
+    LOOP
+        CONTINUE WHEN computed.relation = 'report';
+        PERFORM streetgen._execute_each(ARRAY['CREATE OR REPLACE TRIGGER by_hand AFTER UPDATE OR DELETE ON %1$I.%2$I '
+            'FOR EACH ROW WHEN (%3$s) EXECUTE FUNCTION %1$I._mark_by_hand(%4$L)',
+            'COMMENT ON TRIGGER by_hand ON %1$I.%2$I IS ''Marks edges of which rows were changed by hand'''], model,
+            computed.relation, by_hand, computed.edges);
+        CONTINUE WHEN computed.relation IN ('node', 'edge');
+        PERFORM streetgen._execute_each(ARRAY['CREATE OR REPLACE TRIGGER by_hand_truncate BEFORE TRUNCATE ON '
+            '%1$I.%2$I FOR EACH STATEMENT WHEN (%3$s) EXECUTE FUNCTION %1$I._mark_by_hand()',
+            'COMMENT ON TRIGGER by_hand_truncate ON %1$I.%2$I IS ''Marks all edges: a table was emptied by hand'''],
+            model, computed.relation, by_hand);
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_marks_by_hand(name) IS

@@ -67,3 +67,11 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_summary()
     (31, 'alignment', $part$
     SELECT 'roads, length', round((coalesce(sum(length), 0) / 1000)::numeric, 3), 'km' FROM %1$I.road$part$) $$;
 COMMENT ON FUNCTION streetgen._alignment_summary() IS 'What streetgen.summary counts of roads.';
+
+-- Its rows of road_edge may be gone with a road.
+CREATE OR REPLACE FUNCTION streetgen._alignment_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('road'::name, 'NOT EXISTS (SELECT FROM road_edge m WHERE m.edge_id = e.edge_id AND m.road_id <> ($1).road_id)') $$;
+COMMENT ON FUNCTION streetgen._alignment_marked_by_hand() IS
+    'The edges that a change of roads by hand leaves stale.';

@@ -45,3 +45,10 @@ CREATE OR REPLACE FUNCTION streetgen._block_summary()
     (SELECT 'blocks, ' || method, count(*), NULL FROM %1$I.block WHERE method <> 'hypothesis' GROUP BY method
         ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._block_summary() IS 'What streetgen.summary counts of blocks.';
+
+CREATE OR REPLACE FUNCTION streetgen._block_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('block'::name, 'e.edge_id IN (SELECT edge_id FROM block_edge WHERE block_id = ($1).block_id)') $$;
+COMMENT ON FUNCTION streetgen._block_marked_by_hand() IS
+    'The edges that a change of blocks by hand leaves stale.';

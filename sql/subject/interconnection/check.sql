@@ -96,3 +96,10 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_summary()
     (SELECT 'interconnections, ' || CASE WHEN plausible THEN 'plausible by ' ELSE 'not plausible by ' END || reason,
     count(*), NULL FROM %1$I.interconnection GROUP BY plausible, reason ORDER BY plausible DESC, reason)$part$) $$;
 COMMENT ON FUNCTION streetgen._interconnection_summary() IS 'What streetgen.summary counts of interconnections.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('interconnection'::name, 'e.from_node = ($1).node_id OR e.to_node = ($1).node_id') $$;
+COMMENT ON FUNCTION streetgen._interconnection_marked_by_hand() IS
+    'The edges that a change of interconnections by hand leaves stale.';

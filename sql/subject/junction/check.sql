@@ -58,3 +58,12 @@ CREATE OR REPLACE FUNCTION streetgen._junction_summary()
     (43, 'junction', $part$
     SELECT 'paths across junctions, plausible', count(*), NULL FROM %1$I.junction_movement WHERE plausible$part$) $$;
 COMMENT ON FUNCTION streetgen._junction_summary() IS 'What streetgen.summary counts of junctions.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('junction'::name, 'e.from_node = ($1).junction_id OR e.to_node = ($1).junction_id'),
+    ('junction_node', 'e.from_node = ($1).node_id OR e.to_node = ($1).node_id'),
+    ('junction_movement', 'e.from_node = ($1).junction_id OR e.to_node = ($1).junction_id') $$;
+COMMENT ON FUNCTION streetgen._junction_marked_by_hand() IS
+    'The edges that a change of junctions by hand leaves stale.';

@@ -178,3 +178,11 @@ CREATE OR REPLACE FUNCTION streetgen._network_summary()
     (99, 'network', $part$
     (SELECT 'reports, ' || issue, count(*), NULL FROM %1$I.report GROUP BY issue ORDER BY issue)$part$) $$;
 COMMENT ON FUNCTION streetgen._network_summary() IS 'What streetgen.summary counts of nodes, edges and reports.';
+
+CREATE OR REPLACE FUNCTION streetgen._network_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('edge'::name, 'e.axis_id = ($1).axis_id'),
+    ('node', 'e.from_node = ($1).node_id OR e.to_node = ($1).node_id') $$;
+COMMENT ON FUNCTION streetgen._network_marked_by_hand() IS
+    'The edges that a change of nodes and edges by hand leaves stale.';

@@ -28,3 +28,10 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_summary()
     (19, 'overpass', $part$
     (SELECT 'overpasses by ' || method, count(*), NULL FROM %1$I.overpass GROUP BY method ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._overpass_summary() IS 'What streetgen.summary counts of overpasses.';
+
+CREATE OR REPLACE FUNCTION streetgen._overpass_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('overpass'::name, 'e.edge_id IN (($1).edge_above, ($1).edge_below)') $$;
+COMMENT ON FUNCTION streetgen._overpass_marked_by_hand() IS
+    'The edges that a change of overpasses by hand leaves stale.';

@@ -56,3 +56,13 @@ CREATE OR REPLACE FUNCTION streetgen._signal_summary()
     (44, 'signal', $part$
     (SELECT 'controllers, ' || method, count(*), NULL FROM %1$I.controller GROUP BY method ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._signal_summary() IS 'What streetgen.summary counts of signals.';
+
+CREATE OR REPLACE FUNCTION streetgen._signal_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('controller'::name, 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
+    ('signal_state', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
+    ('signal_movement', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
+    ('signal_head', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id') $$;
+COMMENT ON FUNCTION streetgen._signal_marked_by_hand() IS
+    'The edges that a change of signals by hand leaves stale.';

@@ -137,3 +137,11 @@ CREATE OR REPLACE FUNCTION streetgen._surface_summary()
     SELECT 'contested', round((coalesce((SELECT sum(contested_area) FROM %1$I.section), 0)
     + coalesce((SELECT sum(contested_area) FROM %1$I.intersection), 0))::numeric, 1), 'm2'$part$) $$;
 COMMENT ON FUNCTION streetgen._surface_summary() IS 'What streetgen.summary counts of the roadway.';
+
+CREATE OR REPLACE FUNCTION streetgen._surface_marked_by_hand() RETURNS TABLE(relation name, edges text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('corner'::name, 'e.edge_id IN (($1).edge_a, ($1).edge_b)'),
+    ('intersection', 'e.from_node = ($1).node_id OR e.to_node = ($1).node_id') $$;
+COMMENT ON FUNCTION streetgen._surface_marked_by_hand() IS
+    'The edges that a change of corners and intersections by hand leaves stale.';
