@@ -1,5 +1,5 @@
--- Rooms give to the lists of the frame by functions that are found by their names: the settings of kerbs come from
--- streetgen._kerb_setting(), the checks from streetgen._check_kerb(model).
+-- Rooms give to the lists of the frame by functions that are found by their names: the settings of lanes come from
+-- streetgen._lane_setting(), the checks from streetgen._check_lane(model).
 
 CREATE OR REPLACE FUNCTION streetgen._rooms() RETURNS text[]
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -21,6 +21,32 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.setting(name) IS 'The settings of a model. An unknown model: 3F000.';
 
+CREATE OR REPLACE FUNCTION streetgen._believed_setting(model name, setting text, value text, holds boolean,
+    expected text) RETURNS text
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    IF NOT holds THEN
+        RAISE EXCEPTION 'setting "%" of model "%" cannot be %', setting, model, quote_literal(value)
+            USING ERRCODE = '22023', HINT = expected;
+    END IF;
+    RETURN value;
+END $$;
+COMMENT ON FUNCTION streetgen._believed_setting(name, text, text, boolean, text) IS
+    'The value of a setting that holds; of one that does not: 22023, saying what is expected.';
+
+CREATE OR REPLACE FUNCTION streetgen._is_by_importance(value text, most float8) RETURNS boolean
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^[1-9]\d?$'
+        OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND most));
+EXCEPTION WHEN data_exception THEN
+    RETURN false;
+END $$;
+COMMENT ON FUNCTION streetgen._is_by_importance(text, float8) IS
+    'Is a value of a setting a JSON object of importance (1 to 99) to numbers from 0 to the most?';
+
 CREATE OR REPLACE FUNCTION streetgen._check_setting(model name, setting text, value text) RETURNS text
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -41,8 +67,9 @@ BEGIN
             USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);
     END IF;
-    IF setting = 'radius_function' THEN
-        RETURN streetgen._radius_function(model, value);
+    IF to_regprocedure(format('streetgen.%I(name, text)', '_checked_' || setting)) IS NOT NULL THEN
+        EXECUTE format('SELECT streetgen.%I($1, $2)', '_checked_' || setting) INTO value USING model, value;
+        RETURN value;
     ELSIF value = ANY (known.choice) OR value = known.value THEN
         RETURN value;
     ELSIF EXISTS (SELECT FROM streetgen._setting_function() f WHERE f.setting = _check_setting.setting) THEN
@@ -69,29 +96,17 @@ BEGIN
             holds := false;
         END;
     ELSE
-        expected := CASE setting WHEN 'sidewalk_by_importance'
-            THEN 'Expected a JSON object of importance to metres, 0 to 50, such as {"1": 3, "4": 1.5}.'
-            ELSE 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.' END;
-        BEGIN
-            -- Only a radius has another law to fall back on.
-            holds := value = '' AND setting = 'radius_by_importance'
-                OR NOT EXISTS (SELECT FROM jsonb_each_text(value::jsonb) e WHERE e.key !~ '^[1-9]\d?$'
-                OR NOT (coalesce(e.value, '1')::float8 BETWEEN 0 AND CASE setting
-                    WHEN 'sidewalk_by_importance' THEN 50 ELSE 400 END));
-        EXCEPTION WHEN data_exception THEN
-            holds := false;
-        END;
+        expected := 'Expected a JSON object of importance to number, such as {"1": 8, "2": 6.25}.';
+        -- Only a radius has another law to fall back on.
+        holds := value = '' AND setting = 'radius_by_importance' OR streetgen._is_by_importance(value, 400);
     END IF;
-    IF NOT holds THEN
-        RAISE EXCEPTION 'setting "%" of model "%" cannot be %', setting, model, quote_literal(value)
-            USING ERRCODE = '22023', HINT = expected;
-    END IF;
-    RETURN value;
+    RETURN streetgen._believed_setting(model, setting, value, holds, expected);
 END $$;
 COMMENT ON FUNCTION streetgen._check_setting(name, text, text) IS
     'The value as the model keeps it: a function with its schema. Raises 22023 for an unknown setting or a value '
     'beyond the range, words or form of _default_setting, 22004 for NULL, saying how to put the default back; for a '
-    'function as _called_function.';
+    'function as _called_function. A room checks a setting of a form of its own by a function '
+    '_checked_SETTING (model, value).';
 
 CREATE OR REPLACE FUNCTION streetgen._check_settings(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -123,8 +138,8 @@ CREATE OR REPLACE FUNCTION streetgen._frame_setting()
     AS $$ VALUES
     ('reach', '60', 'm', 'an edit changes nothing farther away along the network, or than max_arc_distance', 10, 1000,
         NULL::text[]),
-    ('cell_size', '200', 'm', 'farther off than twice the reach and this edits wait for each other only for a road, '
-        'block or junction that both may change, for what is off the ground, and for a transaction that holds many '
+    ('cell_size', '200', 'm', 'farther off than twice the reach and this edits wait for each other only for a road '
+        'or another chain that both may change, for what is off the ground, and for a transaction that holds many '
         'places', 50, 5000, NULL),
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),

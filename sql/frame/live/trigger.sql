@@ -135,8 +135,8 @@ BEGIN
     UPDATE edge SET input_hash = 0 WHERE axis_id = ANY (axes);
 END $$;
 COMMENT ON FUNCTION streetgen._mark_stale(name, bigint[]) IS
-    'Marks axes as stale, for what their input_hash does not see: turn restrictions and overrides of interconnections '
-    'that nobody follows. Locks their places until the transaction ends; of more than 64 axes, all places of the '
+    'Marks axes as stale, for what their input_hash does not see: turn restrictions and other decisions that nobody '
+    'follows. Locks their places until the transaction ends; of more than 64 axes, all places of the '
     'model.';
 
 CREATE OR REPLACE FUNCTION streetgen._begin_edit(model name) RETURNS void
@@ -185,63 +185,6 @@ BEGIN
         END IF;
         RETURN NULL;
     END $body$;
-    CREATE OR REPLACE FUNCTION _follow_axis() RETURNS trigger
-        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET plan_cache_mode = force_generic_plan
-        AS $body$
-    DECLARE
-        changed bigint[];
-        elsewhere bigint[];
-        -- Axes of a source whose width is new, or what it is judged by.
-        judged bigint[];
-        labelled constant text :=
-            'SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE axis_id = ANY (%L)';
-        live boolean := streetgen._live(current_schema());
-        -- Axes whose overrides moved with these.
-        remapped constant bigint[] := streetgen._remapped(current_schema());
-    BEGIN
-        IF remapped IS NOT NULL THEN
-            PERFORM streetgen._note_remapped(current_schema(), NULL);
-        END IF;
-        IF TG_OP = 'TRUNCATE' THEN
-            IF live THEN
-                EXECUTE (SELECT 'TRUNCATE ' || string_agg(format('%I.%I', current_schema(), r), ', ' ORDER BY n)
-                    FROM unnest(streetgen._computed_tables(current_schema())) WITH ORDINALITY t(r, n));
-                PERFORM pg_notify('qgis', current_schema());
-            END IF;
-            RETURN NULL;
-        ELSIF TG_OP = 'INSERT' THEN
-            changed := ARRAY(SELECT axis_id FROM new_axis);
-            judged := ARRAY(SELECT axis_id FROM new_axis WHERE source IS NOT NULL AND lane_count IS NOT NULL);
-        ELSIF TG_OP = 'DELETE' THEN
-            changed := ARRAY(SELECT axis_id FROM old_axis);
-        ELSE
-            changed := ARRAY(SELECT axis_id FROM (SELECT o.axis_id FROM old_axis o LEFT JOIN new_axis n USING (axis_id)
-                WHERE o IS DISTINCT FROM n
-                                                  UNION SELECT n.axis_id FROM new_axis n
-                                                      LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
-            judged := ARRAY(SELECT axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id)
-                WHERE n.source IS NOT NULL AND (n.width, n.width_end, n.lane_count, n.kind, n.width_by_hand)
-                    IS DISTINCT FROM (o.width, o.width_end, o.lane_count, o.kind, o.width_by_hand));
-        END IF;
-        IF changed = '{}' THEN
-            RETURN NULL;
-        ELSIF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(current_schema())) THEN
-            PERFORM streetgen._drop_results(current_schema(), changed);
-        ELSIF live THEN
-            -- Ten kilometres around streets that are there the scale is known to hold.
-            elsewhere := ARRAY(SELECT axis_id FROM axis a WHERE axis_id = ANY (changed)
-                AND (ST_Length(geom) < 1 OR NOT EXISTS (SELECT FROM edge e WHERE e.geom && ST_Expand(a.geom, 10000)
-                    AND ST_Expand(e.geom, 10000) ~ a.geom OFFSET 0 LIMIT 1)));
-            IF elsewhere <> '{}' THEN
-                PERFORM streetgen._check_scale(lines), streetgen._warn_misplaced(lines)
-                    FROM format(labelled, current_schema(), elsewhere) lines;
-            END IF;
-            PERFORM streetgen._check_length(current_schema(), format(labelled, current_schema(), changed));
-            PERFORM streetgen._tell_unbelieved(current_schema(), judged),
-                streetgen._update_streets(current_schema(), changed || remapped);
-        END IF;
-        RETURN NULL;
-    END $body$;
     CREATE OR REPLACE FUNCTION _follow_override() RETURNS trigger
         LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
         AS $body$
@@ -279,7 +222,6 @@ BEGIN
         RETURN NULL;
     END $body$;
     PERFORM streetgen._own_function(model, '_begin_edit()', 'Before an edit: locks the model beside other editors'),
-            streetgen._own_function(model, '_follow_axis()', 'After an edit of axes: the streets follow'),
             streetgen._own_function(model, '_follow_override()', 'After an edit of overrides: the streets follow');
     FOREACH relation IN ARRAY streetgen._street_input(model) LOOP
         PERFORM streetgen._execute_each(ARRAY['CREATE OR REPLACE TRIGGER a_enter BEFORE INSERT OR UPDATE OR DELETE OR '

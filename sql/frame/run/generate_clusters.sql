@@ -45,6 +45,25 @@ COMMENT ON FUNCTION streetgen._footprint(name, bigint[], bigint[]) IS
     'The keys of the districts of a model in which a run for many axes (requested) may read or write, by which it '
     'keeps edits and other clusters away. near: the axes that lie there whole, requested and written among them.';
 
+CREATE OR REPLACE FUNCTION streetgen._axes_from_afar(model name, axes bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    afar bigint[] := '{}';
+    name name;
+    found bigint[];
+BEGIN
+    FOR name IN SELECT format('_%s_axes_from_afar', room) FROM unnest(streetgen._subjects(model)) room LOOP
+        IF to_regprocedure(format('streetgen.%I(name, bigint[])', name)) IS NOT NULL THEN
+            EXECUTE format('SELECT streetgen.%I($1, $2)', name) INTO found USING model, axes;
+            afar := afar || found;
+        END IF;
+    END LOOP;
+    RETURN afar;
+END $$;
+COMMENT ON FUNCTION streetgen._axes_from_afar(name, bigint[]) IS
+    'The axes beyond the reach with which streets of these axes are computed, from functions _ROOM_axes_from_afar.';
+
 CREATE OR REPLACE FUNCTION streetgen._surroundings(model name, axes bigint[], OUT requested bigint[],
     OUT written bigint[], OUT gathered bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
@@ -58,8 +77,7 @@ DECLARE
     near constant float8 := 3 * streetgen._tolerance(model);
     -- No roadway is wider.
     widest constant float8 := 200;
-    merging_reach constant float8 := CASE WHEN 'ramp' = ANY (streetgen._subjects(model))
-        THEN streetgen._merging_reach(model) END;
+    afar bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
     -- Fewer axes lie around than inside: the query begins with those around.
@@ -72,6 +90,7 @@ BEGIN
     SELECT axes || ARRAY(SELECT axis_id FROM around a WHERE (
         SELECT true FROM (SELECT o.axis_id FROM axis o WHERE ST_DWithin(o.geom, a.geom, near) OFFSET 0) o
             WHERE o.axis_id = ANY (axes) LIMIT 1)) INTO written;
+    afar := streetgen._axes_from_afar(model, written);
     WITH inside AS MATERIALIZED (SELECT axis_id, greatest(width, width_end) / 2 + abs(roadway_offset) AS half
         FROM axis_used
         WHERE axis_id = ANY (written)),
@@ -88,13 +107,9 @@ BEGIN
                 FROM around u, LATERAL (SELECT axis_id, geom FROM axis a
                 WHERE a.geom && ST_Expand(u.geom, reach + u.half + most) OFFSET 0) o) p
         JOIN inside w ON w.axis_id = other WHERE ST_DWithin(line, p.geom, reach + p.half + w.half)),
-    -- Merging lanes come along a highway from afar.
     beside AS MATERIALIZED (
         SELECT axis_id, geom FROM near
-        UNION ALL SELECT a.axis_id, a.geom FROM (SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) AS hull
-            FROM axis WHERE axis_id = ANY (written)) h JOIN axis a ON ST_DWithin(a.geom, hull, merging_reach)
-            LEFT JOIN axis_class c ON c.class = a.kind
-        WHERE streetgen._may_be_highway(a.kind, c.highway_role) AND a.axis_id <> ALL (written)
+        UNION ALL SELECT a.axis_id, a.geom FROM axis a WHERE a.axis_id = ANY (afar) AND a.axis_id <> ALL (written)
             AND a.axis_id NOT IN (SELECT axis_id FROM near)),
     -- Axes that meet these farther on bound their edges, and corners follow an axis to the next. So do those that
     -- meet them again. Axes that meet those inside lie beside them.

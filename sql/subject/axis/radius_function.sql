@@ -25,6 +25,12 @@ COMMENT ON FUNCTION streetgen._radius_function(name, text) IS
     'The name of the predictor that setting radius_function of a model names, as _called_function has it. One that '
     'is not immutable: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._checked_radius_function(model name, value text) RETURNS text
+    LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._radius_function(model, value) $$;
+COMMENT ON FUNCTION streetgen._checked_radius_function(name, text) IS
+    'Setting radius_function as a model keeps it, as _radius_function has it.';
+
 CREATE OR REPLACE FUNCTION streetgen._predictor_definition(predictor text) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$ SELECT pg_get_functiondef(streetgen._named_predictor(predictor)) $$;

@@ -176,11 +176,7 @@ LEFT JOIN LATERAL (
     SELECT CASE direction_used WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
                coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used
                    HAVING true) t ON true
-LEFT JOIN LATERAL (
-    SELECT streetgen.estimated_sidewalk(coalesce(importance_known, importance_default), walked_along, sidewalks)
-        AS sidewalk_usual,
-        streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side)
-            AS island_side HAVING true) f ON true
+%3$s
 -- The rest is left to the lanes of one direction.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
@@ -197,7 +193,8 @@ LEFT JOIN LATERAL (
                CASE WHEN direction_used = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
                    WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
                    HAVING true) l ON true
-$sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END);
+$sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END,
+        array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n'));
     COMMENT ON VIEW axis_used
         IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';
 END $$;

@@ -51,9 +51,11 @@ BEGIN
             IS DISTINCT FROM (OLD.width, OLD.width_end, OLD.width_by_hand))
         EXECUTE FUNCTION streetgen._width_by_hand();
     COMMENT ON TRIGGER by_hand ON axis IS 'Tells a width put by hand from one of the source';
+    PERFORM streetgen._make_axis_follower(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_functions(name) IS
-    'Makes the trigger of a model that tells a width put by hand from one of the source.';
+    'Makes the trigger of a model that tells a width put by hand from one of the source, and the function by which '
+    'streets follow axes.';
 
 CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
     RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)

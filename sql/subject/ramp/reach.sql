@@ -18,6 +18,22 @@ END $$;
 COMMENT ON FUNCTION streetgen._merging_reach(name) IS
     'How far along a highway a place may depend on a ramp, by its merging lanes and those of others that they meet, m.';
 
+CREATE OR REPLACE FUNCTION streetgen._ramp_axes_from_afar(model name, axes bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
+    SET enable_nestloop = off
+    AS $$
+DECLARE
+    merging_reach constant float8 := streetgen._merging_reach(model);
+    hull geometry;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) FROM axis WHERE axis_id = ANY (axes) INTO hull;
+    RETURN ARRAY(SELECT a.axis_id FROM axis a LEFT JOIN axis_class c ON c.class = a.kind
+        WHERE ST_DWithin(a.geom, hull, merging_reach) AND streetgen._may_be_highway(a.kind, c.highway_role));
+END $$;
+COMMENT ON FUNCTION streetgen._ramp_axes_from_afar(name, bigint[]) IS
+    'The highways near some axes along which merging lanes may come to them from afar.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_ramp_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -16,3 +16,12 @@ COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, boolean, float8[]) IS
     'Width in metres of the sidewalk on each side of an axis that says none, from its importance (1 the highest) and '
     'the widths from importance 1 on, the last also for what is less important. 0 where people do not walk along its '
     'class (axis_class.walked_along), and for an importance that is NULL. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_value_used(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'LEFT JOIN LATERAL (SELECT streetgen.estimated_sidewalk(coalesce(importance_known, '
+        'importance_default), walked_along, sidewalks) AS sidewalk_usual, '
+        'streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side) '
+        'AS island_side HAVING true) sidewalk ON true' $$;
+COMMENT ON FUNCTION streetgen._sidewalk_value_used(jsonb) IS
+    'The step of view axis_used that gives the usual width of sidewalks, and on which side an island has none.';

@@ -15,3 +15,11 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_setting()
     ('sidewalk_transition', '5', 'm', 'metres of kerb over which the width of sidewalks changes at a corner', 0, 100,
         NULL) $$;
 COMMENT ON FUNCTION streetgen._sidewalk_setting() IS 'The settings of sidewalks, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._checked_sidewalk_by_importance(model name, value text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._believed_setting(model, 'sidewalk_by_importance', value,
+        streetgen._is_by_importance(value, 50),
+        'Expected a JSON object of importance to metres, 0 to 50, such as {"1": 3, "4": 1.5}.') $$;
+COMMENT ON FUNCTION streetgen._checked_sidewalk_by_importance(name, text) IS
+    'Setting sidewalk_by_importance as a model keeps it; 22023 for another value.';
