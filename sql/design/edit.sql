@@ -108,10 +108,10 @@ CREATE OR REPLACE FUNCTION streetgen._check_parabola(model name, relation name, 
 DECLARE
     cut record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF relation <> 'grade_point' THEN
         RETURN;
     END IF;
-    PERFORM streetgen._use_model(model);
     SELECT p.radius, g.design_link_id, g.radius AS wish INTO cut FROM grade_point g,
         LATERAL streetgen._link_grade_points(model, g.design_link_id) p
         WHERE g.grade_point_id = point AND g.by_hand AND p.grade_point_id = point AND p.radius < g.radius - 0.001;

@@ -11,13 +11,7 @@ DECLARE
     part text;
     chained boolean := false;
 BEGIN
-    parts := ARRAY[streetgen._fill_template($part$
-setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
-new_node AS MATERIALIZED (SELECT *, false AS fresh FROM {model}.node),
-new_edge AS MATERIALIZED (SELECT *, false AS fresh FROM {model}.edge),
-left_node AS (SELECT node_id FROM new_node WHERE false),
-old_edge AS (SELECT *, true AS written FROM new_edge WHERE false),
-written_axis AS (SELECT axis_id FROM new_edge WHERE false)$part$, places)];
+    parts := ARRAY[streetgen._fill_template(streetgen._part('fill_chains'), places)];
     parts := parts || streetgen._parts_of_rooms('_%s_there', places);
     FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
         CONTINUE WHEN subject <> ALL (streetgen._subjects_at_end());

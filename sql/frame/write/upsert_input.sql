@@ -1,74 +1,15 @@
 -- The one statement, what it reads: axes with what is decided by hand, and what was there before the change.
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_former(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._fill_template($part$
--- Rows as they are before the change. OFFSET 0: each is looked up by its key, and not joined.
-former_edge AS MATERIALIZED (
-    SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
-           s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,
-           t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
-               c.contested_area > 0 AS contested, c.level, coalesce((
-               SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(c.borders) WITH ORDINALITY
-                   b(number, place)), '') AS borders
-    FROM {model}.edge e,
-        LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
-        LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
-        LATERAL (SELECT * FROM {model}.section c WHERE c.edge_id = e.edge_id OFFSET 0) c
-    WHERE NOT {whole} AND e.axis_id = ANY ($1)),
-former_node AS MATERIALIZED (
-    SELECT n.node_id, n.geom, i.surface, i.contested_area, i.level
-    FROM (SELECT from_node AS node_id FROM former_edge UNION SELECT to_node FROM former_edge) e,
-        LATERAL (SELECT * FROM {model}.node n WHERE n.node_id = e.node_id OFFSET 0) n,
-        LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = e.node_id OFFSET 0) i)$part$, places) $$;
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part('former'), places) $$;
 COMMENT ON FUNCTION streetgen._upsert_former(jsonb) IS
     'Part of the one statement: former_edge and former_node, the written edges, their nodes and the surfaces of '
     'both before the change.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_input(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT concat_ws(',', streetgen._upsert_former(places), streetgen._fill_template($part$
-setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
--- The hash only of those that are written. IN (SELECT …): looked up by hash, where ANY of an array goes through it
--- axis by axis.
-used AS MATERIALIZED (
-    SELECT axis_id, geom, level, width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward,
-        lanes_both, kind_forward,
-        kind_backward,
-           lane_width_forward, lane_width_backward, turn_forward, turn_backward, sidewalk_left, sidewalk_right, speed,
-           importance, radius, direction, estimated,
-               CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
-    FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
-{rings}
-computed AS MATERIALIZED (
-    SELECT streetgen._streets({srid},
-        settings => (
-            -- A path by a function of the user is drawn below.
-            SELECT v || jsonb_build_object('trajectory', CASE v ->> 'trajectory' WHEN 'arcs' THEN 'arcs'
-                ELSE 'bezier' END) FROM setting),
-        axes => (
-            SELECT array_agg(ROW (
-                axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, radius, importance, speed,
-                lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-                    lane_width_backward, turn_forward, turn_backward,
-                {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL
-                )::streetgen.street_axis ORDER BY axis_id)
-            FROM used),
-        controls => (
-            SELECT array_agg(ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
-                ORDER BY control_point_id)
-            FROM (SELECT control_point_id, axis_id, abscissa, kind, direction FROM {model}.control_point
-                WHERE {whole} AND axis_id IS NOT NULL OR axis_id = ANY ($2) {yields}) c),
-        former_edges => (
-            SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
-                wanted_end, "end", border_end, surface, contested, level, borders)::streetgen.former_edge)
-            FROM former_edge),
-        former_nodes => (
-            SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface::bytea,
-                contested_area > 0, level)::streetgen.former_node)
-            FROM former_node),
-        may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ','),
-        {arguments}) AS streets)$part$,
+    AS $$ SELECT concat_ws(',', streetgen._upsert_former(places), streetgen._fill_template(streetgen._part('input'),
             places || jsonb_build_object('subjects', (SELECT string_agg(s, ',')
                 FROM jsonb_array_elements_text(places -> 'subjects') s),
             'arguments', array_to_string(streetgen._parts_of_rooms('_%s_arguments', places), E',\n        ')))) $$;

@@ -8,14 +8,8 @@ COMMENT ON FUNCTION streetgen._columns_of(text, text) IS
     'A list of columns, each with the name of the row that has it.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_compared(run text, named boolean) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $part$
-new_{relation} AS MATERIALIZED (
-    SELECT {stored} FROM (
-        SELECT old.{id} IS NULL AS fresh, ({old_columns}) IS DISTINCT FROM ({new_columns}) AS changed, {id_there}n.*
-        FROM ({rows}
-            ) n LEFT JOIN LATERAL (SELECT * FROM {model}.{relation} o WHERE NOT {empty}
-                AND ({same_there}) = ({same_new})$part$
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._part('compared')
     -- No computed row of a cluster hangs on a node or an edge that this statement makes.
     || CASE run WHEN 'cluster'
         THEN ' AND n.{parent} <= (SELECT max({parent_table}_id) FROM {model}.{parent_table})' ELSE '' END
@@ -44,7 +38,7 @@ COMMENT ON FUNCTION streetgen._upsert_changed(text) IS
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_rows(places jsonb, relation text, columns text, rows text,
     named boolean DEFAULT false, there text DEFAULT NULL, read boolean DEFAULT false) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT streetgen._fill_template(
         -- Rows that no other part names by number go straight into an empty model.
@@ -66,14 +60,7 @@ add_{relation} AS (
     SELECT {id_new}, {written} FROM new_{relation} WHERE fresh ORDER BY number)$part$ ELSE '' END
     || CASE WHEN named THEN $part$,
 {relation}_ids AS MATERIALIZED (SELECT streetgen._ids(number, {id}) AS ids FROM new_{relation})$part$ ELSE '' END
-    || CASE WHEN there IS NULL THEN '' ELSE $part$,
-gone_{relation} AS (
-    -- A run over a whole model looks at every row only where one is too many.
-    DELETE FROM {model}.{relation} WHERE NOT {empty}
-        AND (NOT {whole} OR (SELECT count(*) FROM {model}.{relation}) > (SELECT updated + unchanged
-        FROM count_{relation})) AND {id} = ANY (ARRAY(
-        SELECT {id} FROM ({there}) t WHERE {id} NOT IN (SELECT {id} FROM new_{relation} WHERE NOT fresh)))
-            RETURNING {id})$part$ END,
+    || CASE WHEN there IS NULL THEN '' ELSE streetgen._part('there') END,
         streetgen._upsert_row_places(places, relation, columns, rows, named, there, read))
     FROM (SELECT places ->> 'run' AS run) r $$;
 COMMENT ON FUNCTION streetgen._upsert_rows(jsonb, text, text, text, boolean, text, boolean) IS

@@ -8,67 +8,25 @@ COMMENT ON FUNCTION streetgen._computed_kerb(bigint, bigint[], bigint[]) IS
     'The kerbs of streets computed in this statement: of sections, where node_id is NULL, and of intersections.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_neighbour(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._fill_template($part$(
-            -- An intersection may reach farther than its axes.
-            WITH box AS MATERIALIZED (
-                SELECT ST_Expand(geom, greatest((v ->> 'reach')::float8, (v ->> 'max_arc_distance')::float8)
-                    + greatest(width, width_end) / 2 + abs(roadway_offset)) AS box
-                FROM used, setting WHERE axis_id IN (SELECT unnest($1))
-                UNION ALL SELECT surface FROM former_node),
-            beside_section AS MATERIALIZED (
-                SELECT DISTINCT edge_id FROM box b, LATERAL (
-                    SELECT edge_id FROM {model}.section s WHERE s.surface && b.box OFFSET 0) s),
-            beside_intersection AS MATERIALIZED (
-                SELECT DISTINCT node_id FROM box b, LATERAL (
-                    SELECT node_id FROM {model}.intersection i WHERE i.surface && b.box OFFSET 0) i)
-            SELECT coalesce(array_agg(n), ARRAY[]::streetgen.street_neighbour[]) FROM (
-                SELECT ROW (ST_X(f.geom), ST_Y(f.geom), ST_X(t.geom), ST_Y(t.geom), s.surface::bytea,
-                    s.level)::streetgen.street_neighbour AS n
-                FROM beside_section b,
-                    LATERAL (SELECT * FROM {model}.edge e WHERE e.edge_id = b.edge_id OFFSET 0) e,
-                    LATERAL (SELECT * FROM {model}.section s WHERE s.edge_id = e.edge_id OFFSET 0) s,
-                    LATERAL (SELECT geom FROM {model}.node n WHERE n.node_id = e.from_node OFFSET 0) f,
-                    LATERAL (SELECT geom FROM {model}.node n WHERE n.node_id = e.to_node OFFSET 0) t
-                WHERE e.axis_id NOT IN (SELECT unnest($1))
-                UNION ALL SELECT ROW (ST_X(n.geom), ST_Y(n.geom), NULL, NULL, i.surface::bytea,
-                    i.level)::streetgen.street_neighbour
-                FROM beside_intersection b,
-                    LATERAL (SELECT * FROM {model}.intersection i WHERE i.node_id = b.node_id OFFSET 0) i,
-                    LATERAL (SELECT geom FROM {model}.node n WHERE n.node_id = b.node_id OFFSET 0) n
-                WHERE b.node_id NOT IN (SELECT node_id FROM former_node)) beside)$part$, places) $$;
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part('neighbour'), places) $$;
 COMMENT ON FUNCTION streetgen._upsert_neighbour(jsonb) IS
     'Part of the one statement: the surfaces near what is written that stay, as an array of street_neighbour.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_kerb(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
--- A kerb of an intersection may name an edge of an axis that is not written: as it is there.
-kerb_edge AS MATERIALIZED (
-    SELECT number, edge_id FROM new_edge
-    UNION ALL SELECT c.number, e.edge_id
-    FROM computed_edge c, LATERAL (SELECT edge_id FROM {model}.edge e
-        WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
-    WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)
-        AND (c.from_node IN (SELECT number FROM new_node WHERE kerbs_affected)
-            OR c.to_node IN (SELECT number FROM new_node WHERE kerbs_affected))),
-kerb_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM kerb_edge)$part$, places),
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('kerb'), places),
     streetgen._upsert_rows(places, 'kerb',
         columns => 'edge_id, node_id, level, side, part, geom, curve, surface, method',
         read => places -> 'subjects' ? 'sidewalk', rows => $part$
         SELECT number, edge_id, node_id, level, side, part, geom, curve, surface, method
         FROM streetgen._computed_kerb((SELECT streets FROM computed), (SELECT ids FROM node_ids),
             (SELECT ids FROM kerb_edge_ids))$part$,
-        there => $part$
-        SELECT k.kerb_id FROM new_edge e, LATERAL (SELECT kerb_id FROM {model}.kerb k
-            WHERE k.edge_id = e.edge_id AND k.node_id IS NULL {by_key}) k WHERE e.kerbs_affected AND NOT e.fresh
-        UNION ALL SELECT k.kerb_id FROM new_node n, LATERAL (SELECT kerb_id, edge_id FROM {model}.kerb k
-            WHERE k.node_id = n.node_id {by_key}) k
-        WHERE n.kerbs_affected AND NOT n.fresh AND k.edge_id IN (SELECT edge_id FROM kerb_edge)$part$)) $$;
+        there => streetgen._part('kerb_there'))) $$;
 COMMENT ON FUNCTION streetgen._upsert_kerb(jsonb) IS 'Part of the one statement: kerbs at new_edge and new_node.';
 
 CREATE OR REPLACE FUNCTION streetgen._kerb_arguments(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ 
     -- A first run has no neighbours yet, a whole one none.
     SELECT 'neighbours => ' || CASE WHEN places -> 'subjects' ? 'kerb' AND places ->> 'run' = 'part'

@@ -24,7 +24,7 @@ COMMENT ON FUNCTION streetgen._computed_marking(bigint, bigint[], bigint[]) IS
     'What is painted across and on the lanes of streets computed in this statement.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'lane', named => true,
         columns => 'edge_id, ordinality, lane_position, side, along_axis, both_ways, kind, width, axis_offset, turn, '

@@ -75,14 +75,13 @@ CREATE OR REPLACE FUNCTION streetgen._add_lines_of_lanes(model name, srid intege
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._use_model(model);
     IF streetgen._lacks_column(model, 'lane_override', 'line') THEN
-        EXECUTE format('ALTER TABLE lane_override ADD line geometry(LineString, %s)
-            CONSTRAINT line_is_finite CHECK (%s AND ST_IsValid(line))', srid, streetgen._finite('line'));
+        PERFORM streetgen._execute_each(ARRAY['ALTER TABLE %I.lane_override ADD line geometry(LineString, %s)
+            CONSTRAINT line_is_finite CHECK (%s AND ST_IsValid(line))'], model, srid::text, streetgen._finite('line'));
     END IF;
     IF streetgen._lacks_column(model, 'lane_override', 'geom') THEN
-        EXECUTE format('ALTER TABLE lane_override ADD geom geometry(Point, %s)
-            CONSTRAINT geom_is_a_finite_point CHECK (%s)', srid, streetgen._finite('geom'));
+        PERFORM streetgen._execute_each(ARRAY['ALTER TABLE %I.lane_override ADD geom geometry(Point, %s)
+            CONSTRAINT geom_is_a_finite_point CHECK (%s)'], model, srid::text, streetgen._finite('geom'));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._add_lines_of_lanes(name, integer) IS

@@ -17,22 +17,8 @@ COMMENT ON FUNCTION streetgen._upsert_overpass_override(jsonb) IS
     'Part of the one statement: what is decided by hand about overpasses, as an array of street_overpass.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_overpass(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
--- An edge that crosses a written one may be of an axis that is not written: as it is there.
-crossing_edge AS MATERIALIZED (
-    SELECT number, edge_id FROM new_edge
-    UNION ALL SELECT c.number, e.edge_id
-    FROM computed_edge c, LATERAL (SELECT edge_id FROM {model}.edge e
-        WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
-    WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)),
-crossing_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM crossing_edge),
-found_overpass AS MATERIALIZED (
-    SELECT o.*, b.level < 0 AS sinks
-    FROM streetgen._computed_overpass((SELECT streets FROM computed), (SELECT ids FROM crossing_edge_ids)) o
-        JOIN crossing_edge c ON c.edge_id = o.edge_below JOIN computed_edge b ON b.number = c.number
-    WHERE {whole} OR o.edge_above IN (SELECT edge_id FROM new_edge)
-        OR o.edge_below IN (SELECT edge_id FROM new_edge))$part$, places),
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('overpass'), places),
     streetgen._upsert_rows(places, 'overpass',
         columns => 'edge_above, abscissa_above, edge_below, abscissa_below, ordinality, geom, clearance, method',
         rows => $part$

@@ -10,13 +10,8 @@ COMMENT ON FUNCTION streetgen._computed_ramp(bigint, bigint[], bigint[]) IS
     'The ramps of streets computed in this statement; columns as of table ramp.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_ramp_axis(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._fill_template($part$(
-            SELECT array_agg(ROW (u.axis_id, part, NOT 'lane_count' = ANY (u.estimated))::streetgen.street_ramp_axis
-                ORDER BY u.axis_id)
-            FROM used u, LATERAL (SELECT streetgen._ramp_part(a.kind, c.highway_role, u.speed) AS part
-                FROM {model}.axis a LEFT JOIN {model}.axis_class c ON c.class = a.kind
-                WHERE a.axis_id = u.axis_id {by_key}) a WHERE part IS NOT NULL)$part$, places) $$;
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part('ramp_axis'), places) $$;
 COMMENT ON FUNCTION streetgen._upsert_ramp_axis(jsonb) IS
     'Part of the one statement: the axes used that may be part of a ramp, as an array of street_ramp_axis.';
 
@@ -29,16 +24,8 @@ COMMENT ON FUNCTION streetgen._upsert_ramp_override(jsonb) IS
     'Part of the one statement: what is decided by hand about ramps, as an array of street_ramp.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_ramp(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT concat_ws(',', streetgen._fill_template($part$
--- An edge of an axis that is not written is as it is there.
-ramp_edge AS MATERIALIZED (
-    SELECT number, edge_id FROM new_edge
-    UNION ALL SELECT c.number, e.edge_id
-    FROM computed_edge c, LATERAL (SELECT edge_id FROM {model}.edge e
-        WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
-    WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)),
-ramp_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM ramp_edge)$part$, places),
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('ramp'), places),
     streetgen._upsert_rows(places, 'ramp',
         columns => 'node_id, edge_id, edge_before, edge_after, kind, side, lanes_before, lanes_ramp, lanes_after, '
             'lanes_missing, lanes_merging, length, taper, tangent, auxiliary, cut, short_link, geom, method',
@@ -51,7 +38,7 @@ ramp_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FRO
 COMMENT ON FUNCTION streetgen._upsert_ramp(jsonb) IS 'Part of the one statement: ramps at new_node.';
 
 CREATE OR REPLACE FUNCTION streetgen._ramp_arguments(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ 
     SELECT CASE WHEN places -> 'subjects' ? 'ramp' THEN concat_ws(', ', 'ramp_axes => '
         || streetgen._upsert_ramp_axis(places), 'ramps => ' || streetgen._upsert_ramp_override(places))

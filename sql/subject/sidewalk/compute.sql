@@ -30,17 +30,8 @@ COMMENT ON FUNCTION streetgen._sidewalk_kerbs(text, text) IS
 
 -- The rows of sidewalks, from a query `sidewalk_kerb`.
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_rows() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT $part$
-        SELECT w.number, k.edge_id, k.node_id, k.side, k.part, w.width, w.surface, w.method
-        FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level ORDER BY number) AS levels,
-                array_agg(width ORDER BY number) AS widths, array_agg(ends ORDER BY number) AS ends,
-                array_agg(across ORDER BY number) AS across,
-                array_agg(by_hand ORDER BY number) AS by_hand, array_agg(wanted ORDER BY number) AS wanted
-            FROM sidewalk_kerb) g,
-            streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, (SELECT value::float8
-                FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
-            JOIN sidewalk_kerb k ON k.number = w.number$part$ $$;
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._part('sidewalk_rows') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_rows() IS 'The query of the rows of sidewalks behind the kerbs sidewalk_kerb.';
 
 -- Along kerbs without a width of their own a width leads from one to the other, however many there are. What is found
@@ -72,48 +63,14 @@ COMMENT ON FUNCTION streetgen._kerbs_near(text, text, text) IS
 
 -- The kerbs of an edit.
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs_of_part(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._fill_template($part$
-sidewalk_edge AS MATERIALIZED (
-    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right
-    FROM new_edge),
--- Kerbs that moved or went, as they were.
-former_kerb AS MATERIALIZED (
-    SELECT k.*
-    FROM (SELECT kerb_id FROM new_kerb WHERE changed AND NOT fresh UNION ALL SELECT kerb_id FROM gone_kerb) c,
-        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = c.kerb_id OFFSET 0) k
-    -- Kerbs of a node and of an edge that go. The kerb of another corner may take the row.
-    UNION ALL SELECT k.* FROM left_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
-    UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
-    WHERE e.written AND e.edge_id NOT IN (SELECT edge_id FROM new_edge)),
--- Two sidewalks side by side: a strip lies within 1.25 widths of its kerb.
-sidewalk_reach AS MATERIALIZED (
-    SELECT 0.01 + 2.5 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
-            FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right), 0) AS metres
-    FROM sidewalk_edge),
--- A kerb that came, went or moved, or whose width is another.
-moved_kerb AS MATERIALIZED (
-    SELECT geom FROM new_kerb WHERE changed OR edge_id IN (SELECT edge_id FROM new_edge
-        WHERE axis_id IN (SELECT unnest($3)))
-    UNION ALL SELECT geom FROM former_kerb
-    UNION ALL SELECT k.geom FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
-        WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k
-    WHERE NOT e.kerbs_affected AND e.axis_id IN (SELECT unnest($3))),
--- Strips behind near kerbs may change, and with them what rivals of these kerbs get of shared ground.
-$part$ || concat_ws(',',
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part('sidewalk_kerbs_of_part') || concat_ws(',',
     streetgen._kerbs_near('near_kerb', 'SELECT geom FROM moved_kerb', 'ARRAY(SELECT kerb_id FROM former_kerb)'),
     streetgen._kerbs_near('rival_kerb', 'SELECT geom FROM near_kerb_row', '(SELECT known FROM near_kerb)'),
     -- The ground of a rival depends on the strips beside it. Each such strip depends on the kerbs about it.
     streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM rival_kerb_row', '(SELECT known FROM rival_kerb)'),
     streetgen._kerbs_near('outer_kerb', 'SELECT geom FROM beside_kerb_row', '(SELECT known FROM beside_kerb)'))
-    || $part$,
-standing_kerb AS MATERIALIZED (
-    SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb WHERE changed
-    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, true
-    FROM (TABLE near_kerb_row UNION ALL TABLE rival_kerb_row) k
-    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, false
-    FROM (TABLE beside_kerb_row UNION ALL TABLE outer_kerb_row) k),
-sidewalk_kerb AS MATERIALIZED ($part$ || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
+    || streetgen._part('standing_kerb') || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
         SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM sidewalk_edge
         UNION ALL SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.sidewalk_left, e.sidewalk_right
         FROM (SELECT DISTINCT edge_id FROM standing_kerb) n, LATERAL (SELECT * FROM {model}.edge e
@@ -124,7 +81,7 @@ COMMENT ON FUNCTION streetgen._sidewalk_kerbs_of_part(jsonb) IS
     'sidewalks may be others.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', CASE places ->> 'run' WHEN 'part' THEN streetgen._sidewalk_kerbs_of_part(places)
         ELSE streetgen._fill_template(E'\nsidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
             -- A cluster does not know its neighbours' kerbs: its sidewalks come with the keys, after the last one.

@@ -32,7 +32,7 @@ COMMENT ON FUNCTION streetgen._computed_intersection(bigint, bigint[]) IS
     'The intersections of streets computed in this statement: those of affected nodes where edges meet.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_surface(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'section_limit',
         columns => 'edge_id, which, wanted_abscissa, abscissa, geom, border_line, method', rows => $part$

@@ -9,8 +9,8 @@ BEGIN
         ALTER TABLE section ADD borders float8[];
     END IF;
     IF streetgen._lacks_column(model, 'transition_override', 'geom') THEN
-        EXECUTE format('ALTER TABLE transition_override ADD geom geometry(Point, %s)
-            CONSTRAINT geom_is_a_finite_point CHECK (%s)', srid, streetgen._finite('geom'));
+        PERFORM streetgen._execute_each(ARRAY['ALTER TABLE %I.transition_override ADD geom geometry(Point, %s)
+            CONSTRAINT geom_is_a_finite_point CHECK (%s)'], model, srid::text, streetgen._finite('geom'));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_surface_tables(name, integer) IS

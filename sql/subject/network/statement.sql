@@ -1,0 +1,82 @@
+-- Parts of the one statement and of those that follow it, by name: streetgen._part gives each.
+
+--{written
+computed_edge AS MATERIALIZED (SELECT * FROM streetgen._computed_edge((SELECT streets FROM computed))),
+-- The axes whose rows come out, and those that are gone, or whose edges are. An axis that is gone and was not requested
+-- is for the run that requests it.
+written_axis AS MATERIALIZED (
+    SELECT axis_id FROM computed_edge
+        WHERE (affected OR lanes_affected OR kerbs_affected) AND axis_id IN (SELECT unnest($1))
+        UNION SELECT unnest($3)
+    UNION (SELECT axis_id FROM former_edge JOIN used USING (axis_id) EXCEPT SELECT axis_id FROM computed_edge)),
+written_edge AS MATERIALIZED (
+    SELECT * FROM computed_edge WHERE {whole} OR axis_id IN (SELECT axis_id FROM written_axis)),
+written_node AS MATERIALIZED (
+    SELECT * FROM streetgen._computed_node((SELECT streets FROM computed))
+    WHERE number IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)),
+-- Edges of the written axes, and of those that meet what is written: they know its nodes.
+old_edge AS MATERIALIZED (
+    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, {whole} OR axis_id IN (SELECT axis_id
+        FROM written_axis) AS written
+    FROM {model}.edge WHERE NOT {empty} AND ({whole} OR axis_id = ANY (ARRAY(SELECT axis_id FROM written_axis
+        UNION SELECT unnest(anchor_axis) FROM written_node))))
+
+--{node_rows
+SELECT coalesce(node_id, {next_id}) AS node_id, number, affected, kerbs_affected, {geom_with_height} AS geom
+FROM (SELECT n.number, n.affected, n.kerbs_affected, n.geom, anchor_axis[1] AS axis_id, k.node_id
+      FROM written_node n LEFT JOIN (
+          -- Identity of nodes: an axis end is known by its side, a shared vertex by its abscissa, in
+          -- centimetres.
+          SELECT number, min(node_id) AS node_id FROM (
+              SELECT DISTINCT ON (o.node_id) o.node_id, n.number
+              FROM (SELECT axis_id, unnest(ARRAY[CASE WHEN start_abscissa = first THEN -1
+                  ELSE round(start_abscissa * 100) END,
+                                                 CASE WHEN end_abscissa = last THEN -2
+                                                     ELSE round(end_abscissa * 100) END]) AS place,
+                                                     unnest(ARRAY[from_node, to_node]) AS node_id
+                    FROM (SELECT *, min(start_abscissa) OVER (PARTITION BY axis_id) AS first, max(end_abscissa)
+                        OVER (PARTITION BY axis_id) AS last FROM old_edge) e) o
+              JOIN (SELECT number, axis_id, CASE WHEN abscissa = first THEN -1 WHEN abscissa = last THEN -2
+                  ELSE round(abscissa * 100) END AS place
+                    FROM (SELECT number, unnest(anchor_axis) AS axis_id, unnest(anchor_abscissa) AS abscissa
+                        FROM written_node WHERE NOT {empty}) a
+                    LEFT JOIN (SELECT axis_id, min(start_abscissa) AS first, max(end_abscissa) AS last
+                        FROM computed_edge GROUP BY axis_id) s USING (axis_id) OFFSET 0) n
+                        USING (axis_id, place)
+              ORDER BY o.node_id, axis_id, n.number) heir GROUP BY number) k USING (number)
+                  ORDER BY n.number OFFSET 0) c
+
+--{edge_rows
+SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affected, kerbs_affected, axis_id,
+       (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
+       level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
+       width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left,
+       sidewalk_right, speed, importance, estimated,
+           input_hash, setting_hash
+FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
+    u.sidewalk_left, u.sidewalk_right, u.speed, u.importance,
+             u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
+      FROM written_edge e JOIN used u USING (axis_id) {edge_circulation} LEFT JOIN (
+          -- Identity of edges: by their ends along the axis, then by the node they begin at and their turn
+          -- there.
+          SELECT number, edge_id FROM same_edge
+          UNION ALL SELECT n.number, o.edge_id
+          FROM (SELECT number, axis_id, (SELECT ids FROM node_ids)[from_node] AS from_node, row_number()
+              OVER (PARTITION BY axis_id, from_node ORDER BY start_abscissa) AS turn
+                FROM written_edge WHERE number NOT IN (SELECT number FROM same_edge)) n
+          JOIN (SELECT edge_id, axis_id, from_node, row_number() OVER (PARTITION BY axis_id, from_node
+              ORDER BY start_abscissa) AS turn
+                FROM old_edge WHERE edge_id NOT IN (SELECT edge_id FROM same_edge)) o
+                    USING (axis_id, from_node, turn)) k USING (number) ORDER BY e.number OFFSET 0) c
+
+--{left_node
+left_node AS MATERIALIZED (
+    SELECT node_id FROM (
+        SELECT from_node AS node_id FROM old_edge WHERE written UNION SELECT to_node FROM old_edge WHERE written
+        UNION SELECT node_id FROM {model}.node WHERE {whole} AND NOT {empty}
+        EXCEPT SELECT node_id FROM new_node) o
+    WHERE {whole}
+        OR (SELECT true FROM {model}.edge WHERE from_node = o.node_id AND axis_id NOT IN (SELECT axis_id
+            FROM written_axis) LIMIT 1) IS NULL
+            AND (SELECT true FROM {model}.edge WHERE to_node = o.node_id AND axis_id NOT IN (SELECT axis_id
+                FROM written_axis) LIMIT 1) IS NULL)

@@ -1,0 +1,50 @@
+-- Parts of the one statement and of those that follow it, by name: streetgen._part gives each.
+
+--{sidewalk_rows
+SELECT w.number, k.edge_id, k.node_id, k.side, k.part, w.width, w.surface, w.method
+FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level ORDER BY number) AS levels,
+        array_agg(width ORDER BY number) AS widths, array_agg(ends ORDER BY number) AS ends,
+        array_agg(across ORDER BY number) AS across,
+        array_agg(by_hand ORDER BY number) AS by_hand, array_agg(wanted ORDER BY number) AS wanted
+    FROM sidewalk_kerb) g,
+    streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, (SELECT value::float8
+        FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
+    JOIN sidewalk_kerb k ON k.number = w.number
+
+--{sidewalk_kerbs_of_part
+sidewalk_edge AS MATERIALIZED (
+    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right
+    FROM new_edge),
+-- Kerbs that moved or went, as they were.
+former_kerb AS MATERIALIZED (
+    SELECT k.*
+    FROM (SELECT kerb_id FROM new_kerb WHERE changed AND NOT fresh UNION ALL SELECT kerb_id FROM gone_kerb) c,
+        LATERAL (SELECT * FROM {model}.kerb k WHERE k.kerb_id = c.kerb_id OFFSET 0) k
+    -- Kerbs of a node and of an edge that go. The kerb of another corner may take the row.
+    UNION ALL SELECT k.* FROM left_node n, LATERAL (SELECT * FROM {model}.kerb k WHERE k.node_id = n.node_id OFFSET 0) k
+    UNION ALL SELECT k.* FROM old_edge e, LATERAL (SELECT * FROM {model}.kerb k WHERE k.edge_id = e.edge_id OFFSET 0) k
+    WHERE e.written AND e.edge_id NOT IN (SELECT edge_id FROM new_edge)),
+-- Two sidewalks side by side: a strip lies within 1.25 widths of its kerb.
+sidewalk_reach AS MATERIALIZED (
+    SELECT 0.01 + 2.5 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
+            FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right), 0) AS metres
+    FROM sidewalk_edge),
+-- A kerb that came, went or moved, or whose width is another.
+moved_kerb AS MATERIALIZED (
+    SELECT geom FROM new_kerb WHERE changed OR edge_id IN (SELECT edge_id FROM new_edge
+        WHERE axis_id IN (SELECT unnest($3)))
+    UNION ALL SELECT geom FROM former_kerb
+    UNION ALL SELECT k.geom FROM new_edge e, LATERAL (SELECT * FROM {model}.kerb k
+        WHERE k.edge_id = e.edge_id AND k.node_id IS NULL OFFSET 0) k
+    WHERE NOT e.kerbs_affected AND e.axis_id IN (SELECT unnest($3))),
+-- Strips behind near kerbs may change, and with them what rivals of these kerbs get of shared ground.
+
+--{standing_kerb
+,
+standing_kerb AS MATERIALIZED (
+    SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb WHERE changed
+    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, true
+    FROM (TABLE near_kerb_row UNION ALL TABLE rival_kerb_row) k
+    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, false
+    FROM (TABLE beside_kerb_row UNION ALL TABLE outer_kerb_row) k),
+sidewalk_kerb AS MATERIALIZED (
