@@ -91,3 +91,18 @@ SELECT * FROM each UNION ALL SELECT relation || '_editing', attribute, descripti
     WHERE attribute <> 'content' AND relation <> 'design_input' $$;
 COMMENT ON FUNCTION streetgen._design_column() IS
     'The columns of the tables of a design and of their views, and what each is.';
+
+CREATE OR REPLACE FUNCTION streetgen._comment_design(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    remark record;
+BEGIN
+    FOR remark IN SELECT * FROM streetgen._design_column() c
+        WHERE to_regclass(format('%I.%I', model, c.relation)) IS NOT NULL
+    LOOP
+        EXECUTE format('COMMENT ON COLUMN %I.%I.%I IS %L', model, remark.relation, remark.attribute,
+            remark.description);
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._comment_design(name) IS 'Comments every column of a design''s tables and views.';

@@ -61,7 +61,7 @@ BEGIN
     PERFORM streetgen._make_design_edit_views(model), streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
-    PERFORM streetgen._grant_design_views(model), streetgen._comment_model(model);
+    PERFORM streetgen._grant_design_views(model);
 END $$;
 COMMENT ON FUNCTION streetgen.create_design(name) IS
     'Adds the tables of a design to a model of dimension 3: terrain, zones, standards, nodes, links, and what is made '

@@ -253,6 +253,7 @@ BEGIN
         EXECUTE format('COMMENT ON TRIGGER edit ON %I.%I IS %L', model, shown.relation || '_editing',
             'Turns an edit into a row by hand');
     END LOOP;
+    PERFORM streetgen._comment_design(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_design_edit_views(name) IS
     'Makes the views to edit a design by hand, and their trigger, again and again.';

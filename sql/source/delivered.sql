@@ -20,35 +20,31 @@ CREATE OR REPLACE FUNCTION streetgen._row_json(relation regclass, alias text, co
 COMMENT ON FUNCTION streetgen._row_json(regclass, text, text[]) IS
     'SQL that gives a row, or some columns of it, as jsonb with geometries as EWKB: those of PostGIS lose digits.';
 
-CREATE OR REPLACE FUNCTION streetgen._source_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('import_conflict'::name, 'axis_id'::name, 'the axis; NULL: a row of another table'),
-    ('import_conflict', 'column_name', 'its column; *: the whole row, deleted by hand or by the source'),
-    ('import_conflict', 'by_hand', 'the value by hand; geometry as EWKB; NULL: empty, or of *: deleted by hand'),
-    ('import_conflict', 'source_old', 'what the source said when that was edited; of *: what it said otherwise'),
-    ('import_conflict', 'source_new', 'what the source says now; NULL: nothing, or of *: deleted by the source'),
-    ('import_conflict', 'stands', 'hand or source: whose value the row has, by setting delivery_wins'),
-    ('import_conflict', 'relation', 'the table of the row: axis, control_point, turn_restriction or street_object'),
-    ('import_conflict', 'row_id', 'the key of the row'),
-    ('import_conflict', 'source', 'the source, as in that table'),
-    ('import_conflict', 'source_ref', 'its identity in the source') $$;
-COMMENT ON FUNCTION streetgen._source_column() IS
-    'The columns of what was delivered and of the conflicts with it, and what each is.';
-
 CREATE OR REPLACE FUNCTION streetgen._make_source_views(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.import_conflict WITH (security_invoker = true) AS
-SELECT CASE relation WHEN 'axis' THEN row_id END AS axis_id, column_name, by_hand, source_old, source_new, stands,
-    relation, row_id, source, source_ref FROM %1$I.open_conflict;
-COMMENT ON VIEW %1$I.import_conflict IS
-    'Columns that both somebody by hand and a delivery of the source changed, until one is settled: the column gets '
-    'the other value (not of an object), or streetgen.settle_conflict says whose holds'
-$sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW import_conflict WITH (security_invoker = true) AS
+    SELECT CASE relation WHEN 'axis' THEN row_id END AS axis_id, column_name, by_hand, source_old, source_new, stands,
+        relation, row_id, source, source_ref FROM open_conflict;
+    COMMENT ON VIEW import_conflict IS
+        'Columns that both somebody by hand and a delivery of the source changed, until one is settled: the column '
+        'gets the other value (not of an object), or streetgen.settle_conflict says whose holds';
+    COMMENT ON COLUMN import_conflict.axis_id IS 'the axis; NULL: a row of another table';
+    COMMENT ON COLUMN import_conflict.column_name IS 'its column; *: the whole row, deleted by hand or by the source';
+    COMMENT ON COLUMN import_conflict.by_hand IS
+        'the value by hand; geometry as EWKB; NULL: empty, or of *: deleted by hand';
+    COMMENT ON COLUMN import_conflict.source_old IS
+        'what the source said when that was edited; of *: what it said otherwise';
+    COMMENT ON COLUMN import_conflict.source_new IS
+        'what the source says now; NULL: nothing, or of *: deleted by the source';
+    COMMENT ON COLUMN import_conflict.stands IS 'hand or source: whose value the row has, by setting delivery_wins';
+    COMMENT ON COLUMN import_conflict.relation IS
+        'the table of the row: axis, control_point, turn_restriction or street_object';
+    COMMENT ON COLUMN import_conflict.row_id IS 'the key of the row';
+    COMMENT ON COLUMN import_conflict.source IS 'the source, as in that table';
+    COMMENT ON COLUMN import_conflict.source_ref IS 'its identity in the source';
 END $$;
 COMMENT ON FUNCTION streetgen._make_source_views(name) IS 'Makes view import_conflict of a model.';
 

@@ -19,7 +19,7 @@ SELECT 'subject ' || subject || ' has a template of its tables', array_agg(t.rel
   FROM streetgen._subject() JOIN streetgen._computed_table() t USING (subject) GROUP BY subject ORDER BY subject;
 SELECT 'subject ' || subject || ' is computed', to_regprocedure(format('streetgen._upsert_%s(jsonb)', computed_by)) IS NOT NULL OR to_regprocedure(format('streetgen._update_%s(name, bigint[], bigint[], bigint[])', computed_by)) IS NOT NULL
   FROM streetgen._subject(), LATERAL (SELECT CASE subject WHEN 'signal' THEN 'junction' ELSE subject END AS computed_by) c;
-SELECT 'every list is that of a room', array_agg(proname ORDER BY proname) = '{_default_setting,_model_column,_subject_view}' FROM pg_proc, LATERAL (SELECT '_(setting|setting_beside|column|summary|drawn|drawn_instead|legend|edit_view|input_rule|decision|marked_by_hand|view|chain|edited)$' AS list) l
+SELECT 'every list is that of a room', array_agg(proname ORDER BY proname) = '{_default_setting,_subject_view}' FROM pg_proc, LATERAL (SELECT '_(setting|setting_beside|summary|drawn|drawn_instead|legend|edit_view|decision|marked_by_hand|view|chain|edited)$' AS list) l
   WHERE pronamespace = 'streetgen'::regnamespace AND pronargs = 0 AND proname ~ ('^_[a-z]+' || list) AND regexp_replace(substr(proname, 2), list, '') <> ALL (streetgen._rooms());
 
 SELECT streetgen.create_model('whole', 2154) \g /dev/null

@@ -85,7 +85,6 @@ BEGIN
     PERFORM streetgen._make_tables(model, '{kept_table,table}', '{frame,axis}'::text[] || wanted),
         streetgen._make_tables(model, '{input_table}', streetgen._rooms());
     PERFORM streetgen._make_dependents(model);
-    PERFORM streetgen._comment_model(model);
     IF driving_side <> 'auto' THEN
         PERFORM streetgen.set(model, 'driving_side', driving_side);
     END IF;
@@ -190,7 +189,6 @@ BEGIN
             AND (oid <> ALL (before) OR relkind = 'v' AND relname NOT LIKE '%\_editing')));
     PERFORM streetgen._grant_edit_views(schema),
         streetgen._call_rooms('_grant_%s_views', schema, streetgen._rooms());
-    PERFORM streetgen._comment_model(schema);
     PERFORM streetgen._call_rooms('_adopt_%s', schema, streetgen._rooms());
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');

@@ -84,7 +84,6 @@ BEGIN
         PERFORM streetgen._grant_like_axes(model, ARRAY(
             SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
         PERFORM streetgen._grant_edit_views(model);
-        PERFORM streetgen._comment_model(model);
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.edge)', model) INTO has_streets;
         IF has_streets THEN
             RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);

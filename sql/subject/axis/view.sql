@@ -18,6 +18,8 @@ FROM %1$I.setting WHERE name <> ALL (%3$L)$sql$, model, CASE WHEN with_rings
     FROM %I.roundabout_pattern), '')$sql$, model) END,
         (SELECT array_agg(name) FROM streetgen._setting_beside()));
     COMMENT ON VIEW setting_used IS 'The settings that streets depend on, as one row';
+    COMMENT ON COLUMN setting_used.settings IS 'name of each to its value';
+    COMMENT ON COLUMN setting_used.setting_hash IS 'their hash';
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
 SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
@@ -197,39 +199,31 @@ $sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END,
         array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n'));
     COMMENT ON VIEW axis_used
         IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';
+    COMMENT ON COLUMN axis_used.axis_id IS 'the axis';
+    COMMENT ON COLUMN axis_used.geom IS 'the axis of the road';
+    COMMENT ON COLUMN axis_used.level IS 'level of the axis';
+    COMMENT ON COLUMN axis_used.width IS 'width kerb to kerb at the start, metres';
+    COMMENT ON COLUMN axis_used.width_end IS 'width kerb to kerb at the end, metres';
+    COMMENT ON COLUMN axis_used.lane_count IS 'number of general and bus lanes of both directions';
+    COMMENT ON COLUMN axis_used.lanes_forward IS 'general and bus lanes along the axis';
+    COMMENT ON COLUMN axis_used.lanes_backward IS 'general and bus lanes against the axis';
+    COMMENT ON COLUMN axis_used.lanes_both IS 'lanes that both directions use';
+    COMMENT ON COLUMN axis_used.direction IS 'direction of the traffic';
+    COMMENT ON COLUMN axis_used.kind_forward IS 'kinds of the lanes along the axis, NULL: all general';
+    COMMENT ON COLUMN axis_used.kind_backward IS 'kinds of the lanes against the axis, NULL: all general';
+    COMMENT ON COLUMN axis_used.lane_width_forward IS 'widths of the lanes along the axis, metres';
+    COMMENT ON COLUMN axis_used.lane_width_backward IS 'widths of the lanes against the axis, metres';
+    COMMENT ON COLUMN axis_used.turn_forward IS 'movements of the lanes along the axis';
+    COMMENT ON COLUMN axis_used.turn_backward IS 'movements of the lanes against the axis';
+    COMMENT ON COLUMN axis_used.speed IS 'speed of the traffic, km/h';
+    COMMENT ON COLUMN axis_used.importance IS 'importance, 1 the highest';
+    COMMENT ON COLUMN axis_used.radius IS 'wanted radius of its corners, metres, 0: none';
+    COMMENT ON COLUMN axis_used.estimated IS 'which of these values are estimated';
+    COMMENT ON COLUMN axis_used.input_hash IS 'hash of the axis and the values used';
+    COMMENT ON COLUMN axis_used.setting_hash IS 'hash of the settings';
+    COMMENT ON COLUMN axis_used.sidewalk_left IS 'width of the sidewalk on the left, metres; 0: none';
+    COMMENT ON COLUMN axis_used.sidewalk_right IS 'width of the sidewalk on the right, metres; 0: none';
+    COMMENT ON COLUMN axis_used.roadway_offset IS 'metres from the axis to the middle of the roadway, left positive';
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_views(name) IS
     'Makes the views setting_used and axis_used of a model, again and again.';
-
-CREATE OR REPLACE FUNCTION streetgen._axis_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('setting_used'::name, 'settings'::name, 'name of each to its value'),
-    ('setting_used', 'setting_hash', 'their hash'),
-    ('axis_used', 'axis_id', 'the axis'),
-    ('axis_used', 'geom', 'the axis of the road'),
-    ('axis_used', 'level', 'level of the axis'),
-    ('axis_used', 'width', 'width kerb to kerb at the start, metres'),
-    ('axis_used', 'width_end', 'width kerb to kerb at the end, metres'),
-    ('axis_used', 'lane_count', 'number of general and bus lanes of both directions'),
-    ('axis_used', 'lanes_forward', 'general and bus lanes along the axis'),
-    ('axis_used', 'lanes_backward', 'general and bus lanes against the axis'),
-    ('axis_used', 'lanes_both', 'lanes that both directions use'),
-    ('axis_used', 'direction', 'direction of the traffic'),
-    ('axis_used', 'kind_forward', 'kinds of the lanes along the axis, NULL: all general'),
-    ('axis_used', 'kind_backward', 'kinds of the lanes against the axis, NULL: all general'),
-    ('axis_used', 'lane_width_forward', 'widths of the lanes along the axis, metres'),
-    ('axis_used', 'lane_width_backward', 'widths of the lanes against the axis, metres'),
-    ('axis_used', 'turn_forward', 'movements of the lanes along the axis'),
-    ('axis_used', 'turn_backward', 'movements of the lanes against the axis'),
-    ('axis_used', 'speed', 'speed of the traffic, km/h'),
-    ('axis_used', 'importance', 'importance, 1 the highest'),
-    ('axis_used', 'radius', 'wanted radius of its corners, metres, 0: none'),
-    ('axis_used', 'estimated', 'which of these values are estimated'),
-    ('axis_used', 'input_hash', 'hash of the axis and the values used'),
-    ('axis_used', 'setting_hash', 'hash of the settings'),
-    ('axis_used', 'sidewalk_left', 'width of the sidewalk on the left, metres; 0: none'),
-    ('axis_used', 'sidewalk_right', 'width of the sidewalk on the right, metres; 0: none'),
-    ('axis_used', 'roadway_offset', 'metres from the axis to the middle of the roadway, left positive') $$;
-COMMENT ON FUNCTION streetgen._axis_column() IS 'The columns of these views, and what each is.';

@@ -3,27 +3,31 @@ CREATE OR REPLACE FUNCTION streetgen._make_block_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
+    CREATE OR REPLACE VIEW sidewalk_block WITH (security_invoker = true) AS
+    -- By its place: a wide street may reach over a narrow one, so its kerb lies where its edge is not about the
+    -- block.
+    SELECT s.sidewalk_id, (SELECT b.block_id FROM block b, ST_PointOnSurface(s.surface) place
+        WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
+    FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
+    WHERE k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level');
     EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.sidewalk_block WITH (security_invoker = true) AS
--- By its place: a wide street may reach over a narrow one, so its kerb lies where its edge is not about the block.
-SELECT s.sidewalk_id, (SELECT b.block_id FROM %1$I.block b, ST_PointOnSurface(s.surface) place
-    WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
-FROM %1$I.sidewalk s JOIN %1$I.kerb k USING (edge_id, side, part)
-WHERE k.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level');
-COMMENT ON VIEW %1$I.sidewalk_block IS 'The block that each sidewalk of the ground lies on';
-CREATE OR REPLACE VIEW %1$I.block_interior WITH (security_invoker = true) AS
+CREATE OR REPLACE VIEW block_interior WITH (security_invoker = true) AS
 SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (SELECT ST_Union(s.surface)
-    FROM %1$I.sidewalk s JOIN %1$I.kerb k USING (edge_id, side, part)
+    FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
     WHERE s.surface && b.surface AND ST_Intersects(s.surface, b.surface)
-        AND k.level = (SELECT value::integer FROM %1$I.setting WHERE name = 'ground_level'))), b.surface), 3))
-    ::geometry(MultiPolygon, %2$s) AS geom
-FROM %1$I.block b;
-COMMENT ON VIEW %1$I.block_interior IS
-    'The ground of each block behind its sidewalks, computed when it is asked for'
-$sql$, model, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+        AND k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level'))), b.surface), 3))
+    ::geometry(MultiPolygon, %s) AS geom
+FROM block b$sql$, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+    COMMENT ON VIEW sidewalk_block IS 'The block that each sidewalk of the ground lies on';
+    COMMENT ON COLUMN sidewalk_block.sidewalk_id IS 'the sidewalk';
+    COMMENT ON COLUMN sidewalk_block.block_id IS 'the block that it lies on; NULL: it lies in no face';
+    COMMENT ON VIEW block_interior IS 'The ground of each block behind its sidewalks, computed when it is asked for';
+    COMMENT ON COLUMN block_interior.block_id IS 'the block';
+    COMMENT ON COLUMN block_interior.geom IS 'its ground behind the sidewalks; empty: they take all of it';
 END $$;
 COMMENT ON FUNCTION streetgen._make_block_views(name) IS
     'Makes the views sidewalk_block and block_interior of a model, where it computes sidewalks.';
@@ -34,13 +38,3 @@ CREATE OR REPLACE FUNCTION streetgen._block_view() RETURNS TABLE(name name, subj
         ('block_interior', 'sidewalk') $$;
 COMMENT ON FUNCTION streetgen._block_view() IS
     'Views of blocks, and the subjects whose tables they read.';
-
-CREATE OR REPLACE FUNCTION streetgen._block_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('sidewalk_block'::name, 'sidewalk_id'::name, 'the sidewalk'),
-    ('sidewalk_block', 'block_id', 'the block that it lies on; NULL: it lies in no face'),
-    ('block_interior', 'block_id', 'the block'),
-    ('block_interior', 'geom', 'its ground behind the sidewalks; empty: they take all of it') $$;
-COMMENT ON FUNCTION streetgen._block_column() IS 'The columns of these views, and what each is.';

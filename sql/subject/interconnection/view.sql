@@ -44,6 +44,15 @@ $sql$, model, format(CASE WHEN 'junction' = ANY (streetgen._subjects(model)) THE
         IS 'Pairs of connecting paths from two lanes that cross, merge in one lane, or oppose each other in one that '
         'both directions use; geom is where. At a node: two interconnections; across a junction of several nodes, '
         'where the model computes junctions: two rows of junction_movement';
+    COMMENT ON COLUMN conflict.node_id IS 'the node';
+    COMMENT ON COLUMN conflict.interconnection_a IS 'one of the two, the smaller key';
+    COMMENT ON COLUMN conflict.interconnection_b IS 'the other';
+    COMMENT ON COLUMN conflict.kind IS
+        'crossing, merging in one lane, or opposing: one enters the lane that the other leaves';
+    COMMENT ON COLUMN conflict.geom IS 'where they cross, or the end of the lane in which they merge or meet';
+    COMMENT ON COLUMN conflict.junction_id IS 'the junction, where the model computes junctions';
+    COMMENT ON COLUMN conflict.junction_movement_a IS 'one of the paths, across a junction of several nodes';
+    COMMENT ON COLUMN conflict.junction_movement_b IS 'the other one';
 END $$;
 COMMENT ON FUNCTION streetgen._make_conflict_view(name) IS 'Makes the view conflict of a model, again and again.';
 
@@ -64,17 +73,3 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_interconnection_views(name) IS
     'Makes the view conflict of a model without junctions, again and again.';
-
-CREATE OR REPLACE FUNCTION streetgen._interconnection_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('conflict'::name, 'node_id'::name, 'the node'),
-    ('conflict', 'interconnection_a', 'one of the two, the smaller key'),
-    ('conflict', 'interconnection_b', 'the other'),
-    ('conflict', 'kind', 'crossing, merging in one lane, or opposing: one enters the lane that the other leaves'),
-    ('conflict', 'geom', 'where they cross, or the end of the lane in which they merge or meet'),
-    ('conflict', 'junction_id', 'the junction, where the model computes junctions'),
-    ('conflict', 'junction_movement_a', 'one of the paths, across a junction of several nodes'),
-    ('conflict', 'junction_movement_b', 'the other one') $$;
-COMMENT ON FUNCTION streetgen._interconnection_column() IS 'The columns of these views, and what each is.';

@@ -15,10 +15,25 @@ BEGIN
     COMMENT ON VIEW junction_link IS
         'The network with each junction as one point: the edges that lie in none, each from junction to junction. '
         'Where an edge ends at a node that is no junction, that node stands in its place';
+    COMMENT ON COLUMN junction_link.edge_id IS 'the edge';
+    COMMENT ON COLUMN junction_link.axis_id IS 'its axis';
+    COMMENT ON COLUMN junction_link.from_junction IS 'the junction at its start, or the node that is none';
+    COMMENT ON COLUMN junction_link.to_junction IS 'the junction at its end, or the node that is none';
+    COMMENT ON COLUMN junction_link.lanes_along IS 'lanes from start to end';
+    COMMENT ON COLUMN junction_link.lanes_against IS 'lanes from end to start';
+    COMMENT ON COLUMN junction_link.geom IS 'its line';
     CREATE OR REPLACE VIEW rim_marking WITH (security_invoker = true) AS
     SELECT m.* FROM marking m WHERE NOT EXISTS (SELECT FROM junction_edge j WHERE j.edge_id = m.edge_id);
     COMMENT ON VIEW rim_marking IS
         'What is painted on lanes, without the lanes inside junctions: traffic waits at the rim';
+    COMMENT ON COLUMN rim_marking.marking_id IS 'its row of marking';
+    COMMENT ON COLUMN rim_marking.edge_id IS 'the edge';
+    COMMENT ON COLUMN rim_marking.lane_position IS 'the lane, from 1 at the left kerb';
+    COMMENT ON COLUMN rim_marking.along_axis IS 'does the traffic that it speaks to run along the axis?';
+    COMMENT ON COLUMN rim_marking.node_id IS 'where that traffic goes';
+    COMMENT ON COLUMN rim_marking.kind IS 'stop, yield or arrow';
+    COMMENT ON COLUMN rim_marking.geom IS 'across the lane, or from the foot of an arrow to its tip';
+    COMMENT ON COLUMN rim_marking.surface IS 'the paint';
     CREATE OR REPLACE VIEW movement WITH (security_invoker = true) AS
     SELECT m.junction_id, NULL::bigint AS node_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.angle,
         m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom
@@ -30,6 +45,21 @@ BEGIN
     COMMENT ON VIEW movement IS
         'Every way from lane to lane: across junctions of several nodes, and at single nodes. Its two lanes, with the '
         'directions in which they are driven, name a movement';
+    COMMENT ON COLUMN movement.junction_id IS 'the junction; NULL: a node that is none';
+    COMMENT ON COLUMN movement.node_id IS 'the node; NULL: across a junction of several nodes';
+    COMMENT ON COLUMN movement.lane_in IS 'the lane that comes in';
+    COMMENT ON COLUMN movement.lane_out IS 'the lane that goes out';
+    COMMENT ON COLUMN movement.along_in IS 'does one drive along the axis of lane_in?';
+    COMMENT ON COLUMN movement.along_out IS 'does one drive along the axis of lane_out?';
+    COMMENT ON COLUMN movement.turn IS 'through, left, right or u_turn';
+    COMMENT ON COLUMN movement.angle IS 'from lane to lane, degrees, positive to the left';
+    COMMENT ON COLUMN movement.plausible IS 'would traffic take it?';
+    COMMENT ON COLUMN movement.reason IS 'why it is plausible or not';
+    COMMENT ON COLUMN movement.connecting IS 'does traffic go that way?';
+    COMMENT ON COLUMN movement.interconnections IS 'paths at single nodes that lead the same way, in their order';
+    COMMENT ON COLUMN movement.junction_movement_id IS
+        'its row of junction_movement; NULL: it is one of interconnection';
+    COMMENT ON COLUMN movement.geom IS 'the path';
     CREATE OR REPLACE VIEW junction_crossing WITH (security_invoker = true) AS
     SELECT junction_id, control_point_id, node_id, edge_id, inside, width, 4 + width / 1.2 AS seconds, geom
     FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,
@@ -45,6 +75,15 @@ BEGIN
     COMMENT ON VIEW junction_crossing IS
         'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing within '
         'setting control_distance of a node';
+    COMMENT ON COLUMN junction_crossing.junction_id IS 'the junction';
+    COMMENT ON COLUMN junction_crossing.control_point_id IS 'the control point of kind pedestrian_crossing';
+    COMMENT ON COLUMN junction_crossing.node_id IS 'the node of the junction that is nearest to it';
+    COMMENT ON COLUMN junction_crossing.edge_id IS
+        'the street that is crossed; two rows where the point lies on a node';
+    COMMENT ON COLUMN junction_crossing.inside IS 'does the street lie within the junction?';
+    COMMENT ON COLUMN junction_crossing.width IS 'of the roadway there, metres';
+    COMMENT ON COLUMN junction_crossing.seconds IS 'to cross: 4 s to begin with, and the width at 1.2 m/s';
+    COMMENT ON COLUMN junction_crossing.geom IS 'the place of the control point';
     CREATE OR REPLACE VIEW right_of_way WITH (security_invoker = true) AS
     SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,
         CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'
@@ -60,6 +99,14 @@ BEGIN
     COMMENT ON VIEW right_of_way IS
         'What each movement obeys: signals, stop, yield, right_before_left, priority (others wait for it) or free '
         '(nothing to wait for)';
+    COMMENT ON COLUMN right_of_way.lane_in IS 'the lane that comes in';
+    COMMENT ON COLUMN right_of_way.lane_out IS 'the lane that goes out';
+    COMMENT ON COLUMN right_of_way.along_in IS 'does one drive along the axis of lane_in?';
+    COMMENT ON COLUMN right_of_way.along_out IS 'does one drive along the axis of lane_out?';
+    COMMENT ON COLUMN right_of_way.junction_id IS 'the junction';
+    COMMENT ON COLUMN right_of_way.turn IS 'through, left, right or u_turn';
+    COMMENT ON COLUMN right_of_way.connecting IS 'does traffic go that way?';
+    COMMENT ON COLUMN right_of_way.rule IS 'signals, stop, yield, right_before_left, priority or free';
     PERFORM streetgen._make_conflict_view(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_junction_views(name) IS
@@ -71,54 +118,3 @@ CREATE OR REPLACE FUNCTION streetgen._junction_view() RETURNS TABLE(name name, s
         ('junction_link', 'junction'), ('junction_crossing', 'junction') $$;
 COMMENT ON FUNCTION streetgen._junction_view() IS
     'Views of junctions, and the subjects whose tables they read.';
-
-CREATE OR REPLACE FUNCTION streetgen._junction_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('junction_link'::name, 'edge_id'::name, 'the edge'),
-    ('junction_link', 'axis_id', 'its axis'),
-    ('junction_link', 'from_junction', 'the junction at its start, or the node that is none'),
-    ('junction_link', 'to_junction', 'the junction at its end, or the node that is none'),
-    ('junction_link', 'lanes_along', 'lanes from start to end'),
-    ('junction_link', 'lanes_against', 'lanes from end to start'),
-    ('junction_link', 'geom', 'its line'),
-    ('junction_crossing', 'junction_id', 'the junction'),
-    ('junction_crossing', 'control_point_id', 'the control point of kind pedestrian_crossing'),
-    ('junction_crossing', 'node_id', 'the node of the junction that is nearest to it'),
-    ('junction_crossing', 'edge_id', 'the street that is crossed; two rows where the point lies on a node'),
-    ('junction_crossing', 'inside', 'does the street lie within the junction?'),
-    ('junction_crossing', 'width', 'of the roadway there, metres'),
-    ('junction_crossing', 'seconds', 'to cross: 4 s to begin with, and the width at 1.2 m/s'),
-    ('junction_crossing', 'geom', 'the place of the control point'),
-    ('movement', 'junction_id', 'the junction; NULL: a node that is none'),
-    ('movement', 'node_id', 'the node; NULL: across a junction of several nodes'),
-    ('movement', 'lane_in', 'the lane that comes in'),
-    ('movement', 'lane_out', 'the lane that goes out'),
-    ('movement', 'along_in', 'does one drive along the axis of lane_in?'),
-    ('movement', 'along_out', 'does one drive along the axis of lane_out?'),
-    ('movement', 'turn', 'through, left, right or u_turn'),
-    ('movement', 'angle', 'from lane to lane, degrees, positive to the left'),
-    ('movement', 'plausible', 'would traffic take it?'),
-    ('movement', 'reason', 'why it is plausible or not'),
-    ('movement', 'connecting', 'does traffic go that way?'),
-    ('movement', 'interconnections', 'paths at single nodes that lead the same way, in their order'),
-    ('movement', 'junction_movement_id', 'its row of junction_movement; NULL: it is one of interconnection'),
-    ('movement', 'geom', 'the path'),
-    ('rim_marking', 'marking_id', 'its row of marking'),
-    ('rim_marking', 'edge_id', 'the edge'),
-    ('rim_marking', 'lane_position', 'the lane, from 1 at the left kerb'),
-    ('rim_marking', 'along_axis', 'does the traffic that it speaks to run along the axis?'),
-    ('rim_marking', 'node_id', 'where that traffic goes'),
-    ('rim_marking', 'kind', 'stop, yield or arrow'),
-    ('rim_marking', 'geom', 'across the lane, or from the foot of an arrow to its tip'),
-    ('rim_marking', 'surface', 'the paint'),
-    ('right_of_way', 'lane_in', 'the lane that comes in'),
-    ('right_of_way', 'lane_out', 'the lane that goes out'),
-    ('right_of_way', 'along_in', 'does one drive along the axis of lane_in?'),
-    ('right_of_way', 'along_out', 'does one drive along the axis of lane_out?'),
-    ('right_of_way', 'junction_id', 'the junction'),
-    ('right_of_way', 'turn', 'through, left, right or u_turn'),
-    ('right_of_way', 'connecting', 'does traffic go that way?'),
-    ('right_of_way', 'rule', 'signals, stop, yield, right_before_left, priority or free') $$;
-COMMENT ON FUNCTION streetgen._junction_column() IS 'The columns of these views, and what each is.';

@@ -12,6 +12,11 @@ BEGIN
     GROUP BY c.corner_id;
     COMMENT ON VIEW corner_on_kerb
         IS 'Arcs of corners, with the share of each that is kerb: on the rest other streets own the ground beyond';
+    COMMENT ON COLUMN corner_on_kerb.corner_id IS 'the corner';
+    COMMENT ON COLUMN corner_on_kerb.node_id IS 'its node';
+    COMMENT ON COLUMN corner_on_kerb.on_kerb IS
+        'share of the arc that lies on the border of the roadway of its level, 0 to 1';
+    COMMENT ON COLUMN corner_on_kerb.arc IS 'the arc';
 END $$;
 COMMENT ON FUNCTION streetgen._make_kerb_views(name) IS
     'Makes the view corner_on_kerb of a model, again and again.';
@@ -21,13 +26,3 @@ CREATE OR REPLACE FUNCTION streetgen._kerb_view() RETURNS TABLE(name name, subje
     AS $$ VALUES ('corner_on_kerb'::name, 'kerb') $$;
 COMMENT ON FUNCTION streetgen._kerb_view() IS
     'Views of kerbs, and the subjects whose tables they read.';
-
-CREATE OR REPLACE FUNCTION streetgen._kerb_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('corner_on_kerb'::name, 'corner_id'::name, 'the corner'),
-    ('corner_on_kerb', 'node_id', 'its node'),
-    ('corner_on_kerb', 'on_kerb', 'share of the arc that lies on the border of the roadway of its level, 0 to 1'),
-    ('corner_on_kerb', 'arc', 'the arc') $$;
-COMMENT ON FUNCTION streetgen._kerb_column() IS 'The columns of these views, and what each is.';

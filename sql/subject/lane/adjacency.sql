@@ -3,17 +3,18 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_adjacency_views(model name) RETU
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE VIEW lane_extent WITH (security_invoker = true) AS
+    SELECT l.lane_id, e.axis_id, e.edge_id, coalesce(l.start_abscissa, e.start_abscissa + least(f.at, t.at))
+            AS start_abscissa, coalesce(l.end_abscissa, e.start_abscissa + greatest(f.at, t.at)) AS end_abscissa
+    FROM lane l JOIN edge e USING (edge_id)
+        JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
+        JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
+        CROSS JOIN LATERAL (
+            SELECT CASE WHEN l.method = 'crossed_limits' THEN a.wanted_abscissa ELSE a.abscissa END AS at) f
+        CROSS JOIN LATERAL (
+            SELECT CASE WHEN l.method = 'crossed_limits' THEN b.wanted_abscissa ELSE b.abscissa END AS at) t;
     EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.lane_extent WITH (security_invoker = true) AS
-SELECT l.lane_id, e.axis_id, e.edge_id, coalesce(l.start_abscissa, e.start_abscissa + least(f.at, t.at))
-        AS start_abscissa, coalesce(l.end_abscissa, e.start_abscissa + greatest(f.at, t.at)) AS end_abscissa
-FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)
-    JOIN %1$I.section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
-    JOIN %1$I.section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
-    CROSS JOIN LATERAL (SELECT CASE WHEN l.method = 'crossed_limits' THEN a.wanted_abscissa ELSE a.abscissa END AS at) f
-    CROSS JOIN LATERAL (
-        SELECT CASE WHEN l.method = 'crossed_limits' THEN b.wanted_abscissa ELSE b.abscissa END AS at) t;
-COMMENT ON VIEW %1$I.lane_extent IS 'Where each lane begins and ends along its axis';
 CREATE OR REPLACE VIEW %1$I.lane_adjacency WITH (security_invoker = true) AS
 SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_id,
     CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
@@ -30,26 +31,48 @@ FROM %1$I.lane_separator s %2$s
     JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
     -- As far as both go: a merging lane is beside the others on a part of the edge.
     CROSS JOIN LATERAL (SELECT greatest(x.start_abscissa, r.start_abscissa) AS start_abscissa,
-        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p;
-COMMENT ON VIEW %1$I.lane_adjacency IS
-    'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, lies '
-    'lane_b. change is opposite where traffic comes against one; else what was decided by hand, else what '
-    'change_forward or change_backward of the axis says, but for merging lanes, else allowed over a dashed line '
-    'between lanes of one direction that the same traffic uses, else forbidden. lane_separator holds it';
-CREATE OR REPLACE VIEW %1$I.lane_interval WITH (security_invoker = true) AS
-SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
-    (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,
-    (a.start_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS os,
-    (a.end_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS oe, a.lane_b AS l
-FROM %1$I.lane_adjacency a JOIN %1$I.lane_extent i ON i.lane_id = a.lane_a
-    JOIN %1$I.lane_extent o ON o.lane_id = a.lane_b
-WHERE i.end_abscissa > i.start_abscissa AND o.end_abscissa > o.start_abscissa AND a.change = 'allowed';
-COMMENT ON VIEW %1$I.lane_interval IS
-    'The adjacency intervals of the paper: from share s to share e of a lane, along the axis, lane l lies beside it, '
-    'there from os to oe; where one may change'
+        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p
 $sql$, model, format(CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN streetgen._lanes_beside_merging()
         ELSE $sql$JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
     JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)$sql$ END, model));
+    COMMENT ON VIEW lane_extent IS 'Where each lane begins and ends along its axis';
+    COMMENT ON COLUMN lane_extent.lane_id IS 'the lane';
+    COMMENT ON COLUMN lane_extent.axis_id IS 'its axis';
+    COMMENT ON COLUMN lane_extent.edge_id IS 'its edge';
+    COMMENT ON COLUMN lane_extent.start_abscissa IS 'where it begins, metres along the axis';
+    COMMENT ON COLUMN lane_extent.end_abscissa IS 'where it ends, metres along the axis';
+    COMMENT ON VIEW lane_adjacency IS
+        'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, '
+        'lies lane_b. change is opposite where traffic comes against one; else what was decided by hand, else what '
+        'change_forward or change_backward of the axis says, but for merging lanes, else allowed over a dashed line '
+        'between lanes of one direction that the same traffic uses, else forbidden. lane_separator holds it';
+    COMMENT ON COLUMN lane_adjacency.lane_adjacency_id IS 'key';
+    COMMENT ON COLUMN lane_adjacency.lane_a IS 'a lane';
+    COMMENT ON COLUMN lane_adjacency.lane_b IS 'the lane beside it';
+    COMMENT ON COLUMN lane_adjacency.side IS 'on which side of lane_a, left or right along the axis';
+    COMMENT ON COLUMN lane_adjacency.start_abscissa IS 'from where, metres along the axis';
+    COMMENT ON COLUMN lane_adjacency.end_abscissa IS 'to where, metres along the axis';
+    COMMENT ON COLUMN lane_adjacency.change IS
+        'may one change from lane_a to lane_b: allowed, forbidden, or opposite (against the traffic)';
+    COMMENT ON COLUMN lane_adjacency.by_hand IS 'was the change decided by hand?';
+    COMMENT ON COLUMN lane_adjacency.geom IS 'the line between the two lanes, along the axis';
+    CREATE OR REPLACE VIEW lane_interval WITH (security_invoker = true) AS
+    SELECT a.lane_a AS lane_id, (a.start_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS s,
+        (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,
+        (a.start_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS os,
+        (a.end_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS oe, a.lane_b AS l
+    FROM lane_adjacency a JOIN lane_extent i ON i.lane_id = a.lane_a
+        JOIN lane_extent o ON o.lane_id = a.lane_b
+    WHERE i.end_abscissa > i.start_abscissa AND o.end_abscissa > o.start_abscissa AND a.change = 'allowed';
+    COMMENT ON VIEW lane_interval IS
+        'The adjacency intervals of the paper: from share s to share e of a lane, along the axis, lane l lies beside '
+        'it, there from os to oe; where one may change';
+    COMMENT ON COLUMN lane_interval.lane_id IS 'the lane';
+    COMMENT ON COLUMN lane_interval.s IS 'where the interval starts on it, share of its extent';
+    COMMENT ON COLUMN lane_interval.e IS 'where it ends';
+    COMMENT ON COLUMN lane_interval.os IS 'where it starts on the other lane, share of its extent';
+    COMMENT ON COLUMN lane_interval.oe IS 'where it ends there';
+    COMMENT ON COLUMN lane_interval.l IS 'the other lane';
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
     'Makes the views lane_extent, lane_adjacency and lane_interval of a model, again and again.';

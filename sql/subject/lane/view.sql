@@ -12,6 +12,15 @@ BEGIN
     FROM lane l JOIN (VALUES (true), (false)) v(along) ON both_ways OR along_axis = v.along;
     COMMENT ON VIEW lane_driving
         IS 'Lanes in the direction of their traffic; a lane for both directions has a row for each';
+    COMMENT ON COLUMN lane_driving.lane_driving_id IS
+        'unique and kept as long as the lane: twice lane_id, and one along the axis';
+    COMMENT ON COLUMN lane_driving.lane_id IS 'the lane';
+    COMMENT ON COLUMN lane_driving.edge_id IS 'its edge';
+    COMMENT ON COLUMN lane_driving.along_axis IS 'does this traffic run in the direction of the axis';
+    COMMENT ON COLUMN lane_driving.lane_position IS 'number from 1 at the left kerb, in the direction of the axis';
+    COMMENT ON COLUMN lane_driving.kind IS 'general, bus, cycle or parking';
+    COMMENT ON COLUMN lane_driving.width IS 'width at the start limit of the edge, metres';
+    COMMENT ON COLUMN lane_driving.geom IS 'centre line between the limits, in the direction of this traffic';
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_driving_view(name) IS
     'Makes the view lane_driving of a model, again and again.';
@@ -43,6 +52,18 @@ BEGIN
     COMMENT ON VIEW lane_group
         IS 'Lanes of one direction of an edge that lie side by side, numbered from the kerb on the side that one '
         'drives on; a lane for both directions is in two groups. What simulators call an edge or a troncon';
+    COMMENT ON COLUMN lane_group.lane_group_id IS 'lane_driving_id of its lane at the kerb';
+    COMMENT ON COLUMN lane_group.edge_id IS 'the edge';
+    COMMENT ON COLUMN lane_group.along_axis IS 'does its traffic run in the direction of the axis';
+    COMMENT ON COLUMN lane_group.number IS
+        'number from 1 at the kerb among the groups of this direction of the edge; more than one only where lanes of '
+        'the other direction part them';
+    COMMENT ON COLUMN lane_group.from_node IS 'node that its traffic comes from';
+    COMMENT ON COLUMN lane_group.to_node IS 'node that its traffic comes to';
+    COMMENT ON COLUMN lane_group.lanes IS 'its lanes from the kerb inwards, lane_id';
+    COMMENT ON COLUMN lane_group.lane_count IS 'how many they are, parking lanes too';
+    COMMENT ON COLUMN lane_group.width IS 'sum of their widths, metres';
+    COMMENT ON COLUMN lane_group.geom IS 'mean of their centre lines, in the direction of their traffic';
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_group_view(name) IS
     'Makes the view lane_group of a model, again and again.';
@@ -62,50 +83,3 @@ BEGIN
         streetgen._make_lane_adjacency_views(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_views(name) IS 'Makes the views of lanes of a model, again and again.';
-
-CREATE OR REPLACE FUNCTION streetgen._lane_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('lane_extent'::name, 'lane_id'::name, 'the lane'),
-    ('lane_extent', 'axis_id', 'its axis'),
-    ('lane_extent', 'edge_id', 'its edge'),
-    ('lane_extent', 'start_abscissa', 'where it begins, metres along the axis'),
-    ('lane_extent', 'end_abscissa', 'where it ends, metres along the axis'),
-    ('lane_adjacency', 'lane_adjacency_id', 'key'),
-    ('lane_adjacency', 'lane_a', 'a lane'),
-    ('lane_adjacency', 'lane_b', 'the lane beside it'),
-    ('lane_adjacency', 'side', 'on which side of lane_a, left or right along the axis'),
-    ('lane_adjacency', 'start_abscissa', 'from where, metres along the axis'),
-    ('lane_adjacency', 'end_abscissa', 'to where, metres along the axis'),
-    ('lane_adjacency', 'change',
-        'may one change from lane_a to lane_b: allowed, forbidden, or opposite (against the traffic)'),
-    ('lane_adjacency', 'by_hand', 'was the change decided by hand?'),
-    ('lane_adjacency', 'geom', 'the line between the two lanes, along the axis'),
-    ('lane_interval', 'lane_id', 'the lane'),
-    ('lane_interval', 's', 'where the interval starts on it, share of its extent'),
-    ('lane_interval', 'e', 'where it ends'),
-    ('lane_interval', 'os', 'where it starts on the other lane, share of its extent'),
-    ('lane_interval', 'oe', 'where it ends there'),
-    ('lane_interval', 'l', 'the other lane'),
-    ('lane_driving', 'lane_driving_id', 'unique and kept as long as the lane: twice lane_id, and one along the axis'),
-    ('lane_driving', 'lane_id', 'the lane'),
-    ('lane_driving', 'edge_id', 'its edge'),
-    ('lane_driving', 'along_axis', 'does this traffic run in the direction of the axis'),
-    ('lane_driving', 'lane_position', 'number from 1 at the left kerb, in the direction of the axis'),
-    ('lane_driving', 'kind', 'general, bus, cycle or parking'),
-    ('lane_driving', 'width', 'width at the start limit of the edge, metres'),
-    ('lane_driving', 'geom', 'centre line between the limits, in the direction of this traffic'),
-    ('lane_group', 'lane_group_id', 'lane_driving_id of its lane at the kerb'),
-    ('lane_group', 'edge_id', 'the edge'),
-    ('lane_group', 'along_axis', 'does its traffic run in the direction of the axis'),
-    ('lane_group', 'number',
-        'number from 1 at the kerb among the groups of this direction of the edge; more than one only where lanes '
-        'of the other direction part them'),
-    ('lane_group', 'from_node', 'node that its traffic comes from'),
-    ('lane_group', 'to_node', 'node that its traffic comes to'),
-    ('lane_group', 'lanes', 'its lanes from the kerb inwards, lane_id'),
-    ('lane_group', 'lane_count', 'how many they are, parking lanes too'),
-    ('lane_group', 'width', 'sum of their widths, metres'),
-    ('lane_group', 'geom', 'mean of their centre lines, in the direction of their traffic') $$;
-COMMENT ON FUNCTION streetgen._lane_column() IS 'The columns of these views, and what each is.';

@@ -11,6 +11,12 @@ BEGIN
     WHERE i.connecting AND r.edge_id IN (a.edge_id, b.edge_id);
     COMMENT ON VIEW ramp_path IS
         'The paths of traffic that comes upon a highway by its ramp, or leaves it: tangent to both lanes';
+    COMMENT ON COLUMN ramp_path.interconnection_id IS 'the interconnection';
+    COMMENT ON COLUMN ramp_path.ramp_id IS 'the ramp';
+    COMMENT ON COLUMN ramp_path.kind IS 'on or off the highway';
+    COMMENT ON COLUMN ramp_path.lane_in IS 'lane that traffic comes by';
+    COMMENT ON COLUMN ramp_path.lane_out IS 'lane that it goes on';
+    COMMENT ON COLUMN ramp_path.geom IS 'the path';
 END $$;
 COMMENT ON FUNCTION streetgen._make_ramp_views(name) IS 'Makes the view ramp_path of a model, again and again.';
 
@@ -34,15 +40,3 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_view() RETURNS TABLE(name name, subje
     AS $$ VALUES ('ramp_path'::name, 'ramp') $$;
 COMMENT ON FUNCTION streetgen._ramp_view() IS
     'Views of ramps, and the subjects whose tables they read.';
-
-CREATE OR REPLACE FUNCTION streetgen._ramp_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('ramp_path'::name, 'interconnection_id'::name, 'the interconnection'),
-    ('ramp_path', 'ramp_id', 'the ramp'),
-    ('ramp_path', 'kind', 'on or off the highway'),
-    ('ramp_path', 'lane_in', 'lane that traffic comes by'),
-    ('ramp_path', 'lane_out', 'lane that it goes on'),
-    ('ramp_path', 'geom', 'the path') $$;
-COMMENT ON FUNCTION streetgen._ramp_column() IS 'The columns of these views, and what each is.';

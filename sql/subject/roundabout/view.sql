@@ -15,6 +15,8 @@ BEGIN
     FROM roundabout r, setting s WHERE s.name = 'driving_side';
     COMMENT ON VIEW roundabout_block
         IS 'The block that each ring encloses; NULL where the ring does not lie on the ground';
+    COMMENT ON COLUMN roundabout_block.roundabout_id IS 'the ring';
+    COMMENT ON COLUMN roundabout_block.block_id IS 'the block within; NULL: the ring lies on another level';
 END $$;
 COMMENT ON FUNCTION streetgen._make_roundabout_views(name) IS
     'Makes the view roundabout_block of a model that computes blocks, again and again.';
@@ -24,11 +26,3 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_view() RETURNS TABLE(name name,
     AS $$ VALUES ('roundabout_block'::name, 'block'), ('roundabout_block', 'roundabout') $$;
 COMMENT ON FUNCTION streetgen._roundabout_view() IS
     'Views of roundabouts, and the subjects whose tables they read.';
-
-CREATE OR REPLACE FUNCTION streetgen._roundabout_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('roundabout_block'::name, 'roundabout_id'::name, 'the ring'),
-    ('roundabout_block', 'block_id', 'the block within; NULL: the ring lies on another level') $$;
-COMMENT ON FUNCTION streetgen._roundabout_column() IS 'The columns of these views, and what each is.';

@@ -20,6 +20,12 @@ BEGIN
     COMMENT ON VIEW signal_crossing IS
         'The states of a controller in which people on foot may cross a street of its junction: nobody has green '
         'there to drive in, or straight out; who turns into the street gives way to them (permitted)';
+    COMMENT ON COLUMN signal_crossing.controller_id IS 'the controller';
+    COMMENT ON COLUMN signal_crossing.ordinality IS 'the state';
+    COMMENT ON COLUMN signal_crossing.control_point_id IS 'the crossing: a control point';
+    COMMENT ON COLUMN signal_crossing.edge_id IS 'the street that is crossed';
+    COMMENT ON COLUMN signal_crossing.right_of_way IS 'protected, or permitted: who turns into the street gives way';
+    COMMENT ON COLUMN signal_crossing.geom IS 'the place of the control point';
 END $$;
 COMMENT ON FUNCTION streetgen._make_signal_views(name) IS
     'Makes the views of a model that computes signals, again and again.';
@@ -29,15 +35,3 @@ CREATE OR REPLACE FUNCTION streetgen._signal_view() RETURNS TABLE(name name, sub
     AS $$ VALUES ('signal_crossing'::name, 'signal') $$;
 COMMENT ON FUNCTION streetgen._signal_view() IS
     'Views of signals, and the subjects whose tables they read.';
-
-CREATE OR REPLACE FUNCTION streetgen._signal_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('signal_crossing'::name, 'controller_id'::name, 'the controller'),
-    ('signal_crossing', 'ordinality', 'the state'),
-    ('signal_crossing', 'control_point_id', 'the crossing: a control point'),
-    ('signal_crossing', 'edge_id', 'the street that is crossed'),
-    ('signal_crossing', 'right_of_way', 'protected, or permitted: who turns into the street gives way'),
-    ('signal_crossing', 'geom', 'the place of the control point') $$;
-COMMENT ON FUNCTION streetgen._signal_column() IS 'The columns of these views, and what each is.';

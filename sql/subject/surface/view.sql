@@ -37,32 +37,26 @@ BEGIN
         IS 'The polygons of the roads: sections and intersections, which tile the ground of each level without '
         'overlap. An intersection is named after its first edge: the most important, then the widest, then that of '
         'the smallest axis_id';
+    COMMENT ON COLUMN roadway.roadway_id IS
+        'unique and kept as long as the edge or node: twice edge_id, or twice node_id and one';
+    COMMENT ON COLUMN roadway.part IS 'section or intersection';
+    COMMENT ON COLUMN roadway.edge_id IS 'the edge of a section';
+    COMMENT ON COLUMN roadway.node_id IS 'the node of an intersection';
+    COMMENT ON COLUMN roadway.axis_id IS 'axis of the edge, or of the first edge of the node';
+    COMMENT ON COLUMN roadway.name IS 'name of the axis';
+    COMMENT ON COLUMN roadway.kind IS 'kind of the axis';
+    COMMENT ON COLUMN roadway.importance IS 'importance of the edge, 1 the highest';
+    COMMENT ON COLUMN roadway.level IS 'level of the surface';
+    COMMENT ON COLUMN roadway.width IS
+        'width of the edge kerb to kerb, metres: of a section at its start, of an intersection at its node';
+    COMMENT ON COLUMN roadway.lane_count IS 'general and bus lanes of the edge';
+    COMMENT ON COLUMN roadway.surface IS 'roadway, never empty';
     COMMENT ON VIEW intersection_group
         IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the '
         'smallest node of each names it';
+    COMMENT ON COLUMN intersection_group.node_id IS 'the node of the intersection';
+    COMMENT ON COLUMN intersection_group.level IS 'level of the intersection';
+    COMMENT ON COLUMN intersection_group.group_id IS 'the smallest node of the intersection and its neighbours';
 END $$;
 COMMENT ON FUNCTION streetgen._make_surface_views(name) IS
     'Makes the views roadway and intersection_group of a model, again and again.';
-
-CREATE OR REPLACE FUNCTION streetgen._surface_column()
-    RETURNS TABLE(relation name, attribute name, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('roadway'::name, 'roadway_id'::name,
-        'unique and kept as long as the edge or node: twice edge_id, or twice node_id and one'),
-    ('roadway', 'part', 'section or intersection'),
-    ('roadway', 'edge_id', 'the edge of a section'),
-    ('roadway', 'node_id', 'the node of an intersection'),
-    ('roadway', 'axis_id', 'axis of the edge, or of the first edge of the node'),
-    ('roadway', 'name', 'name of the axis'),
-    ('roadway', 'kind', 'kind of the axis'),
-    ('roadway', 'importance', 'importance of the edge, 1 the highest'),
-    ('roadway', 'level', 'level of the surface'),
-    ('roadway', 'width',
-        'width of the edge kerb to kerb, metres: of a section at its start, of an intersection at its node'),
-    ('roadway', 'lane_count', 'general and bus lanes of the edge'),
-    ('roadway', 'surface', 'roadway, never empty'),
-    ('intersection_group', 'node_id', 'the node of the intersection'),
-    ('intersection_group', 'level', 'level of the intersection'),
-    ('intersection_group', 'group_id', 'the smallest node of the intersection and its neighbours') $$;
-COMMENT ON FUNCTION streetgen._surface_column() IS 'The columns of these views, and what each is.';
