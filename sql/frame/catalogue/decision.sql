@@ -1,7 +1,8 @@
 -- Decisions by hand: a room lists its tables of them, and says where each is anchored in the network.
 
 CREATE OR REPLACE FUNCTION streetgen._decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
     AS $$
 BEGIN
@@ -17,15 +18,19 @@ COMMENT ON FUNCTION streetgen._decision() IS
     'place, as SQL over the row, metres; {tolerance} is the setting. '
     'follows: columns with their new values, as SQL, where the decision follows its axis: o is the row, n its '
     'streetgen.placed_decision or node_decision, and of an end e.which the end now. hashed: does input_hash tell of an '
-    'edit? Where it does not, axes are marked as stale while streets do not follow.';
+    'edit? Where it does not, axes are marked as stale while streets do not follow. hash: what input_hash takes of a '
+    'row, as SQL over o, in the order of hash_place, which stays: another hash is that of another axis. NULL: nothing, '
+    'or axis_used says it otherwise.';
 
 CREATE OR REPLACE FUNCTION streetgen._decisions_of(model name)
-    RETURNS TABLE(n bigint, relation name, anchor text, axes name[], reach text, follows jsonb, key name,
-        attributes name[])
+    RETURNS TABLE(n bigint, relation name, anchor text, axes name[], reach text, follows jsonb,
+        hash_place integer, hash text, key name, attributes name[])
     LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
     AS $$
-    SELECT d.n, d.relation, d.anchor, d.axes, d.reach, d.follows, d.relation || '_id', a.attributes
-    FROM streetgen._decision() WITH ORDINALITY d(relation, anchor, axes, reach, follows, hashed, n)
+    SELECT d.n, d.relation, d.anchor, d.axes, d.reach, d.follows, d.hash_place, d.hash,
+        d.relation || '_id', a.attributes
+    FROM streetgen._decision() WITH ORDINALITY d(relation, anchor, axes, reach, follows, hashed,
+            hash_place, hash, n)
         JOIN pg_class c ON c.relname = d.relation AND c.relnamespace = quote_ident(model)::regnamespace
         CROSS JOIN LATERAL (SELECT array_agg(attname) AS attributes FROM pg_attribute
             WHERE attrelid = c.oid AND attnum > 0 AND NOT attisdropped) a $$;

@@ -87,9 +87,11 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
 COMMENT ON FUNCTION streetgen._alignment_edit_view() IS 'The views in which roads are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._alignment_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('road_override'::name, 'vertex', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true) $$;
+    ('road_override'::name, 'vertex', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true, 8,
+        'ROW(o.abscissa, o.radius)') $$;
 COMMENT ON FUNCTION streetgen._alignment_decision() IS
     'The anchors of decisions about roads, and which of their columns follow the axes.';

@@ -57,10 +57,12 @@ COMMENT ON FUNCTION streetgen._axis_beside(name, geometry) IS
     'tolerance, since their edge ends before it. Axes no longer than the tolerance have no edge and come last.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     ('control_point'::name, 'ground', '{axis_id}'::name[], 'coalesce(axis_distance, 0) + {tolerance}',
-        jsonb_build_object('direction', 'streetgen._swapped(o.direction, ''direct'', ''reverse'', n.turned)'), true) $$;
+        jsonb_build_object('direction', 'streetgen._swapped(o.direction, ''direct'', ''reverse'', n.turned)'), true, 5,
+        'ROW(o.abscissa, o.kind, o.direction)') $$;
 COMMENT ON FUNCTION streetgen._axis_decision() IS
     'The anchors of decisions about control points, and which of their columns follow the axes.';

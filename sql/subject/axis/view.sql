@@ -5,6 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_axis_views(model name) RETURNS void
     AS $$
 DECLARE
     with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
+    decided record;
 BEGIN
     PERFORM streetgen._use_model(model);
     -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
@@ -20,6 +21,12 @@ FROM %1$I.setting WHERE name <> ALL (%3$L)$sql$, model, CASE WHEN with_rings
     COMMENT ON VIEW setting_used IS 'The settings that streets depend on, as one row';
     COMMENT ON COLUMN setting_used.settings IS 'name of each to its value';
     COMMENT ON COLUMN setting_used.setting_hash IS 'their hash';
+    SELECT string_agg('any_' || relation, ' OR ' ORDER BY n) AS any,
+        string_agg(format('SELECT %s AS place, o.%I AS key, hash_record_extended(%s, 0) AS says FROM %I.%I o '
+            'WHERE any_%5$s AND (%s)', hash_place, key, hash, model, relation, (SELECT string_agg(
+                format('o.%I = a.axis_id', role), ' OR ') FROM unnest(axes) role)), ' UNION ALL ' ORDER BY n) AS says,
+        string_agg(format('EXISTS (SELECT FROM %I.%I) AS any_%2$s', model, relation), ', ' ORDER BY n) AS flags
+        FROM streetgen._decisions_of(model) WHERE hash IS NOT NULL INTO decided;
     EXECUTE format($sql$
 CREATE OR REPLACE VIEW %1$I.axis_used WITH (security_invoker = true) AS
 SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
@@ -42,43 +49,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                           CASE WHEN sidewalk_right IS NULL THEN 'sidewalk_right' END], NULL) AS estimated,
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
            class_width, class_speed, class_importance, kerb_width,
-           CASE WHEN any_transition OR any_limit OR any_corner OR any_lane OR any_control OR any_overpass
-               OR any_sidewalk OR any_junction OR any_bend OR any_height OR any_ramp
-               OR any_change
-               THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (
-               SELECT 1 AS place, transition_override_id AS key, hash_record_extended(ROW(which, kind, length),
-                   0) AS says FROM %1$I.transition_override WHERE any_transition AND axis_id = a.axis_id
-               UNION ALL SELECT 2, section_limit_override_id, hash_record_extended(ROW(abscissa, which), 0)
-                   FROM %1$I.section_limit_override WHERE any_limit AND axis_id = a.axis_id
-               UNION ALL SELECT 3, corner_override_id, hash_record_extended(ROW(geom::bytea, axis_a, axis_b, radius),
-                   0) FROM %1$I.corner_override WHERE any_corner AND (axis_a = a.axis_id OR axis_b = a.axis_id)
-               UNION ALL SELECT 8, sidewalk_override_id, hash_record_extended(ROW(abscissa, side, width), 0)
-                   FROM %1$I.sidewalk_override WHERE any_sidewalk AND axis_id = a.axis_id
-               UNION ALL SELECT 4, lane_override_id,
-                   hash_record_extended(ROW(abscissa, ordinality, along_axis, both_ways, width, line::bytea), 0)
-                   FROM %1$I.lane_override WHERE any_lane AND axis_id = a.axis_id
-               UNION ALL SELECT 5, control_point_id, hash_record_extended(ROW(abscissa, control.kind,
-                   control.direction), 0)
-                   FROM %1$I.control_point control WHERE any_control AND control.axis_id = a.axis_id
-               UNION ALL SELECT 6, overpass_override_id,
-                   hash_record_extended(ROW(geom::bytea, axis_above, axis_below, clearance), 0)
-                   FROM %1$I.overpass_override
-                   WHERE any_overpass AND (axis_above = a.axis_id OR axis_below = a.axis_id)
-               UNION ALL SELECT 7, junction_override_id, hash_record_extended(ROW(junction.geom::bytea, inside,
-                   junction.kind), 0)
-                   FROM %1$I.junction_override junction WHERE any_junction AND junction.axis_id = a.axis_id
-               UNION ALL SELECT 10, ramp_override_id, hash_record_extended(ROW(abscissa, tangent, length), 0)
-                   FROM %1$I.ramp_override WHERE any_ramp AND axis_id = a.axis_id
-               UNION ALL SELECT 11, lane_adjacency_override_id,
-                   hash_record_extended(ROW(abscissa, lane_from, lane_to, change), 0)
-                   FROM %1$I.lane_adjacency_override WHERE any_change AND axis_id = a.axis_id
-               UNION ALL SELECT 9, controller_override_id, hash_record_extended(ROW(controller.geom::bytea,
-                   controller.program, cycle, start_offset, durations), 0)
-                   FROM %1$I.controller_override controller WHERE any_controller AND controller.axis_id = a.axis_id
-               UNION ALL SELECT 8, road_override_id, hash_record_extended(ROW(abscissa, radius), 0)
-                   FROM %1$I.road_override WHERE any_bend AND axis_id = a.axis_id
-               UNION ALL SELECT 9, height_override_id, hash_record_extended(ROW(abscissa, height), 0)
-                   FROM %1$I.height_override WHERE any_height AND axis_id = a.axis_id) o) END,
+           CASE WHEN %4$s THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (%5$s) o) END,
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
@@ -125,19 +96,7 @@ LEFT JOIN (
            max(value) FILTER (WHERE name = 'driving_side') AS driving_side
     FROM %1$I.setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
-LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb,
-    EXISTS (SELECT FROM %1$I.transition_override) AS any_transition,
-    EXISTS (SELECT FROM %1$I.section_limit_override) AS any_limit,
-    EXISTS (SELECT FROM %1$I.corner_override) AS any_corner, EXISTS (SELECT FROM %1$I.lane_override) AS any_lane,
-    EXISTS (SELECT FROM %1$I.road_override) AS any_bend,
-    EXISTS (SELECT FROM %1$I.ramp_override) AS any_ramp,
-    EXISTS (SELECT FROM %1$I.lane_adjacency_override) AS any_change,
-    EXISTS (SELECT FROM %1$I.height_override) AS any_height,
-    EXISTS (SELECT FROM %1$I.control_point) AS any_control,
-    EXISTS (SELECT FROM %1$I.sidewalk_override) AS any_sidewalk,
-    EXISTS (SELECT FROM %1$I.overpass_override) AS any_overpass,
-    EXISTS (SELECT FROM %1$I.controller_override) AS any_controller,
-    EXISTS (SELECT FROM %1$I.junction_override) AS any_junction HAVING true) o ON true
+LEFT JOIN (SELECT EXISTS (SELECT FROM %1$I.kerb_point_override) AS any_kerb, %6$s HAVING true) o ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
 -- asked for does.
 -- The ways of OpenStreetMap that are tagged so run one way round, in their direction.
@@ -196,7 +155,8 @@ LEFT JOIN LATERAL (
                    WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
                    HAVING true) l ON true
 $sql$, model, CASE WHEN with_rings THEN ', name, roundabout_tag' END,
-        array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n'));
+        array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n'), decided.any, decided.says,
+        decided.flags);
     COMMENT ON VIEW axis_used
         IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';
     COMMENT ON COLUMN axis_used.axis_id IS 'the axis';

@@ -74,9 +74,10 @@ CREATE OR REPLACE FUNCTION streetgen._block_edit_view()
 COMMENT ON FUNCTION streetgen._block_edit_view() IS 'The views in which blocks are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('block_override'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, true) $$;
+    ('block_override'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, true, NULL::integer, NULL::text) $$;
 COMMENT ON FUNCTION streetgen._block_decision() IS
     'The anchors of decisions about blocks, and which of their columns follow the axes.';

@@ -70,9 +70,11 @@ CREATE OR REPLACE FUNCTION streetgen._height_edit_view()
 COMMENT ON FUNCTION streetgen._height_edit_view() IS 'The views in which heights are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._height_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('height_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true) $$;
+    ('height_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true, 9,
+        'ROW(o.abscissa, o.height)') $$;
 COMMENT ON FUNCTION streetgen._height_decision() IS
     'The anchors of decisions about heights, and which of their columns follow the axes.';

@@ -113,7 +113,8 @@ COMMENT ON FUNCTION streetgen._ordinality_at(integer, bigint, geometry, boolean)
     'Ordinality of a lane beside a node of an axis of the model in use, where the axis may be turned round.';
 
 CREATE OR REPLACE FUNCTION streetgen._interconnection_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES
     ('interconnection_override'::name, 'node', '{axis_in,axis_out}'::name[], '3 * {tolerance}', jsonb_build_object(
@@ -122,7 +123,7 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_decision()
         'lane_in', 'streetgen._ordinality_at(o.lane_in, o.axis_in, o.geom, n.first_turned)',
         'lane_out', 'streetgen._ordinality_at(o.lane_out, o.axis_out, o.geom, n.second_turned)',
         'along_in', 'o.along_in <> n.first_turned',
-        'along_out', 'o.along_out <> n.second_turned'), false),
-    ('turn_restriction', 'route', '{from_axis,to_axis}', '3 * {tolerance}', '{}', false) $$;
+        'along_out', 'o.along_out <> n.second_turned'), false, NULL::integer, NULL::text),
+    ('turn_restriction', 'route', '{from_axis,to_axis}', '3 * {tolerance}', '{}', false, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._interconnection_decision() IS
     'The anchors of decisions about interconnections, and which of their columns follow the axes.';

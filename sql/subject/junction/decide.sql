@@ -232,9 +232,11 @@ CREATE OR REPLACE FUNCTION streetgen._junction_edit_view()
 COMMENT ON FUNCTION streetgen._junction_edit_view() IS 'The views in which junctions are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._junction_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('junction_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true) $$;
+    ('junction_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true, 7,
+        'ROW(o.geom::bytea, o.inside, o.kind)') $$;
 COMMENT ON FUNCTION streetgen._junction_decision() IS
     'The anchors of decisions about junctions, and which of their columns follow the axes.';

@@ -245,15 +245,18 @@ COMMENT ON FUNCTION streetgen._ordinality_along(integer, bigint, float8, boolean
     'Ordinality of a lane at an abscissa of an axis of the model in use, where the axis may be turned round.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES
     ('lane_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', jsonb_build_object(
         'along_axis', 'o.along_axis <> (n.turned AND o.both_ways IS NOT TRUE)',
         'line', 'CASE WHEN n.turned THEN ST_Reverse(o.line) ELSE o.line END',
-        'ordinality', 'streetgen._ordinality_along(o.ordinality, o.axis_id, o.abscissa, n.turned)'), true),
+        'ordinality', 'streetgen._ordinality_along(o.ordinality, o.axis_id, o.abscissa, n.turned)'), true, 4,
+        'ROW(o.abscissa, o.ordinality, o.along_axis, o.both_ways, o.width, o.line::bytea)'),
     ('lane_adjacency_override', 'along', '{axis_id}', '{tolerance}', jsonb_build_object(
         'lane_from', 'streetgen._ordinality_along(o.lane_from, o.axis_id, o.abscissa, n.turned)',
-        'lane_to', 'streetgen._ordinality_along(o.lane_to, o.axis_id, o.abscissa, n.turned)'), true) $$;
+        'lane_to', 'streetgen._ordinality_along(o.lane_to, o.axis_id, o.abscissa, n.turned)'), true, 11,
+        'ROW(o.abscissa, o.lane_from, o.lane_to, o.change)') $$;
 COMMENT ON FUNCTION streetgen._lane_decision() IS
     'The anchors of decisions about lanes, and which of their columns follow the axes.';

@@ -80,9 +80,11 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_edit_view()
 COMMENT ON FUNCTION streetgen._overpass_edit_view() IS 'The views in which overpasses are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._overpass_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('overpass_override'::name, 'node', '{axis_above,axis_below}'::name[], '20', '{}'::jsonb, true) $$;
+    ('overpass_override'::name, 'node', '{axis_above,axis_below}'::name[], '20', '{}'::jsonb, true, 6,
+        'ROW(o.geom::bytea, o.axis_above, o.axis_below, o.clearance)') $$;
 COMMENT ON FUNCTION streetgen._overpass_decision() IS
     'The anchors of decisions about overpasses, and which of their columns follow the axes.';

@@ -101,9 +101,11 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_edit_view()
 COMMENT ON FUNCTION streetgen._ramp_edit_view() IS 'The views in which ramps are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._ramp_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('ramp_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true) $$;
+    ('ramp_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', '{}'::jsonb, true, 10,
+        'ROW(o.abscissa, o.tangent, o.length)') $$;
 COMMENT ON FUNCTION streetgen._ramp_decision() IS
     'The anchors of decisions about ramps, and which of their columns follow the axes.';

@@ -55,9 +55,10 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_edit_view()
 COMMENT ON FUNCTION streetgen._roundabout_edit_view() IS 'The views in which roundabouts are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._roundabout_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('roundabout_override'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false) $$;
+    ('roundabout_override'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false, NULL::integer, NULL::text) $$;
 COMMENT ON FUNCTION streetgen._roundabout_decision() IS
     'The anchors of decisions about roundabouts, and which of their columns follow the axes.';

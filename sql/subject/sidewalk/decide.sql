@@ -63,10 +63,12 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_edit_view()
 COMMENT ON FUNCTION streetgen._sidewalk_edit_view() IS 'The views in which sidewalks are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     ('sidewalk_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', jsonb_build_object(
-        'side', 'streetgen._swapped(o.side, ''left'', ''right'', n.turned)'), true) $$;
+        'side', 'streetgen._swapped(o.side, ''left'', ''right'', n.turned)'), true, 8,
+        'ROW(o.abscissa, o.side, o.width)') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_decision() IS
     'The anchors of decisions about sidewalks, and which of their columns follow the axes.';

@@ -194,9 +194,11 @@ CREATE OR REPLACE FUNCTION streetgen._signal_edit_view()
 COMMENT ON FUNCTION streetgen._signal_edit_view() IS 'The views in which signals are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._signal_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('controller_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true) $$;
+    ('controller_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true, 9,
+        'ROW(o.geom::bytea, o.program, o.cycle, o.start_offset, o.durations)') $$;
 COMMENT ON FUNCTION streetgen._signal_decision() IS
     'The anchors of decisions about signals, and which of their columns follow the axes.';

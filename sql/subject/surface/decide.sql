@@ -298,15 +298,19 @@ CREATE OR REPLACE FUNCTION streetgen._surface_edit_view()
 COMMENT ON FUNCTION streetgen._surface_edit_view() IS 'The views in which the roadway is edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._surface_decision()
-    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean)
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
     ('transition_override'::name, 'end', '{axis_id}'::name[], '{tolerance}', jsonb_build_object(
-        'kind', 'streetgen._swapped(o.kind, ''left'', ''right'', e.which <> o.which)'), true),
+        'kind', 'streetgen._swapped(o.kind, ''left'', ''right'', e.which <> o.which)'), true, 1,
+        'ROW(o.which, o.kind, o.length)'),
     ('section_limit_override', 'along', '{axis_id}', '{tolerance}', jsonb_build_object(
-        'which', 'streetgen._swapped(o.which, ''start'', ''end'', n.turned)'), true),
-    ('corner_override', 'node', '{axis_a,axis_b}', '3 * {tolerance}', '{}', true),
+        'which', 'streetgen._swapped(o.which, ''start'', ''end'', n.turned)'), true, 2,
+        'ROW(o.abscissa, o.which)'),
+    ('corner_override', 'node', '{axis_a,axis_b}', '3 * {tolerance}', '{}', true, 3,
+        'ROW(o.geom::bytea, o.axis_a, o.axis_b, o.radius)'),
     ('kerb_point_override', 'beside', '{axis_id}', 'width / 2 + {tolerance}', jsonb_build_object(
-        'width', '2 * ST_Distance(n.line, n.place)'), true) $$;
+        'width', '2 * ST_Distance(n.line, n.place)'), true, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._surface_decision() IS
     'The anchors of decisions about surfaces, and which of their columns follow the axes.';
