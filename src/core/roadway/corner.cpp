@@ -282,7 +282,7 @@ std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& str
   };
   for (const Border& border_a : borders_a)
     for (const OffsetPiece& a : border_a.pieces()) {
-      if (piece_distance(a, node) > best_distance) continue;
+      if (piece_distance(a, node) > best_distance + border_slack) continue;
       poll_cancel();
       for (const Border& border_b : borders_b)
         border_b.each_near(a, [&](const OffsetPiece& b) { meet(border_a, a, border_b, b); });

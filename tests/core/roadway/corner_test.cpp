@@ -79,6 +79,24 @@ TEST(CornerArc, NoneWhereOneAxisLiesWithinTheOther) {
   EXPECT_FALSE(arc_centre(a, b, 20, 4, 5));
 }
 
+// Two circles are as near to the node of a street of Marseille: one about its end, and one against a
+// bend a metre on. The nearer feet decide, whichever street is looked at first.
+TEST(CornerArc, IsTheSameInTheMirrorWhereTwoAreAsNear) {
+  const Line a{{0.4, -0.2, 0}, {1, -2.3, 0}, {2.4, -7.7, 0}, {3.9, -12, 0}, {6.1, -19.7, 0}};
+  const Line b{{0.4, -0.2, 0}, {0.2, 0.3, 0}, {-2.2, 9.1, 0}, {-3.4, 13.8, 0}, {-6.1, 24, 0}};
+  const auto placed = [](Line line, double side) {
+    for (Point& p : line) p = {side * (894799 + p.x), 6245588 + p.y, 0};
+    return line;
+  };
+  for (const double radius : {1., 6., 6.25, 6.3, 7.}) {
+    const auto drawn = corner_arc(placed(a, 1), placed(b, 1), 7, 7, radius);
+    const auto mirrored = corner_arc(placed(b, -1), placed(a, -1), 7, 7, radius);
+    ASSERT_TRUE(drawn && mirrored) << radius;
+    EXPECT_NEAR(drawn->abscissa_a, mirrored->abscissa_b, 1e-3) << radius;
+    EXPECT_NEAR(drawn->abscissa_b, mirrored->abscissa_a, 1e-3) << radius;
+  }
+}
+
 TEST(MaxCornerRadius, EqualsTheDerivedOne) {
   for (const double phi : {40., 60., 90., 120.}) {
     const double p = degrees(phi), a = 3, b = 4, size = 30;
