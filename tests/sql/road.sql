@@ -123,6 +123,41 @@ UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650500 6860000, 650530 6860002
 SELECT 'with a vertex more and one less, too', count(*) = 1 AND bool_and(ST_Equals(geom, 'SRID=2154;POINT(650560 6860000)')) FROM town.road_override WHERE axis_id = 21;
 DELETE FROM town.axis WHERE axis_id = 21;
 
+-- Bends that are edited by their keys in one transaction, as a GIS saves them.
+INSERT INTO town.axis (axis_id, geom, width) VALUES (22, 'SRID=2154;LINESTRING(650500 6860000, 650560 6860000, 650580 6860040, 650640 6860040, 650660 6860000, 650720 6860000)', 5);
+CREATE TEMPORARY TABLE shown AS SELECT road_arc_id, abscissa, row_number() OVER (ORDER BY abscissa) AS nth FROM town.road_arc_editing WHERE axis_id = 22;
+CREATE FUNCTION pg_temp.edit_bend(nth bigint, edit text) RETURNS void LANGUAGE plpgsql AS $$
+BEGIN
+  EXECUTE format('UPDATE town.road_arc_editing SET %s WHERE road_arc_id = (SELECT road_arc_id FROM shown WHERE nth = %s)', edit, nth);
+END $$;
+CREATE FUNCTION pg_temp.bends() RETURNS text LANGUAGE sql AS $$
+  SELECT string_agg(CASE WHEN e.by_hand THEN round(e.radius)::text ELSE '-' END, ' ' ORDER BY nth) FROM shown LEFT JOIN town.road_arc_editing e USING (road_arc_id) WHERE abs(e.abscissa - shown.abscissa) < 1e-6 $$;
+BEGIN;
+SELECT pg_temp.edit_bend(1, 'radius = 0'), pg_temp.edit_bend(2, 'radius = 7'), pg_temp.edit_bend(4, 'radius = 8') \g /dev/null
+SELECT 'each edit changes the bend that was chosen', pg_temp.bends() = '0 7 - 8';
+INSERT INTO town.axis (axis_id, geom, width) VALUES (23, 'SRID=2154;LINESTRING(650610 6860040, 650610 6860100)', 5);
+SELECT pg_temp.edit_bend(1, 'radius = 6'), pg_temp.edit_bend(3, 'radius = 5') \g /dev/null
+SELECT 'also where its road was parted meanwhile', pg_temp.bends() = '6 7 5 8';
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 22;
+SELECT pg_temp.edit_bend(2, 'radius = NULL') \g /dev/null
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 22;
+SELECT 'and its axis turned round', pg_temp.bends() = '6 - 5 8';
+COMMIT;
+SELECT 'keys tell bends apart, and are whole numbers of a float8', count(DISTINCT road_arc_id) = count(*) AND max(road_arc_id) < 2 ^ 53 AND min(road_arc_id) >= 0 FROM town.road_arc_editing;
+DELETE FROM town.axis WHERE axis_id IN (22, 23);
+DELETE FROM town.road_override WHERE axis_id = 22;
+-- Two bends closer than 1 m, and one beside a node where the road bends too.
+INSERT INTO town.axis (axis_id, geom, width) VALUES (24, 'SRID=2154;LINESTRING(650500 6860000, 650560 6860000, 650560.6 6860000.5, 650600 6860090)', 5), (25, 'SRID=2154;LINESTRING(650600 6860090, 650600.7 6860090.3, 650660 6860080)', 5);
+TRUNCATE shown;
+INSERT INTO shown SELECT road_arc_id, abscissa, row_number() OVER (ORDER BY abscissa) FROM town.road_arc_editing WHERE axis_id = 24;
+SELECT pg_temp.edit_bend(1, 'radius = 0.3'), pg_temp.edit_bend(2, 'radius = 0.4') \g /dev/null
+SELECT 'close bends are decided apart', array_agg(radius ORDER BY abscissa) = '{0.3,0.4}' FROM town.road_override WHERE axis_id = 24;
+SELECT pg_temp.edit_bend(1, 'by_hand = false') \g /dev/null
+SELECT 'and taken back apart', array_agg(radius) = '{0.4}' FROM town.road_override WHERE axis_id = 24;
+SELECT 'a bend at a node is not that of the vertex beside it', count(*) = 1 FROM town.road_arc_editing WHERE axis_id = 25;
+DELETE FROM town.axis WHERE axis_id IN (24, 25);
+DELETE FROM town.road_override WHERE axis_id = 24;
+
 -- With smoothing the edges are the roads.
 SELECT streetgen.set('town', 'smoothing', 'arcs') \g /dev/null
 CREATE TEMPORARY TABLE drawn AS SELECT road_id, geom FROM town.road;

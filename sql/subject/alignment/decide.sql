@@ -1,20 +1,39 @@
 -- Edits of the bends of roads: road_arc_editing.
 
+CREATE OR REPLACE FUNCTION streetgen._sharp_bends(model name)
+    RETURNS TABLE(axis_id bigint, abscissa float8, place geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT youngest.axis_id, youngest.abscissa, youngest.place FROM (
+        SELECT DISTINCT ON (o.axis_id, p.place) o.axis_id, p.place, o.radius,
+            coalesce(b.abscissa, o.abscissa) AS abscissa
+        FROM road_override o LEFT JOIN axis x USING (axis_id)
+            LEFT JOIN LATERAL streetgen._bend_at(x.geom, o.abscissa) b ON true,
+            LATERAL (SELECT coalesce(b.vertex, o.geom) AS place) p
+        WHERE p.place IS NOT NULL ORDER BY o.axis_id, p.place, o.road_override_id DESC) youngest
+        WHERE radius = 0;
+END $$;
+COMMENT ON FUNCTION streetgen._sharp_bends(name) IS
+    'The bends of a model that are sharp by hand, at their vertices; at its own place a decision without its bend.';
+
 CREATE OR REPLACE FUNCTION streetgen._road_arc_handles() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    -- A bend that is sharp by hand has no arc: its handle is its vertex.
+    -- A bend at a node is of no axis. One that is sharp by hand has no arc: its handle is its vertex.
     AS $f$ SELECT $sql$
-        SELECT a.road_arc_id, b.axis_id, b.abscissa, a.radius,
-            EXISTS (SELECT FROM %1$I.road_override o
-                WHERE o.axis_id = b.axis_id AND abs(o.abscissa - b.abscissa) <= 1) AS by_hand, a.centre AS geom
+        SELECT streetgen._bend_key(b.axis_id, b.vertex) AS road_arc_id, b.axis_id, b.abscissa, a.radius,
+            EXISTS (SELECT FROM %1$I.road_override o WHERE o.axis_id = b.axis_id
+            AND abs((streetgen._bend_at(b.axis, o.abscissa)).abscissa - b.abscissa) < 1e-6) AS by_hand, a.centre AS geom
         FROM %1$I.road_arc a, LATERAL (
-            SELECT e.axis_id, v.abscissa FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id)
-                JOIN %1$I.axis x USING (axis_id),
+            SELECT e.axis_id, x.geom AS axis, v.abscissa, v.vertex
+            FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id) JOIN %1$I.axis x USING (axis_id),
                 LATERAL streetgen._bend_of(x.geom, a.corner, e.start_abscissa, e.end_abscissa) v
-            WHERE m.road_id = a.road_id AND ST_DWithin(x.geom, a.corner, 1) AND v.abscissa IS NOT NULL
+            WHERE m.road_id = a.road_id AND ST_DWithin(x.geom, a.corner, 1) AND ST_DWithin(v.vertex, a.corner, 0.001)
             ORDER BY ST_Distance(v.vertex, a.corner), e.axis_id LIMIT 1) b
-        UNION ALL SELECT -o.road_override_id, o.axis_id, o.abscissa, o.radius, true, o.geom
-        FROM %1$I.road_override o WHERE o.radius = 0 AND o.geom IS NOT NULL$sql$ $f$;
+        UNION ALL SELECT streetgen._bend_key(axis_id, place), axis_id, abscissa, 0, true, place::geometry(Point, %2$s)
+        FROM streetgen._sharp_bends(%1$L)$sql$ $f$;
 COMMENT ON FUNCTION streetgen._road_arc_handles() IS 'The query of road_arc_editing, over a model %1$I.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_road_arc() RETURNS trigger
@@ -24,7 +43,7 @@ DECLARE
     subject text;
     axis geometry;
     bend record;
-    known bigint;
+    decided bigint[];
     written bigint;
 BEGIN
     PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
@@ -38,15 +57,20 @@ BEGIN
     END IF;
     subject := format('the bend at %s m of axis %s', round(OLD.abscissa::numeric, 2), OLD.axis_id);
     PERFORM streetgen._lock_axes(TG_TABLE_SCHEMA, 'SELECT ' || OLD.axis_id);
-    SELECT geom FROM axis WHERE axis_id = OLD.axis_id INTO axis;
+    SELECT ST_Force2D(geom) FROM axis WHERE axis_id = OLD.axis_id INTO axis;
+    -- Another session may have drawn the axis anew meanwhile.
+    SELECT b.* FROM ST_DumpPoints(axis) v, streetgen._bend_of(axis, v.geom, 0, ST_Length2D(axis)) b
+        WHERE streetgen._bend_key(OLD.axis_id, v.geom) = OLD.road_arc_id AND b.vertex = v.geom INTO bend;
+    decided := ARRAY(SELECT road_override_id FROM road_override WHERE axis_id = OLD.axis_id
+        AND abs(coalesce((streetgen._bend_at(axis, abscissa)).abscissa, abscissa)
+            - coalesce(bend.abscissa, OLD.abscissa)) < 1e-6
+        ORDER BY road_override_id DESC);
     IF TG_OP = 'DELETE' OR NEW.radius IS NULL AND NEW.geom IS NOT DISTINCT FROM OLD.geom
         OR OLD.by_hand AND NOT NEW.by_hand THEN
-        DELETE FROM road_override WHERE axis_id = OLD.axis_id AND abs(abscissa - OLD.abscissa) <= 1;
+        DELETE FROM road_override WHERE road_override_id = ANY (decided);
         GET DIAGNOSTICS written = ROW_COUNT;
         RETURN CASE WHEN TG_OP = 'UPDATE' THEN NEW WHEN written > 0 THEN OLD END;
     END IF;
-    bend := streetgen._bend_of(axis, ST_LineInterpolatePoint(ST_Force2D(axis),
-        least(OLD.abscissa / ST_Length2D(axis), 1)), 0, ST_Length2D(axis));
     IF bend.abscissa IS NULL THEN
         PERFORM streetgen._refuse('22023', format('%s is gone', subject),
             detail => 'The axis does not bend there any more.', hint => 'Refresh the layer.');
@@ -59,13 +83,10 @@ BEGIN
     END IF;
     PERFORM streetgen._check_edit_number('the radius of ' || subject, NEW.radius, 0, 4000, 'm',
         '0 for a sharp bend; delete the row to take back what was decided by hand.');
-    SELECT max(road_override_id) FROM road_override WHERE axis_id = OLD.axis_id
-        AND abs(abscissa - bend.abscissa) <= 1 INTO known;
-    IF known IS NULL THEN
+    UPDATE road_override SET radius = NEW.radius WHERE road_override_id = decided[1];
+    IF NOT FOUND THEN
         INSERT INTO road_override (axis_id, abscissa, radius, geom) VALUES (OLD.axis_id, bend.abscissa, NEW.radius,
             bend.vertex);
-    ELSE
-        UPDATE road_override SET radius = NEW.radius WHERE road_override_id = known;
     END IF;
     NEW.by_hand := true;
     RETURN NEW;
@@ -80,7 +101,8 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
     AS $$ VALUES
     ('road_arc_editing', 'Edit layer: drag the centre of a bend or type its radius; DELETE takes back what was '
         'decided by hand',
-        ARRAY['key', 'the axis', 'where it bends, metres along the axis',
+        ARRAY['key of the bend, by its axis and vertex: it stays while these do', 'the axis',
+            'where it bends, metres along the axis',
             'radius of the bend, metres, 0: it is sharp; NULL takes it back',
             'decided by hand; false takes it back', 'centre of the arc; of a sharp bend its place'],
         streetgen._road_arc_handles(), 'alignment') $$;
