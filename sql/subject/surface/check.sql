@@ -1,15 +1,49 @@
 -- Rules of check_model for surfaces.
 
+CREATE OR REPLACE FUNCTION streetgen._corner_overrides_not_followed(model name)
+    RETURNS TABLE(corner_override_id bigint, cause text, radius float8, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    tolerance constant float8 := streetgen._tolerance(model);
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH near AS (
+        SELECT o.corner_override_id, o.radius AS wanted, o.geom AS place, c.corner_id, c.radius, c.radius_wanted,
+            c.method, n.geom AS node, a.geom AS line_a, c.end_a, b.geom AS line_b, c.end_b,
+            rank() OVER (PARTITION BY o.corner_override_id ORDER BY ST_Distance(n.geom, o.geom), n.node_id) AS nth,
+            count(*) OVER (PARTITION BY o.corner_override_id, n.node_id) > 1 AS twin
+        FROM corner_override o JOIN node n ON ST_DWithin(n.geom, o.geom, 3 * tolerance) JOIN corner c USING (node_id)
+            JOIN edge a ON a.edge_id = c.edge_a JOIN edge b ON b.edge_id = c.edge_b
+        WHERE (a.axis_id, b.axis_id) = (o.axis_a, o.axis_b)),
+    meant AS (
+        SELECT *, max(corner_override_id) OVER (PARTITION BY corner_id) = corner_override_id AS holds,
+            abs(radius - wanted) <= 1e-6 AS followed
+        FROM near WHERE nth = 1 AND (NOT twin OR streetgen._on_side(place, node,
+            streetgen._direction_from(line_a, end_a), streetgen._direction_from(line_b, end_b)))),
+    -- One that speaks of two corners is told by the one that does not follow it.
+    told AS (SELECT DISTINCT ON (corner_override_id) * FROM meant ORDER BY corner_override_id, holds DESC, followed)
+    SELECT o.corner_override_id, CASE WHEN t.corner_id IS NULL THEN 'no_corner' WHEN NOT t.holds THEN 'younger'
+            WHEN abs(t.radius_wanted - t.wanted) > 1e-6 THEN 'not_computed' ELSE t.method END,
+        coalesce(t.radius, o.radius), o.geom
+    FROM corner_override o LEFT JOIN told t USING (corner_override_id)
+    WHERE t.corner_id IS NULL OR NOT (t.holds AND t.followed);
+END $$;
+COMMENT ON FUNCTION streetgen._corner_overrides_not_followed(name) IS
+    'The corner overrides of a model whose radius no street has, with the cause: no_corner, younger, not_computed or '
+    'the method of the corner; and the radius (metres) that the street has, of the override where it has no corner.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_surface(model name) RETURNS SETOF streetgen.finding
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    tolerance constant float8 := streetgen._tolerance(model);
     finding streetgen.finding;
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
     WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model)),
+    not_followed AS MATERIALIZED (SELECT * FROM streetgen._corner_overrides_not_followed(model)),
     not_made AS MATERIALIZED (
         SELECT geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half FROM axis_used u
             WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = u.axis_id)),
@@ -107,12 +141,27 @@ BEGIN
                 AND NOT EXISTS (SELECT FROM edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start'
                     THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
     UNION ALL
-    SELECT 'warning', 'corner override without its corner', 'corner_override', o.corner_override_id, o.radius,
-        o.geom FROM corner_override o
-        WHERE NOT EXISTS (SELECT FROM node n JOIN corner c USING (node_id)
-            JOIN edge a ON a.edge_id = c.edge_a JOIN edge b ON b.edge_id = c.edge_b
-            WHERE (a.axis_id, b.axis_id) = (o.axis_a, o.axis_b) AND c.method <> 'transition'
-                AND ST_DWithin(n.geom, o.geom, 3 * tolerance))
+    SELECT 'warning', 'corner override without its corner', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed WHERE cause = 'no_corner'
+    UNION ALL
+    SELECT 'warning', 'corner override with a younger one of its corner, m', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed WHERE cause = 'younger'
+    UNION ALL
+    SELECT 'warning', 'corner override not computed yet, m', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed WHERE cause = 'not_computed'
+    UNION ALL
+    SELECT 'warning', 'corner override where the width changes, not followed', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed WHERE cause = 'transition'
+    UNION ALL
+    SELECT 'warning', 'corner override for which no arc fits', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed WHERE cause = 'no_arc'
+    UNION ALL
+    SELECT 'warning', 'corner override with its centre beyond max_arc_distance, m', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed WHERE cause = 'radius_minimal'
+    UNION ALL
+    SELECT 'warning', 'corner override greater than the radius that fits, m', 'corner_override',
+        corner_override_id, radius, geom FROM not_followed
+        WHERE cause NOT IN ('no_corner', 'younger', 'not_computed', 'transition', 'no_arc', 'radius_minimal')
     LOOP
         RETURN NEXT finding;
     END LOOP;
