@@ -26,6 +26,10 @@ struct CornerArc {
 std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
                                     double width_b, double radius);
 
+// The same of axes that begin behind their node: nearest to that node.
+std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
+                                    double width_b, double radius, const Point& node);
+
 // The centre of that circle.
 std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double width_a,
                                 double width_b, double radius);

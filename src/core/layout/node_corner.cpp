@@ -52,7 +52,8 @@ std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radiu
 std::optional<CornerArc> corner_behind(const Arm& a, const Arm& b, double radius) {
   const double by = 4 * (a.reach() + b.reach() + radius);
   auto behind =
-      corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1), 2 * b.start_to(-1), radius);
+      corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1), 2 * b.start_to(-1), radius,
+                 planar(a.line.front()));
   if (!behind) return std::nullopt;
   behind->abscissa_a -= by;
   behind->abscissa_b -= by;

@@ -251,11 +251,12 @@ std::vector<Border> borders_of(const Street& street, double radius, int side) {
   return borders;
 }
 
+Point start_of(const Street& street) { return planar(street.front().line().front()); }
+
 std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& street_b,
-                                       double radius) {
+                                       double radius, const Point& node) {
   const auto borders_a = borders_of(street_a, radius, +1),
              borders_b = borders_of(street_b, radius, -1);
-  const Point node = planar(street_a.front().line().front());
   std::optional<Meeting> best;
   double best_distance = infinite;
   const auto too_near = [](const std::vector<Border>& borders, const Point& p) {
@@ -310,8 +311,9 @@ double straight_radius(const Axis& a, const Axis& b) {
   return std::min(fitting(a, b.half()), fitting(b, a.half()));
 }
 
-std::optional<CornerArc> arc_of(const Street& a, const Street& b, double radius) {
-  const auto meeting = nearest_meeting(a, b, radius);
+std::optional<CornerArc> arc_of(const Street& a, const Street& b, double radius,
+                                const Point& node) {
+  const auto meeting = nearest_meeting(a, b, radius, node);
   if (!meeting) return std::nullopt;
   CornerArc corner;
   corner.centre = planar(meeting->centre);
@@ -333,7 +335,9 @@ std::optional<CornerArc> arc_of(const Street& a, const Street& b, double radius)
 
 std::optional<double> largest_radius(const Street& a, const Street& b, double radius_limit) {
   constexpr double precision = 1e-7;
-  const auto fits = [&](double radius) { return nearest_meeting(a, b, radius).has_value(); };
+  const auto fits = [&](double radius) {
+    return nearest_meeting(a, b, radius, start_of(a)).has_value();
+  };
   if (!fits(0)) return std::nullopt;
   if (fits(radius_limit)) return radius_limit;
   double low = 0, high = radius_limit;
@@ -352,12 +356,18 @@ std::optional<double> largest_radius(const Street& a, const Street& b, double ra
 }  // namespace
 
 std::optional<CornerArc> corner_arc(const Course& a, const Course& b, double radius) {
-  return arc_of(street_of(a), street_of(b), radius);
+  const Street street = street_of(a);
+  return arc_of(street, street_of(b), radius, start_of(street));
 }
 
 std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
                                     double width_b, double radius) {
-  return arc_of(street_of(axis_a, width_a), street_of(axis_b, width_b), radius);
+  return corner_arc(axis_a, axis_b, width_a, width_b, radius, planar(axis_a.front()));
+}
+
+std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
+                                    double width_b, double radius, const Point& node) {
+  return arc_of(street_of(axis_a, width_a), street_of(axis_b, width_b), radius, node);
 }
 
 std::optional<Point> arc_centre(const Line& axis_a, const Line& axis_b, double width_a,

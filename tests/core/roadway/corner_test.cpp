@@ -97,6 +97,28 @@ TEST(CornerArc, IsTheSameInTheMirrorWhereTwoAreAsNear) {
   }
 }
 
+// An on-ramp of Manhattan and its highway, led back behind their node: of circles that touch both, the
+// one by the node is meant, whichever of the two is a.
+TEST(CornerArc, IsNearestToTheNodeThatIsGiven) {
+  const Line link{{34.9584, 56.781, 0}, {18.6937, 26.0588, 0}, {-54.6175, -77.2867, 0}};
+  const Line highway{{34.9584, 56.781, 0}, {55.2477, 87.0288, 0}, {132.8155, 212.9853, 0}};
+  const auto led_back = [](Line line, double side, double by) {
+    line[0] = line[0] - unit(line[1] - line[0]) * by;
+    for (Point& p : line) p.x *= side;
+    return line;
+  };
+  for (const double radius : {100., 500., 1000., 2000.}) {
+    const double by = 4 * (8.25 + radius);
+    const auto drawn = corner_arc(led_back(link, 1, by), led_back(highway, 1, by), 6, 10.5, radius,
+                                  link.front());
+    const auto mirrored = corner_arc(led_back(highway, -1, by), led_back(link, -1, by), 10.5, 6,
+                                     radius, {-link.front().x, link.front().y, 0});
+    ASSERT_TRUE(drawn && mirrored) << radius;
+    EXPECT_NEAR(drawn->abscissa_a, mirrored->abscissa_b, 1e-4) << radius;
+    EXPECT_NEAR(drawn->abscissa_b, mirrored->abscissa_a, 1e-4) << radius;
+  }
+}
+
 TEST(MaxCornerRadius, EqualsTheDerivedOne) {
   for (const double phi : {40., 60., 90., 120.}) {
     const double p = degrees(phi), a = 3, b = 4, size = 30;
