@@ -99,19 +99,31 @@ BEGIN
         unnest(p.curve) WITH ORDINALITY u(v, k) ORDER BY p.ordinality, k);
     SELECT array_agg(key ORDER BY key), array_agg(value::float8 ORDER BY key) INTO site.rule_names, site.rule_values
         FROM jsonb_each_text(streetgen._link_rules(model, link));
-    DELETE FROM alignment_element WHERE design_link_id = link AND NOT by_hand;
-    INSERT INTO alignment_element (design_link_id, ordinality, kind, abscissa, start, heading, length, curvature_start,
-        curvature_end)
+    -- An element that keeps its number keeps its key: an editor may hold it.
     WITH curve AS MATERIALIZED (SELECT array_agg(radius ORDER BY nth) AS radii, array_agg(clothoid_in
         ORDER BY nth) AS a,
         array_agg(clothoid_out ORDER BY nth) AS b FROM streetgen._road_curves(site, path::bytea, given)
-        WITH ORDINALITY c(radius, clothoid_in, clothoid_out, nth))
-    SELECT link, e.nth, e.kind, e.abscissa, ST_SetSRID(ST_Point(x, y), ST_SRID(path)), heading, length, curvature_start,
-        curvature_end
-    FROM curve, streetgen._horizontal_alignment(path::bytea, radii, a, b) WITH ORDINALITY
-        e(kind, abscissa, x, y, heading, length, curvature_start, curvature_end, nth)
-    WHERE NOT EXISTS (SELECT FROM alignment_element o WHERE o.design_link_id = link AND o.ordinality = e.nth);
-    GET DIAGNOSTICS written = ROW_COUNT;
+        WITH ORDINALITY c(radius, clothoid_in, clothoid_out, nth)),
+    wanted AS MATERIALIZED (
+        SELECT e.nth, e.kind, e.abscissa, ST_SetSRID(ST_Point(x, y), ST_SRID(path)) AS start, heading, length,
+            curvature_start, curvature_end
+        FROM curve, streetgen._horizontal_alignment(path::bytea, radii, a, b) WITH ORDINALITY
+            e(kind, abscissa, x, y, heading, length, curvature_start, curvature_end, nth)
+        WHERE NOT EXISTS (SELECT FROM alignment_element o WHERE o.design_link_id = link AND o.by_hand
+            AND o.ordinality = e.nth)),
+    kept AS MATERIALIZED (SELECT DISTINCT ON (w.nth) w.*, e.alignment_element_id FROM wanted w
+        JOIN alignment_element e ON e.design_link_id = link AND NOT e.by_hand AND e.ordinality = w.nth
+        ORDER BY w.nth, alignment_element_id),
+    dropped AS (DELETE FROM alignment_element WHERE design_link_id = link AND NOT by_hand
+        AND alignment_element_id NOT IN (SELECT alignment_element_id FROM kept)),
+    moved AS (UPDATE alignment_element e SET (kind, abscissa, start, heading, length, curvature_start, curvature_end)
+            = (k.kind, k.abscissa, k.start, k.heading, k.length, k.curvature_start, k.curvature_end)
+        FROM kept k WHERE e.alignment_element_id = k.alignment_element_id),
+    put AS (INSERT INTO alignment_element (design_link_id, ordinality, kind, abscissa, start, heading, length,
+            curvature_start, curvature_end)
+        SELECT link, nth, kind, abscissa, start, heading, length, curvature_start, curvature_end FROM wanted
+            WHERE nth NOT IN (SELECT nth FROM kept) ORDER BY nth)
+    SELECT count(*) FROM wanted INTO written;
     RETURN written;
 EXCEPTION WHEN invalid_parameter_value THEN
     RAISE EXCEPTION 'link % of the design: %', link, SQLERRM USING ERRCODE = '22023',

@@ -122,15 +122,28 @@ BEGIN
             FROM streetgen._road_profile(site, elements, ends, fixed, gone, '{}') p,
                 unnest(ARRAY[p.abscissa, p.height, p.radius]) WITH ORDINALITY u(v, k) ORDER BY p.abscissa, k));
     END IF;
-    DELETE FROM grade_point WHERE design_link_id = link AND NOT by_hand AND NOT rejected;
-    INSERT INTO grade_point (design_link_id, abscissa, height, radius, geom)
-    SELECT link, p.abscissa, p.height, p.radius, ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), (SELECT m.srid
-        FROM streetgen.model m WHERE m.name = model))
-    FROM streetgen._road_profile(site, elements, ends, fixed, gone, streetgen._crossing_limits(model, link, fixed)) p,
-        LATERAL streetgen._alignment_point(elements, NULL, p.abscissa) a
-    WHERE NOT EXISTS (SELECT FROM grade_point o WHERE o.design_link_id = link AND o.by_hand AND NOT o.rejected
-        AND abs(o.abscissa - p.abscissa) <= 1);
-    GET DIAGNOSTICS written = ROW_COUNT;
+    -- A point that stays at its place keeps its key: an editor may hold it.
+    WITH wanted AS MATERIALIZED (
+        SELECT p.abscissa, p.height, p.radius, ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), (SELECT m.srid
+            FROM streetgen.model m WHERE m.name = model)) AS geom
+        FROM streetgen._road_profile(site, elements, ends, fixed, gone,
+                streetgen._crossing_limits(model, link, fixed)) p,
+            LATERAL streetgen._alignment_point(elements, NULL, p.abscissa) a
+        WHERE NOT EXISTS (SELECT FROM grade_point o WHERE o.design_link_id = link AND o.by_hand AND NOT o.rejected
+            AND abs(o.abscissa - p.abscissa) <= 1)),
+    kept AS MATERIALIZED (
+        SELECT DISTINCT ON (grade_point_id) * FROM (
+            SELECT DISTINCT ON (w.abscissa) w.*, g.grade_point_id FROM wanted w JOIN grade_point g
+                ON g.design_link_id = link AND NOT g.by_hand AND NOT g.rejected AND abs(g.abscissa - w.abscissa) <= 1
+            ORDER BY w.abscissa, abs(g.abscissa - w.abscissa)) k ORDER BY grade_point_id),
+    dropped AS (DELETE FROM grade_point WHERE design_link_id = link AND NOT by_hand AND NOT rejected
+        AND grade_point_id NOT IN (SELECT grade_point_id FROM kept)),
+    moved AS (UPDATE grade_point g SET (abscissa, height, radius, geom) = (k.abscissa, k.height, k.radius, k.geom)
+        FROM kept k WHERE g.grade_point_id = k.grade_point_id),
+    put AS (INSERT INTO grade_point (design_link_id, abscissa, height, radius, geom)
+        SELECT link, abscissa, height, radius, geom FROM wanted
+            WHERE abscissa NOT IN (SELECT abscissa FROM kept) ORDER BY abscissa)
+    SELECT count(*) FROM wanted INTO written;
     UPDATE grade_point p SET geom = ST_SetSRID(ST_MakePoint(a.x, a.y, p.height), (SELECT m.srid
         FROM streetgen.model m WHERE m.name = model))
         FROM grade_point q, LATERAL streetgen._alignment_point(elements, NULL, q.abscissa) a
@@ -183,9 +196,8 @@ DECLARE
     written bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    DELETE FROM structure WHERE design_link_id = link AND NOT by_hand;
-    -- A road passes over or under another one on a structure as long as both are wide.
-    INSERT INTO structure (design_link_id, kind, start_abscissa, end_abscissa, geom)
+    -- A road passes over or under another one on a structure as long as both are wide. One that stays where it was
+    -- keeps its key: an editor may hold it.
     WITH found AS (
         SELECT substr(what, 4) AS kind, start_abscissa, end_abscissa FROM streetgen._road_estimate(
             streetgen._road_site(model, streetgen._link_area(model, link), streetgen._link_rules(model, link)),
@@ -197,12 +209,25 @@ BEGIN
             WHERE c.design_link_id = link AND c.kind <> 'level' AND NOT c.rejected AND c.abscissa >= 0),
     joined AS (SELECT kind, unnest(range_agg(numrange(greatest(start_abscissa, 0)::numeric, end_abscissa::numeric)))
         AS part FROM found GROUP BY kind),
-    free AS (SELECT kind, lower(part)::float8 AS low, upper(part)::float8 AS high FROM joined WHERE NOT EXISTS (
-        SELECT FROM structure o WHERE o.design_link_id = link AND numrange(o.start_abscissa::numeric,
-            o.end_abscissa::numeric) && part))
-    SELECT link, kind, low, high, streetgen._alignment_line(elements, grades, srid, low, high, 0.01)::geometry FROM free
-    WHERE high > low;
-    GET DIAGNOSTICS written = ROW_COUNT;
+    wanted AS MATERIALIZED (SELECT kind, low, high, streetgen._alignment_line(elements, grades, srid, low, high,
+            0.01)::geometry AS geom
+        FROM (SELECT kind, part, lower(part)::float8 AS low, upper(part)::float8 AS high FROM joined) j
+        WHERE high > low AND NOT EXISTS (SELECT FROM structure o WHERE o.design_link_id = link AND o.by_hand
+            AND numrange(o.start_abscissa::numeric, o.end_abscissa::numeric) && part)),
+    kept AS MATERIALIZED (
+        SELECT DISTINCT ON (structure_id) * FROM (
+            SELECT DISTINCT ON (w.kind, w.low) w.*, s.structure_id FROM wanted w JOIN structure s
+                ON s.design_link_id = link AND NOT s.by_hand AND s.kind = w.kind
+                    AND s.start_abscissa < w.high AND s.end_abscissa > w.low
+            ORDER BY w.kind, w.low, abs(s.start_abscissa - w.low)) k ORDER BY structure_id),
+    dropped AS (DELETE FROM structure WHERE design_link_id = link AND NOT by_hand
+        AND structure_id NOT IN (SELECT structure_id FROM kept)),
+    moved AS (UPDATE structure s SET (start_abscissa, end_abscissa, geom) = (k.low, k.high, k.geom)
+        FROM kept k WHERE s.structure_id = k.structure_id),
+    put AS (INSERT INTO structure (design_link_id, kind, start_abscissa, end_abscissa, geom)
+        SELECT link, kind, low, high, geom FROM wanted
+            WHERE (kind, low) NOT IN (SELECT kind, low FROM kept) ORDER BY low)
+    SELECT count(*) FROM wanted INTO written;
     UPDATE structure SET geom = CASE WHEN start_abscissa < road_end THEN streetgen._alignment_line(elements, grades,
             srid, start_abscissa, least(end_abscissa, road_end), 0.01)::geometry END
         WHERE design_link_id = link AND by_hand;

@@ -52,3 +52,12 @@ SELECT name || ' is refused', r.state = v.state AND r.said ~ wanted AND r.hint <
     ('an element beyond those after it', 'UPDATE edited.alignment_element_editing SET abscissa = 1e6 WHERE design_link_id = 1 AND ordinality = 2', '22023', '^the abscissa of the alignment element \d+ cannot be 1000000'),
     ('an element before its link', 'UPDATE edited.alignment_element_editing SET abscissa = -5 WHERE design_link_id = 1 AND ordinality = 1', '22023', '^the abscissa of the alignment element \d+ cannot be -5')) v(name, statement, state, wanted),
     LATERAL test.refusal(statement) r;
+-- A statement over several rows of one link, and two in one transaction: each is kept, whatever the first of them computes anew.
+CREATE TABLE three AS SELECT grade_point_id, height FROM edited.grade_point WHERE design_link_id = 1 AND NOT rejected AND NOT by_hand ORDER BY abscissa OFFSET 2 LIMIT 3;
+UPDATE edited.grade_point_editing SET height = height + 0.05 WHERE grade_point_id IN (SELECT grade_point_id FROM three);
+SELECT 'each grade point of a statement is kept', count(*) = 3 AND bool_and(g.by_hand AND abs(g.height - t.height - 0.05) < 1e-9) FROM three t JOIN edited.grade_point g USING (grade_point_id);
+DELETE FROM edited.grade_point_editing WHERE grade_point_id IN (SELECT grade_point_id FROM three);
+SELECT 'and each that a statement deletes is rejected', count(*) = 3 AND bool_and(g.rejected) FROM three t JOIN edited.grade_point g USING (grade_point_id);
+CREATE TABLE elements AS SELECT alignment_element_id, ordinality, length FROM edited.alignment_element WHERE design_link_id = 2 AND ordinality IN (1, 3);
+UPDATE edited.alignment_element_editing SET length = length + 0.0002 WHERE alignment_element_id IN (SELECT alignment_element_id FROM elements);
+SELECT 'each element of a statement is kept', count(*) = 2 AND bool_and(e.by_hand AND e.ordinality = o.ordinality AND abs(e.length - o.length - 0.0002) < 1e-9) FROM elements o JOIN edited.alignment_element e USING (alignment_element_id);
