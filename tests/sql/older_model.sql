@@ -68,3 +68,21 @@ DELETE FROM older.street_object WHERE street_object_id = (SELECT min(street_obje
 SELECT 'and places that rules leave free', (SELECT count(*) = 1 FROM older.free_place) AND NOT EXISTS (SELECT FROM streetgen.check_model('older') WHERE severity = 'error');
 DO $$ BEGIN PERFORM streetgen.switch_subject('older', 'ramp', true); END $$;
 SELECT 'and ramps', to_regclass('older.ramp') IS NOT NULL;
+-- Whoever adopts a model of another one lends him no right: what the owner hung on his tables runs as the owner.
+CREATE ROLE adopted_owner ROLE CURRENT_USER; CREATE SCHEMA adopted_place; GRANT USAGE, CREATE ON SCHEMA adopted_place TO adopted_owner;
+SELECT test.as_administrator(format('GRANT CREATE ON DATABASE %I TO adopted_owner', current_database())) \g /dev/null
+SET ROLE adopted_owner;
+SELECT streetgen.create_model('adopted', 2154, subjects => '{object}') \g /dev/null
+CREATE TABLE adopted_place.seen (who text);
+CREATE FUNCTION adopted_place.look() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN INSERT INTO adopted_place.seen VALUES (current_user); RETURN NEW; END $$;
+CREATE TRIGGER look BEFORE INSERT OR UPDATE ON adopted.object_type FOR EACH ROW EXECUTE FUNCTION adopted_place.look();
+DROP TABLE adopted.parking_bay CASCADE;
+DELETE FROM adopted.object_type WHERE type = 'parking_bay';
+RESET ROLE;
+SELECT streetgen.adopt_model('adopted') \g /dev/null
+SELECT 'a trigger of the owner runs as the owner while another role adopts his model', count(*) > 0 AND bool_and(who = 'adopted_owner') FROM adopted_place.seen;
+SELECT 'and the model is whole', to_regclass('adopted.parking_bay') IS NOT NULL AND (SELECT bool_and(relowner = 'adopted_owner'::regrole) FROM pg_class WHERE relnamespace = 'adopted'::regnamespace);
+SELECT streetgen.drop_model('adopted') \g /dev/null
+SELECT test.as_administrator(format('REVOKE CREATE ON DATABASE %I FROM adopted_owner', current_database())) \g /dev/null
+DROP OWNED BY adopted_owner CASCADE;
+DROP ROLE adopted_owner;

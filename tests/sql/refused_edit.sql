@@ -137,6 +137,10 @@ SELECT 'by_hand typed alone decides what is there, or is refused: ' || name, tes
 SELECT 'a word that is none is told of the row of the view: ' || name, test.said(format('UPDATE town.%1$s_editing SET %2$s = ''odd'' WHERE %1$s_id = (SELECT min(%1$s_id) FROM town.%1$s_editing WHERE %3$s)', name, attribute, place)) ~ format('the %s of %s \d+.* cannot be "odd"', attribute, replace(name, '_', ' '))
   FROM (VALUES ('junction', 'kind', 'true'), ('lane_adjacency', 'change', 'change <> ''opposite'''), ('block', 'kind', 'NOT ST_IsEmpty(geom)')) v(name, attribute, place);
 RESET ROLE;
+-- The comment of a constraint is for people: what is taken, its condition says.
+COMMENT ON CONSTRAINT block_override_kind_check ON town.block_override IS 'a word of the list in our office. Ask Anna.';
+SELECT 'a word is taken whatever the comment of the constraint says', state = 'none' FROM test.refusal('UPDATE town.block_editing SET kind = CASE kind WHEN ''block'' THEN ''island'' ELSE ''block'' END WHERE block_id = (SELECT min(block_id) FROM town.block_editing WHERE NOT ST_IsEmpty(geom))');
+SELECT 'and the refusal of another one says it', state = '23514' AND detail = 'Expected a word of the list in our office.' FROM test.refusal('UPDATE town.block_editing SET kind = ''odd'' WHERE block_id = (SELECT min(block_id) FROM town.block_editing WHERE NOT ST_IsEmpty(geom))');
 REVOKE ALL ON public.typed, public.written FROM refused_editor;
 DO $$ BEGIN PERFORM streetgen.revoke('town', 'refused_editor'), streetgen.revoke('plan', 'refused_editor'); END $$;
 DROP ROLE refused_editor;

@@ -8,12 +8,6 @@ CREATE OR REPLACE FUNCTION streetgen._finite(attribute name) RETURNS text
 COMMENT ON FUNCTION streetgen._finite(name) IS
     'What holds for a column of geometries with coordinates, all of them numbers within 1e12, as SQL for a constraint.';
 
-CREATE OR REPLACE FUNCTION streetgen._z_of_geometry(model name) RETURNS text
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE m.dimension WHEN 3 THEN 'Z' ELSE '' END FROM streetgen.model m WHERE m.name = model $$;
-COMMENT ON FUNCTION streetgen._z_of_geometry(name) IS
-    'The letter after the type of geometries of a model: Z where they have heights, else none.';
-
 CREATE OR REPLACE FUNCTION streetgen._execute_each(statements text[], VARIADIC places text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

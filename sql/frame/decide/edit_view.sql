@@ -104,11 +104,15 @@ CREATE OR REPLACE FUNCTION streetgen._check_edit_word(subject text, value text, 
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    expected constant text := (SELECT r.expected FROM streetgen._input_rule(input, attribute) r);
+    words constant text[] := ARRAY(SELECT w[1] FROM pg_constraint c JOIN pg_attribute a ON attrelid = conrelid
+            AND conkey = ARRAY[attnum], regexp_matches(pg_get_expr(conbin, conrelid), '''([^'']*)''::text', 'g') w
+        WHERE conrelid = input AND contype = 'c' AND attname = attribute);
 BEGIN
-    IF value <> ALL (regexp_split_to_array(expected, ', | or ')) THEN
+    -- What the comment of the constraint says is for people.
+    IF words <> '{}' AND value <> ALL (words) THEN
         PERFORM streetgen._refuse('23514', format('the %s of %s cannot be %s', attribute, subject, to_json(value)),
-            detail => format('Expected %s.', expected), hint => 'NULL takes back what was decided by hand.');
+            detail => format('Expected %s.', (SELECT r.expected FROM streetgen._input_rule(input, attribute) r)),
+            hint => 'NULL takes back what was decided by hand.');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_edit_word(text, text, regclass, name) IS

@@ -158,6 +158,8 @@ DECLARE
     dimension integer;
     missing text[];
     before oid[];
+    caller constant text := current_setting('role');
+    owner constant name := (SELECT pg_get_userbyid(nspowner) FROM pg_namespace WHERE nspname = schema);
 BEGIN
     PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema),
         streetgen._only_own_functions(schema);
@@ -180,9 +182,13 @@ BEGIN
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
     before := streetgen._relations(schema);
-    PERFORM streetgen._drop_own_functions(schema), streetgen._add_tables(schema, srid);
+    PERFORM streetgen._drop_own_functions(schema);
+    -- Triggers and functions that the owner hung on the tables run with no more rights than his.
+    IF owner <> current_user THEN
+        PERFORM streetgen._give_to_owner(schema, '{}'), set_config('role', owner, true);
+    END IF;
+    PERFORM streetgen._add_tables(schema, srid);
     PERFORM streetgen._make_dependents(schema);
-    PERFORM streetgen._give_to_owner(schema, before);
     -- Also on views that a restore brought back without their readers.
     PERFORM streetgen._grant_like_axes(schema, ARRAY(
         SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(schema))
@@ -190,6 +196,7 @@ BEGIN
     PERFORM streetgen._grant_edit_views(schema),
         streetgen._call_rooms('_grant_%s_views', schema, streetgen._rooms());
     PERFORM streetgen._call_rooms('_adopt_%s', schema, streetgen._rooms());
+    PERFORM set_config('role', caller, true);
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;

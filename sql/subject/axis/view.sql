@@ -22,9 +22,11 @@ FROM %1$I.setting WHERE name <> ALL (%3$L)$sql$, model, CASE WHEN with_rings
     COMMENT ON COLUMN setting_used.settings IS 'name of each to its value';
     COMMENT ON COLUMN setting_used.setting_hash IS 'their hash';
     SELECT string_agg('any_' || relation, ' OR ' ORDER BY n) AS any,
-        string_agg(format('SELECT %s AS place, o.%I AS key, hash_record_extended(%s, 0) AS says FROM %I.%I o '
-            'WHERE any_%5$s AND (%s)', hash_place, key, hash, model, relation, (SELECT string_agg(
-                format('o.%I = a.axis_id', role), ' OR ') FROM unnest(axes) role)), ' UNION ALL ' ORDER BY n) AS says,
+        -- Two tables may share a place in the order, and rows of them a key: then roads and heights come second.
+        string_agg(format('SELECT %s AS place, o.%I AS key, hash_record_extended(%s, 0) AS says, %7$s AS later '
+            'FROM %4$I.%5$I o WHERE any_%5$s AND (%6$s)', hash_place, key, hash, model, relation, (SELECT string_agg(
+                format('o.%I = a.axis_id', role), ' OR ') FROM unnest(axes) role),
+            (relation IN ('road_override', 'height_override'))::text), ' UNION ALL ' ORDER BY n) AS says,
         string_agg(format('EXISTS (SELECT FROM %I.%I) AS any_%2$s', model, relation), ', ' ORDER BY n) AS flags
         FROM streetgen._decisions_of(model) WHERE hash IS NOT NULL INTO decided;
     EXECUTE format($sql$
@@ -49,7 +51,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                           CASE WHEN sidewalk_right IS NULL THEN 'sidewalk_right' END], NULL) AS estimated,
        hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
            class_width, class_speed, class_importance, kerb_width,
-           CASE WHEN %4$s THEN (SELECT string_agg(says::text, '|' ORDER BY place, key) FROM (%5$s) o) END,
+           CASE WHEN %4$s THEN (SELECT string_agg(says::text, '|' ORDER BY place, key, later) FROM (%5$s) o) END,
            direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
                lane_width_forward,
                lane_width_backward, turn_forward, turn_backward, by_hand%2$s),
