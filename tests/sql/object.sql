@@ -170,12 +170,14 @@ CREATE TEMP VIEW afar(name, statement) AS VALUES
   ('an object by a border dropped', $$INSERT INTO ruled.street_object_editing (type, placement, geom) VALUES ('bench', 'border', pg_temp.line('POINT(0 5000)'))$$),
   ('a crossing dragged', $$UPDATE ruled.pedestrian_crossing_editing SET geom = pg_temp.line('POINT(0 5000)')$$), ('a bay dragged', $$UPDATE ruled.parking_bay_editing SET geom = pg_temp.line('POINT(0 5000)')$$),
   ('a crossing with an abscissa', $$INSERT INTO ruled.pedestrian_crossing_editing (geom, abscissa) VALUES (pg_temp.line('POINT(0 5000)'), 5)$$), ('a bay with an abscissa', $$INSERT INTO ruled.parking_bay_editing (geom, abscissa) VALUES (pg_temp.line('POINT(0 5000)'), 5)$$),
+  ('a crossing in the layer of all objects', $$INSERT INTO ruled.street_object_editing (type, geom) VALUES ('crossing', pg_temp.line('POINT(0 5000)'))$$), ('a bay in the layer of all objects, absolute', $$INSERT INTO ruled.street_object_editing (type, placement, geom) VALUES ('parking_bay', 'absolute', pg_temp.line('POINT(0 5000)'))$$),
+  ('a crossing dragged in the layer of all objects', $$UPDATE ruled.street_object_editing SET geom = pg_temp.line('POINT(0 5000)') WHERE type = 'crossing'$$),
   ('an object without a type', $$INSERT INTO ruled.street_object_editing (placement, geom) VALUES ('axis', pg_temp.line('POINT(0 5000)'))$$),
   ('a crossing without its axis', $$UPDATE ruled.pedestrian_crossing_editing SET axis_id = NULL$$), ('a bay without its axis', $$UPDATE ruled.parking_bay_editing SET axis_id = NULL$$);
 BEGIN;
 INSERT INTO ruled.pedestrian_crossing_editing (geom) VALUES (pg_temp.line('POINT(50 0)'));
 INSERT INTO ruled.parking_bay_editing (geom) VALUES (pg_temp.line('POINT(30 4)'));
-SELECT name || ' far from all streets is refused in words', state = '22023' AND said ~ '^(the new (crossing|parking bay|bay|bench|object)|crossing \d+|bay \d+) stands at no street$' AND detail ~ 'nearest axis, \d+, is 4\d{3}.* m away: setting object_snap is 20 m' = (name !~ 'axis$') AND hint ~ 'axis_id' FROM afar, test.refusal(statement);
+SELECT name || ' far from all streets is refused in words', state = '22023' AND said ~ '^(the new (crossing|parking bay|bay|bench|object)|crossing \d+|bay \d+|object \d+) stands at no street$' AND detail ~ 'nearest axis, \d+, is 4\d{3}.* m away: setting object_snap is 20 m' = (name !~ 'axis$') AND hint ~ 'axis_id' FROM afar, test.refusal(statement);
 SELECT 'none of them is stored', count(*) = 0 FROM ruled.street_object WHERE method = 'absolute';
 INSERT INTO ruled.street_object (type, geom) VALUES ('crossing', pg_temp.line('POINT(0 5000)')), ('parking_bay', pg_temp.line('POINT(9 5000)'));
 SELECT 'what an import leaves without a street is found', array_agg(rule ORDER BY rule) = '{"parking bay without its ground","pedestrian crossing without its roadway"}' FROM streetgen.check_model('ruled') WHERE rule ~ '^(parking bay|pedestrian crossing) without';

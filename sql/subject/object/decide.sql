@@ -167,6 +167,8 @@ BEGIN
             coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id,
             NEW.abscissa, NEW.side, NEW.axis_offset, coalesce(NEW.orientation, 0),
             coalesce(NEW.orientation_kind, 'axis');
+        PERFORM streetgen._require_street(TG_TABLE_SCHEMA, 'the new ' || replace(NEW.type, '_', ' '),
+            NEW.street_object_id) WHERE NEW.type = ANY (_types_below('crossing') || _types_below('parking_bay'));
         RETURN NEW;
     END IF;
     UPDATE street_object SET type = NEW.type, geom = NEW.geom, placement = NEW.placement, axis_id = NEW.axis_id,
@@ -177,13 +179,17 @@ BEGIN
         PERFORM streetgen._refuse('22023', format('object %s is gone', OLD.street_object_id),
             detail => 'Another session deleted it.', hint => 'Refresh the layer.');
     END IF;
+    -- One that an import left away from streets may be edited otherwise.
+    PERFORM streetgen._require_street(TG_TABLE_SCHEMA, 'object ' || OLD.street_object_id, held)
+        WHERE (NEW.type, NEW.geom::bytea, NEW.placement) IS DISTINCT FROM (OLD.type, OLD.geom::bytea, OLD.placement)
+            AND NEW.type = ANY (_types_below('crossing') || _types_below('parking_bay'));
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_street_object() IS
     'Trigger of street_object_editing: a point that is dropped or dragged gets the abscissa and offset of the place '
     'at its axis, or at the nearest one within setting object_snap, on the roadway from the axis and beside it from '
-    'the border; farther away it stands absolute, or is refused where placement axis or border is typed (22023). '
-    'Typed values count as they are.';
+    'the border; farther away it stands absolute, or is refused where placement axis or border is typed, or where it is '
+    'a crossing or parking bay, which only a street can place (22023). Typed values count as they are.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_foot(model name, axis bigint, abscissa float8) RETURNS geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
