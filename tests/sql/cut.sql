@@ -59,6 +59,46 @@ SELECT format('either order gives the same rows of %s%s', of, CASE WHEN turned T
 SELECT format('%s of %s goes to the new piece', role, relation), bool_and(new_first ->> role = new_id::text) FROM public.tried
   WHERE (relation, id) = (of, of_id) AND role NOT LIKE 'via%' GROUP BY relation, role ORDER BY relation, role;
 
+-- A street is drawn again from its other end: with another key before or after it goes, while streets follow; or with its own.
+CREATE FUNCTION pg_temp.after_drawing(old bigint, new bigint, old_first boolean) RETURNS TABLE (relation text, id bigint, said jsonb) LANGUAGE plpgsql AS $$
+DECLARE
+  street quarter.axis;
+  rows jsonb;
+BEGIN
+  SELECT * INTO street FROM quarter.axis WHERE axis_id = old;
+  street.axis_id := new;
+  street.source_ref := street.source_ref || ' again';
+  street.geom := ST_Reverse(street.geom);
+  street.direction := CASE street.direction WHEN 'direct' THEN 'reverse' WHEN 'reverse' THEN 'direct' ELSE street.direction END;
+  BEGIN
+    IF new = old AND NOT old_first THEN
+      UPDATE quarter.axis SET geom = street.geom, direction = street.direction WHERE axis_id = old;
+    ELSE
+      IF NOT old_first THEN
+        INSERT INTO quarter.axis SELECT street.*;
+      END IF;
+      DELETE FROM quarter.axis WHERE axis_id = old;
+      IF old_first THEN
+        INSERT INTO quarter.axis SELECT street.*;
+      END IF;
+    END IF;
+    SELECT jsonb_agg(to_jsonb(d)) FROM pg_temp.decided() d INTO rows;
+    RAISE SQLSTATE 'TT000';
+  EXCEPTION WHEN SQLSTATE 'TT000' THEN
+    RETURN QUERY SELECT d.* FROM jsonb_to_recordset(rows) d(relation text, id bigint, said jsonb);
+  END;
+END $$;
+CREATE TABLE public.drawn AS SELECT 'with another key' AS how, axis_id, o.relation, o.id, o.said AS old_first, n.said AS new_first FROM (SELECT DISTINCT axis_id FROM quarter.override_place) a
+  CROSS JOIN LATERAL pg_temp.after_drawing(axis_id, 1000 + axis_id, true) o CROSS JOIN LATERAL pg_temp.after_drawing(axis_id, 1000 + axis_id, false) n WHERE (o.relation, o.id) = (n.relation, n.id);
+SET streetgen.live = off;
+INSERT INTO public.drawn SELECT 'with its own key', axis_id, o.relation, o.id, o.said, n.said FROM (SELECT DISTINCT axis_id FROM quarter.override_place) a
+  CROSS JOIN LATERAL pg_temp.after_drawing(axis_id, axis_id, true) o CROSS JOIN LATERAL pg_temp.after_drawing(axis_id, axis_id, false) n WHERE (o.relation, o.id) = (n.relation, n.id);
+RESET streetgen.live;
+-- A control point at a node goes to another axis there as soon as its own is gone.
+SELECT format('drawn again %s from its other end, the same rows of %s', how, relation), bool_and(old_first = new_first) FROM public.drawn WHERE (how, relation) <> ('with its own key', 'control_point') GROUP BY how, relation ORDER BY how, relation;
+SELECT 'those about a side, a direction or a lane are turned', count(DISTINCT (relation, k)) >= 8 FROM public.drawn JOIN pg_temp.decided() d USING (relation, id), unnest('{side,which,direction,along_axis,ordinality,lane_from,lane_to,lane_in,lane_out,along_in,along_out}'::text[]) k
+  WHERE d.said -> k <> old_first -> k;
+
 -- Cut in two transactions, while streets follow.
 CREATE TABLE public.told AS SELECT rule, relation, id FROM streetgen.check_model('quarter') WHERE relation LIKE '%override' OR relation = 'control_point';
 CREATE PROCEDURE pg_temp.cut_live() LANGUAGE plpgsql AS $$

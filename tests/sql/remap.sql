@@ -90,6 +90,45 @@ UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
 SELECT * FROM pg_temp.holds('turned again, as it was',
   'transition 1 end left (100 0); lane 1 at 80 1 f (80 0) (60 1); limit 1 at 90 end (90 0); kerb 1 at 75 8 (75 4); corner 1 3 (100 0); interconnection 1.2 3.2 (100 0) (98 -2); restriction 1 2 (100 0)');
 
+-- Deleted, and drawn again from its other end: with another key, or with its own.
+CALL pg_temp.decide();
+INSERT INTO town.control_point (geom, kind, direction) VALUES (pg_temp.place(30, 2), 'stop', 'direct');
+DELETE FROM town.axis WHERE axis_id = 1;
+SELECT 'what lies on no axis keeps the heading and the lanes of the road', bool_and(abs(heading - pi() / 2) < 1e-9 AND lanes = 2) AND count(*) = 8 FROM town.lost_place;
+SELECT pg_temp.draw(6, 'LINESTRING(100 0, 50 0, 0 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('a street drawn again from its other end has them on their side',
+  'transition 6 start right (100 0); lane 6 at 20 2 t (80 0) (95 1); limit 6 at 10 start (90 0); kerb 6 at 25 8 (75 4); corner 6 3 (100 0); interconnection 6.1 3.2 (100 0) (98 -2); restriction 6 2 (100 0)');
+SELECT 'and a stop sign speaks to the same traffic', (axis_id, direction) = (6, 'reverse') FROM town.control_point;
+SELECT 'and nothing is lost any more', NOT EXISTS (SELECT FROM town.lost_place);
+DELETE FROM town.axis WHERE axis_id = 6;
+SELECT pg_temp.draw(6, 'LINESTRING(0 0, 100 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('also with the key that it had',
+  'transition 6 end left (100 0); lane 6 at 80 1 f (80 0) (60 1); limit 6 at 90 end (90 0); kerb 6 at 75 8 (75 4); corner 6 3 (100 0); interconnection 6.2 3.2 (100 0) (98 -2); restriction 6 2 (100 0)');
+-- Merged into a neighbour that is turned round with it.
+DELETE FROM town.axis WHERE axis_id = 6;
+SELECT pg_temp.draw(2, 'LINESTRING(200 0, 100 0, 0 0)') \g /dev/null
+SELECT split_part(decisions, '; ', part) || ': a neighbour lengthened the other way has it on its side', split_part(decisions, '; ', part) = expected FROM pg_temp.decisions() decisions,
+  (VALUES (2, 'lane 2 at 120 2 t (80 0) (95 1)'), (3, 'limit 2 at 110 start (90 0)'), (4, 'kerb 2 at 125 8 (75 4)')) v(part, expected);
+-- In three pieces of which only the last lies at them, one after the other.
+CALL pg_temp.decide();
+SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 0)') \g /dev/null
+SELECT pg_temp.draw(1, 'LINESTRING(50 0, 0 0)') \g /dev/null
+SELECT pg_temp.draw(5, 'LINESTRING(50 0, 100 0)') \g /dev/null
+SELECT * FROM pg_temp.holds('the other half of a street that was turned round meanwhile has them as they were',
+  'transition 5 end left (100 0); lane 5 at 30 1 f (80 0) (60 1); limit 5 at 40 end (90 0); kerb 5 at 25 8 (75 4); corner 5 3 (100 0); interconnection 5.2 3.2 (100 0) (98 -2); restriction 5 2 (100 0)');
+-- A decision that is taken back is lost no more.
+DELETE FROM town.axis WHERE axis_id = 5;
+DELETE FROM town.lane_override;
+DELETE FROM town.kerb_point_override;
+UPDATE town.axis SET geom = pg_temp.line('LINESTRING(50 0, 0 1)') WHERE axis_id = 1;
+SELECT 'what is taken back is forgotten, the others are not', array_agg(relation ORDER BY relation) = '{corner_override,interconnection_override,section_limit_override,transition_override,turn_restriction}' FROM town.lost_place;
+-- A model of an earlier build, which knows nothing of headings, gets the table.
+DROP TABLE town.lost_place;
+SELECT streetgen.adopt_model('town') \g /dev/null
+DELETE FROM town.axis WHERE axis_id IN (1, 2);
+SELECT 'a model of an earlier build gets the table', count(*) > 0 FROM town.lost_place;
+CALL pg_temp.decide();
+
 -- Two that change places.
 INSERT INTO town.transition_override (axis_id, which, length, geom) VALUES (1, 'start', 3, pg_temp.place(0, 0));
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width, geom) VALUES (1, 50, 1, 3, pg_temp.place(50, 0)), (1, 50, 2, 4, pg_temp.place(50, 0));
@@ -149,6 +188,12 @@ SET ROLE streetgen_test_editor;
 UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
 RESET ROLE;
 SELECT 'an editor''s edit takes decisions along', pg_temp.decisions() LIKE 'transition 1 start right%';
+SET ROLE streetgen_test_editor;
+DELETE FROM town.axis WHERE axis_id = 1;
+INSERT INTO town.axis (axis_id, geom, width, lane_count) VALUES (7, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 7, 2);
+RESET ROLE;
+SELECT 'also where he draws the street again', pg_temp.decisions() LIKE 'transition 7 end left (100 0); lane 7 at 80 1 f (80 0) (60 1); limit 7 at 90 end (90 0);%';
+SELECT 'nor writes what is known of lost places', NOT has_table_privilege('streetgen_test_editor', 'town.lost_place', 'INSERT, UPDATE, DELETE') AND has_table_privilege('streetgen_test_editor', 'town.lost_place', 'SELECT');
 SELECT 'nobody calls a trigger by hand', NOT has_function_privilege('streetgen_test_editor', 'town.remap_update()', 'EXECUTE');
 SELECT streetgen.drop_model('town') \g /dev/null
 DROP ROLE streetgen_test_editor;

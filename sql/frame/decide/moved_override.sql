@@ -19,10 +19,11 @@ BEGIN
             SELECT axis_id, ST_Force2D(line_before) AS before, ST_Force2D(line_after) AS after
             FROM unnest(axes, lines_before, lines_after) c(axis_id, line_before, line_after)),
         place AS MATERIALIZED (
-            SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named,
+            SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, l.heading AS lost,
                 CASE WHEN p.ordinality = 2 AND p.next_axis IS NOT NULL THEN 'to_geom' ELSE 'geom' END AS node,
                 (SELECT ST_Force2D(a.geom) FROM axis a WHERE a.axis_id = p.axis_id) AS line
             FROM override_place p LEFT JOIN changed c USING (axis_id)
+                LEFT JOIN lost_place l USING (relation, override_id, role, axis_id)
             WHERE p.geom && ST_Expand(extent, CASE p.anchor WHEN 'beside' THEN 110 ELSE 30 END)),
         -- The axes that meet at each node of a decision. A route via axes has a node at both ends of these.
         meeting AS MATERIALIZED (
@@ -72,9 +73,11 @@ BEGIN
                     WHEN 'via' THEN true ELSE streetgen._remap_lies_beside(p.after, p.geom) END),
         found AS MATERIALIZED (
             SELECT relation, override_id, role, anchor, ordinality, geom, reach, abscissa, heir AS axis_id,
-                heir_line AS line, turn = 3 AS redrawn, before, CASE WHEN before IS NULL AND heir <> axis_id
+                heir_line AS line, turn = 3 AS redrawn, before,
+                CASE WHEN lost IS NULL AND before IS NULL AND heir <> axis_id
                     THEN coalesce(streetgen._remap_joins_against(h.line, heir_line, tolerance), false)
-                    ELSE streetgen._remap_runs_against(before, heir_line, geom) END AS turned
+                    ELSE streetgen._remap_runs_against(coalesce(lost, streetgen._heading(before, geom)), heir_line,
+                        geom) END AS turned
             FROM (SELECT DISTINCT ON (relation, override_id, role) * FROM heir h
                 WHERE heir = axis_id OR turn IS NOT NULL
                     AND NOT EXISTS (SELECT FROM place o WHERE (o.relation, o.override_id, o.axis_id)
@@ -91,6 +94,15 @@ BEGIN
                     THEN streetgen._moved_vertex(c.before, c.after, f.geom, f.reach) END AS vertex) v
                 CROSS JOIN LATERAL streetgen._projected(f.line, coalesce(v.vertex, f.geom), f.redrawn
                     OR v.vertex IS NOT NULL, f.abscissa) at),
+        -- One that lies on no axis any more keeps the heading of the road there, until an axis comes by.
+        lost AS (
+            INSERT INTO lost_place (relation, override_id, role, axis_id, abscissa, geom, heading)
+            SELECT relation, override_id, role, axis_id, abscissa, ST_Force2D(geom), streetgen._heading(before, geom)
+            FROM place p WHERE before IS NOT NULL AND lost IS NULL
+                AND NOT EXISTS (SELECT FROM found f
+                    WHERE (f.relation, f.override_id, f.role) = (p.relation, p.override_id, p.role))
+            ON CONFLICT (relation, override_id, role) DO UPDATE SET axis_id = excluded.axis_id,
+                abscissa = excluded.abscissa, geom = excluded.geom, heading = excluded.heading, lanes = NULL),
         -- A decision at a node goes with the node: its axes, and how far the node moved, metres.
         at_node AS MATERIALIZED (
             SELECT relation, override_id,
@@ -111,7 +123,8 @@ BEGIN
             GROUP BY relation, override_id)
         SELECT ARRAY(SELECT ROW (p.*)::streetgen.placed_decision FROM placed p),
             ARRAY(SELECT ROW (n.*)::streetgen.node_decision FROM at_node n) INTO decisions, node_decisions;
-        PERFORM _write_decisions(decisions, node_decisions);
+        PERFORM streetgen._note_lost_places(current_schema()), _write_decisions(decisions, node_decisions),
+            streetgen._forget_lost_places(current_schema(), extent);
     END $body$;
     PERFORM streetgen._own_function(model, '_move_overrides(bigint[], geometry[], geometry[], geometry)',
         'Puts the overrides beside changed axes, and within an extent, on the axis that they lie on now');

@@ -10,12 +10,12 @@ CREATE OR REPLACE FUNCTION streetgen._heading(line geometry, place geometry) RET
 COMMENT ON FUNCTION streetgen._heading(geometry, geometry) IS
     'Azimuth (radians) of a line where it is nearest to a place, over 0.1 m to either side.';
 
-CREATE OR REPLACE FUNCTION streetgen._remap_runs_against(before geometry, after geometry, place geometry)
+CREATE OR REPLACE FUNCTION streetgen._remap_runs_against(heading float8, line geometry, place geometry)
     RETURNS boolean
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT coalesce(cos(streetgen._heading(before, place) - streetgen._heading(after, place)) < 0, false) $$;
-COMMENT ON FUNCTION streetgen._remap_runs_against(geometry, geometry, geometry) IS
-    'Whether a line runs against another at a place; false where one is NULL.';
+    AS $$ SELECT coalesce(cos(heading - streetgen._heading(line, place)) < 0, false) $$;
+COMMENT ON FUNCTION streetgen._remap_runs_against(float8, geometry, geometry) IS
+    'Whether a line runs against a heading (azimuth, radians) at a place; false where one is NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._remap_joins_against(line geometry, piece geometry, slack float8)
     RETURNS boolean

@@ -108,7 +108,8 @@ CREATE OR REPLACE FUNCTION streetgen._ordinality_at(ordinality integer, axis big
     RETURNS integer
     LANGUAGE sql STABLE PARALLEL UNSAFE
     RETURN CASE WHEN turned THEN streetgen._mirrored_ordinality(ordinality,
-        streetgen._lanes_by(current_schema(), axis, place)) ELSE ordinality END;
+        coalesce(streetgen._lost_lanes(current_schema(), axis, place),
+            streetgen._lanes_by(current_schema(), axis, place))) ELSE ordinality END;
 COMMENT ON FUNCTION streetgen._ordinality_at(integer, bigint, geometry, boolean) IS
     'Ordinality of a lane beside a node of an axis of the model in use, where the axis may be turned round.';
 

@@ -51,7 +51,8 @@ BEGIN
             PERFORM streetgen._refuse('22023', format('%s cannot lie %s m from its edge', subject, round(astray)),
                 detail => 'The widest street is 200 m wide.', hint => 'Undo, and draw it beside its edge.');
         END IF;
-        IF streetgen._remap_runs_against(edge.geom, NEW.geom, ST_StartPoint(NEW.geom)) THEN
+        IF streetgen._remap_runs_against(streetgen._heading(edge.geom, ST_StartPoint(NEW.geom)), NEW.geom,
+            ST_StartPoint(NEW.geom)) THEN
             NEW.geom := ST_Reverse(NEW.geom);
         END IF;
     END IF;
@@ -229,6 +230,27 @@ END $$;
 COMMENT ON FUNCTION streetgen._lanes_by(name, bigint, geometry) IS
     'Number of lanes of an axis at its edge nearest to a place, as generated last.';
 
+CREATE OR REPLACE FUNCTION streetgen._note_lost_lane(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    UPDATE lost_place SET lanes = CASE WHEN abscissa IS NULL THEN streetgen._lanes_by(model, axis_id, geom)
+        ELSE streetgen._lanes_at(model, axis_id, abscissa) END WHERE lanes IS NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._note_lost_lane(name) IS
+    'Notes how many lanes there are where decisions of a model just lost their axes.';
+
+CREATE OR REPLACE FUNCTION streetgen._lost_lanes(model name, axis bigint, place geometry) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN (SELECT lanes FROM lost_place WHERE axis_id = axis AND geom = ST_Force2D(place) LIMIT 1);
+END $$;
+COMMENT ON FUNCTION streetgen._lost_lanes(name, bigint, geometry) IS
+    'Number of lanes where a decision lost its axis; NULL where none did.';
+
 CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, lanes bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT CASE WHEN lanes = 0 OR (lanes % 2 = 1 AND ordinality = 1) THEN ordinality
@@ -236,12 +258,13 @@ CREATE OR REPLACE FUNCTION streetgen._mirrored_ordinality(ordinality integer, la
 COMMENT ON FUNCTION streetgen._mirrored_ordinality(integer, bigint) IS
     'Ordinality, on an axis turned round, of the lane that had this one among so many lanes (0: unknown, as it was).';
 
-CREATE OR REPLACE FUNCTION streetgen._ordinality_along(ordinality integer, axis bigint, abscissa float8, turned boolean)
-    RETURNS integer
+CREATE OR REPLACE FUNCTION streetgen._ordinality_along(ordinality integer, axis bigint, abscissa float8, place geometry,
+    turned boolean) RETURNS integer
     LANGUAGE sql STABLE PARALLEL UNSAFE
     RETURN CASE WHEN turned THEN streetgen._mirrored_ordinality(ordinality,
-        streetgen._lanes_at(current_schema(), axis, abscissa)) ELSE ordinality END;
-COMMENT ON FUNCTION streetgen._ordinality_along(integer, bigint, float8, boolean) IS
+        coalesce(streetgen._lost_lanes(current_schema(), axis, place),
+            streetgen._lanes_at(current_schema(), axis, abscissa))) ELSE ordinality END;
+COMMENT ON FUNCTION streetgen._ordinality_along(integer, bigint, float8, geometry, boolean) IS
     'Ordinality of a lane at an abscissa of an axis of the model in use, where the axis may be turned round.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_decision()
@@ -252,11 +275,11 @@ CREATE OR REPLACE FUNCTION streetgen._lane_decision()
     ('lane_override'::name, 'along', '{axis_id}'::name[], '{tolerance}', jsonb_build_object(
         'along_axis', 'o.along_axis <> (n.turned AND o.both_ways IS NOT TRUE)',
         'line', 'CASE WHEN n.turned THEN ST_Reverse(o.line) ELSE o.line END',
-        'ordinality', 'streetgen._ordinality_along(o.ordinality, o.axis_id, o.abscissa, n.turned)'), true, 4,
+        'ordinality', 'streetgen._ordinality_along(o.ordinality, o.axis_id, o.abscissa, o.geom, n.turned)'), true, 4,
         'ROW(o.abscissa, o.ordinality, o.along_axis, o.both_ways, o.width, o.line::bytea)'),
     ('lane_adjacency_override', 'along', '{axis_id}', '{tolerance}', jsonb_build_object(
-        'lane_from', 'streetgen._ordinality_along(o.lane_from, o.axis_id, o.abscissa, n.turned)',
-        'lane_to', 'streetgen._ordinality_along(o.lane_to, o.axis_id, o.abscissa, n.turned)'), true, 11,
+        'lane_from', 'streetgen._ordinality_along(o.lane_from, o.axis_id, o.abscissa, o.geom, n.turned)',
+        'lane_to', 'streetgen._ordinality_along(o.lane_to, o.axis_id, o.abscissa, o.geom, n.turned)'), true, 11,
         'ROW(o.abscissa, o.lane_from, o.lane_to, o.change)') $$;
 COMMENT ON FUNCTION streetgen._lane_decision() IS
     'The anchors of decisions about lanes, and which of their columns follow the axes.';
