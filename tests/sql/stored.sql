@@ -16,7 +16,7 @@ CREATE TABLE public.geometry_of (model name, relation name, attribute name, geom
 SELECT format('INSERT INTO geometry_of SELECT %1$L, %2$L, %3$L, %3$I, record_image_eq(ROW(%3$I), ROW(%3$I::bytea::geometry)) FROM %1$I.%2$I WHERE %3$I IS NOT NULL', nspname, relname, attname)
     FROM pg_attribute JOIN pg_class c ON c.oid = attrelid JOIN pg_namespace n ON n.oid = relnamespace
     WHERE nspname IN ('flat', 'high') AND relname = ANY (streetgen._computed_tables('flat')) AND atttypid = 'geometry'::regtype AND relkind = 'r' \gexec
-SELECT format('%s.%s of model %s is as PostGIS stores it', relation, attribute, model), bool_and(as_stored) FROM geometry_of GROUP BY relation, attribute, model;
+SELECT format('%s.%s of model %s is as PostGIS stores it', relation, attribute, model), bool_and(as_stored) FROM geometry_of GROUP BY relation, attribute, model ORDER BY model, relation COLLATE "C", attribute COLLATE "C";
 SELECT format('there are %s', kind), count > 0 FROM (
     SELECT count(*) FILTER (WHERE ST_NPoints(geom) = 2) AS "lines of two points", count(*) FILTER (WHERE GeometryType(geom) = 'LINESTRING' AND ST_NPoints(geom) > 2 AND ST_Zmflag(geom) = 2) AS "bent lines with heights",
            count(*) FILTER (WHERE GeometryType(geom) = 'POINT' AND ST_Zmflag(geom) = 2) AS "points with heights", count(*) FILTER (WHERE GeometryType(geom) = 'MULTIPOLYGON' AND ST_IsEmpty(geom)) AS "empty surfaces",
