@@ -56,11 +56,6 @@ BEGIN
                 HINT = format('Keep it with pg_dump -n %1$I and DROP SCHEMA %1$I CASCADE, or set STREETGEN_DATABASE to a new name.', known.name);
         END IF;
         PERFORM streetgen.adopt_model(known.name);
-        -- With the rights of its owner, who may have hung triggers on the table.
-        PERFORM set_config('role', (SELECT rolname FROM pg_class c JOIN pg_roles r ON r.oid = relowner WHERE c.oid = format('%I.setting', known.name)::regclass), true);
-        EXECUTE format('INSERT INTO %I.setting AS s SELECT * FROM streetgen._default_setting()
-            ON CONFLICT (name) DO UPDATE SET (unit, description, minimum, maximum, choice) = (excluded.unit, excluded.description, excluded.minimum, excluded.maximum, excluded.choice)', known.name);
-        PERFORM set_config('role', role_before, true);
     END LOOP;
 EXCEPTION WHEN out_of_memory THEN
     -- Seen: 530 locks a model, and 1,700 beside them.

@@ -53,7 +53,10 @@ DO $$ DECLARE said text; BEGIN
     EXECUTE said;
   END LOOP;
 END $$;
+DELETE FROM older.setting WHERE name IN ('delivery_wins', 'object_snap');
+UPDATE older.setting SET maximum = 1e9 WHERE name = 'reach';
 DO $$ BEGIN PERFORM streetgen.adopt_model('older'); END $$;
+SELECT 'it gets the settings that came later, and their ranges', NOT EXISTS (SELECT name, unit, description, minimum, maximum, choice FROM streetgen._default_setting() EXCEPT SELECT name, unit, description, minimum, maximum, choice FROM older.setting);
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
 SELECT 'and the indexes and comments of a new one', count(*) > 500 AND NOT EXISTS ((SELECT pg_temp.words() EXCEPT TABLE worded) UNION ALL (TABLE worded EXCEPT SELECT pg_temp.words())) FROM worded;
 SELECT 'its classes mean what those of a new model do', NOT EXISTS (TABLE older.axis_class EXCEPT SELECT * FROM streetgen._default_axis_class());

@@ -188,6 +188,13 @@ BEGIN
         PERFORM streetgen._give_to_owner(schema, '{}'), set_config('role', owner, true);
     END IF;
     PERFORM streetgen._add_tables(schema, srid);
+    -- Settings that came later have their defaults.
+    PERFORM streetgen._use_model(schema);
+    INSERT INTO setting AS s SELECT * FROM streetgen._default_setting() ON CONFLICT (name) DO UPDATE
+        SET (unit, description, minimum, maximum, choice)
+            = (excluded.unit, excluded.description, excluded.minimum, excluded.maximum, excluded.choice)
+        WHERE (s.unit, s.description, s.minimum, s.maximum, s.choice) IS DISTINCT FROM (excluded.unit,
+            excluded.description, excluded.minimum, excluded.maximum, excluded.choice);
     PERFORM streetgen._make_dependents(schema);
     -- Also on views that a restore brought back without their readers.
     PERFORM streetgen._grant_like_axes(schema, ARRAY(
