@@ -181,7 +181,8 @@ BEGIN
         PERFORM streetgen._refuse('0A000', format('the %s of %s %s cannot be changed', fixed,
                 (SELECT replace(replace(relname, '_editing', ''), '_', ' ') FROM pg_class WHERE oid = view), key),
             detail => 'It is a key, or computed.',
-            hint => concat_ws(' ', 'Only', nullif(array_to_string(editable[:cardinality(editable) - 1], ', '), '') || ' and',
+            hint => concat_ws(' ', 'Only', nullif(array_to_string(editable[:cardinality(editable) - 1], ', '), '')
+                    || ' and',
                 editable[cardinality(editable)], 'can be changed.', way_out));
     END IF;
     -- An empty by_hand means that nothing is decided.

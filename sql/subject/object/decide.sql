@@ -188,8 +188,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_street_object() IS
     'Trigger of street_object_editing: a point that is dropped or dragged gets the abscissa and offset of the place '
     'at its axis, or at the nearest one within setting object_snap, on the roadway from the axis and beside it from '
-    'the border; farther away it stands absolute, or is refused where placement axis or border is typed, or where it is '
-    'a crossing or parking bay, which only a street can place (22023). Typed values count as they are.';
+    'the border; farther away it stands absolute, or is refused where placement axis or border is typed, or where it '
+    'is a crossing or parking bay, which only a street can place (22023). Typed values count as they are.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_foot(model name, axis bigint, abscissa float8) RETURNS geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
