@@ -43,7 +43,6 @@ BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
     WITH degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model)),
-    not_followed AS MATERIALIZED (SELECT * FROM streetgen._corner_overrides_not_followed(model)),
     not_made AS MATERIALIZED (
         SELECT geom, greatest(width, width_end) / 2 + abs(roadway_offset) AS half FROM axis_used u
             WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = u.axis_id)),
@@ -141,27 +140,14 @@ BEGIN
                 AND NOT EXISTS (SELECT FROM edge f WHERE f.axis_id = e.axis_id AND CASE o.which WHEN 'start'
                     THEN f.start_abscissa < e.start_abscissa ELSE f.end_abscissa > e.end_abscissa END))
     UNION ALL
-    SELECT 'warning', 'corner override without its corner', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed WHERE cause = 'no_corner'
-    UNION ALL
-    SELECT 'warning', 'corner override with a younger one of its corner, m', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed WHERE cause = 'younger'
-    UNION ALL
-    SELECT 'warning', 'corner override not computed yet, m', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed WHERE cause = 'not_computed'
-    UNION ALL
-    SELECT 'warning', 'corner override where the width changes, not followed', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed WHERE cause = 'transition'
-    UNION ALL
-    SELECT 'warning', 'corner override for which no arc fits', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed WHERE cause = 'no_arc'
-    UNION ALL
-    SELECT 'warning', 'corner override with its centre beyond max_arc_distance, m', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed WHERE cause = 'radius_minimal'
-    UNION ALL
-    SELECT 'warning', 'corner override greater than the radius that fits, m', 'corner_override',
-        corner_override_id, radius, geom FROM not_followed
-        WHERE cause NOT IN ('no_corner', 'younger', 'not_computed', 'transition', 'no_arc', 'radius_minimal')
+    SELECT 'warning', CASE cause WHEN 'no_corner' THEN 'corner override without its corner'
+            WHEN 'younger' THEN 'corner override with a younger one of its corner, m'
+            WHEN 'not_computed' THEN 'corner override not computed yet, m'
+            WHEN 'transition' THEN 'corner override where the width changes, not followed'
+            WHEN 'no_arc' THEN 'corner override for which no arc fits'
+            WHEN 'radius_minimal' THEN 'corner override with its centre beyond max_arc_distance, m'
+            ELSE 'corner override greater than the radius that fits, m' END,
+        'corner_override', corner_override_id, radius, geom FROM streetgen._corner_overrides_not_followed(model)
     LOOP
         RETURN NEXT finding;
     END LOOP;
