@@ -177,7 +177,7 @@ CREATE TEMP VIEW afar(name, statement) AS VALUES
 BEGIN;
 INSERT INTO ruled.pedestrian_crossing_editing (geom) VALUES (pg_temp.line('POINT(50 0)'));
 INSERT INTO ruled.parking_bay_editing (geom) VALUES (pg_temp.line('POINT(30 4)'));
-SELECT name || ' far from all streets is refused in words', state = '22023' AND said ~ '^(the new (crossing|parking bay|bay|bench|object)|crossing \d+|bay \d+|object \d+) stands at no street$' AND detail ~ 'nearest axis, \d+, is 4\d{3}.* m away: setting object_snap is 20 m' = (name !~ 'axis$') AND hint ~ 'axis_id' FROM afar, test.refusal(statement);
+SELECT name || ' far from all streets is refused in words', state = '22023' AND said ~ '^(the new (crossing|parking bay|bay|bench|object)|crossing \d+|parking bay \d+|object \d+) stands at no street$' AND detail ~ 'nearest axis, \d+, is 4\d{3}.* m away: setting object_snap is 20 m' = (name !~ 'axis$') AND hint ~ 'axis_id' FROM afar, test.refusal(statement);
 SELECT 'none of them is stored', count(*) = 0 FROM ruled.street_object WHERE method = 'absolute';
 INSERT INTO ruled.street_object (type, geom) VALUES ('crossing', pg_temp.line('POINT(0 5000)')), ('parking_bay', pg_temp.line('POINT(9 5000)'));
 SELECT 'what an import leaves without a street is found', array_agg(rule ORDER BY rule) = '{"parking bay without its ground","pedestrian crossing without its roadway"}' FROM streetgen.check_model('ruled') WHERE rule ~ '^(parking bay|pedestrian crossing) without';

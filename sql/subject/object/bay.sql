@@ -131,13 +131,11 @@ BEGIN
         INSERT INTO street_object_editing (type, geom, placement, axis_id, abscissa, side, axis_offset)
             VALUES ('parking_bay', NEW.geom, 'border', NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset)
             RETURNING street_object_id INTO NEW.street_object_id;
-        PERFORM streetgen._require_street(TG_TABLE_SCHEMA, subject, NEW.street_object_id);
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa, NEW.side, NEW.axis_offset)
         IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa, OLD.side, OLD.axis_offset) THEN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa, side =
             NEW.side,
             axis_offset = NEW.axis_offset WHERE street_object_id = OLD.street_object_id;
-        PERFORM streetgen._require_street(TG_TABLE_SCHEMA, subject, OLD.street_object_id);
     END IF;
     SELECT coalesce(NEW.length, u.length), coalesce(NEW.width, u.width), coalesce(NEW.angle, 0)
         FROM streetgen._usual_bay() u INTO NEW.length, NEW.width, NEW.angle;

@@ -100,11 +100,9 @@ BEGIN
         INSERT INTO street_object_editing (type, geom, placement, axis_id, abscissa)
             VALUES ('crossing', NEW.geom, 'axis', NEW.axis_id, NEW.abscissa) RETURNING street_object_id
                 INTO NEW.street_object_id;
-        PERFORM streetgen._require_street(TG_TABLE_SCHEMA, subject, NEW.street_object_id);
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa) THEN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa
             WHERE street_object_id = OLD.street_object_id;
-        PERFORM streetgen._require_street(TG_TABLE_SCHEMA, subject, OLD.street_object_id);
     END IF;
     SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
         INTO NEW.width, NEW.angle;

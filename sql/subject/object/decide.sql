@@ -39,10 +39,11 @@ CREATE OR REPLACE FUNCTION streetgen._require_street(model name, subject text, o
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._refuse_off_street(model, subject, geom) FROM street_object
-        WHERE street_object_id = object AND method = 'absolute';
+        WHERE street_object_id = object AND method = 'absolute'
+            AND type = ANY (_types_below('crossing') || _types_below('parking_bay'));
 END $$;
 COMMENT ON FUNCTION streetgen._require_street(name, text, bigint) IS
-    'Raises 22023 for an object, such as a crossing, that needs a street and stands at none.';
+    'Raises 22023 for a crossing or parking bay that stands at no street.';
 
 CREATE OR REPLACE FUNCTION streetgen._enter_object_edit(model name, object bigint, axes bigint[], places geometry[])
     RETURNS void
@@ -168,7 +169,7 @@ BEGIN
             NEW.abscissa, NEW.side, NEW.axis_offset, coalesce(NEW.orientation, 0),
             coalesce(NEW.orientation_kind, 'axis');
         PERFORM streetgen._require_street(TG_TABLE_SCHEMA, 'the new ' || replace(NEW.type, '_', ' '),
-            NEW.street_object_id) WHERE NEW.type = ANY (_types_below('crossing') || _types_below('parking_bay'));
+            NEW.street_object_id);
         RETURN NEW;
     END IF;
     UPDATE street_object SET type = NEW.type, geom = NEW.geom, placement = NEW.placement, axis_id = NEW.axis_id,
@@ -180,9 +181,9 @@ BEGIN
             detail => 'Another session deleted it.', hint => 'Refresh the layer.');
     END IF;
     -- One that an import left away from streets may be edited otherwise.
-    PERFORM streetgen._require_street(TG_TABLE_SCHEMA, 'object ' || OLD.street_object_id, held)
-        WHERE (NEW.type, NEW.geom::bytea, NEW.placement) IS DISTINCT FROM (OLD.type, OLD.geom::bytea, OLD.placement)
-            AND NEW.type = ANY (_types_below('crossing') || _types_below('parking_bay'));
+    PERFORM streetgen._require_street(TG_TABLE_SCHEMA, replace(NEW.type, '_', ' ') || ' ' || held, held)
+        WHERE (NEW.type, NEW.geom::bytea, NEW.placement, NEW.axis_id, NEW.abscissa)
+            IS DISTINCT FROM (OLD.type, OLD.geom::bytea, OLD.placement, OLD.axis_id, OLD.abscissa);
     RETURN NEW;
 END $$;
 COMMENT ON FUNCTION streetgen._edit_street_object() IS
