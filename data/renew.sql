@@ -12,7 +12,7 @@ DECLARE
     missing text;
     models bigint;
     enough integer;
-    role_before constant text := current_setting('role');
+    role_before text;
 BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
@@ -45,11 +45,9 @@ BEGIN
         PERFORM streetgen.drop_model('streetgen_renewed');
     END LOOP;
     FOR known IN SELECT * FROM known_model LOOP
-        -- With the rights of its owner, who may have hung triggers on its tables.
-        PERFORM streetgen._register_model(known.name, known.srid, known.dimension), streetgen._give_to_owner(known.name, '{}');
-        PERFORM set_config('role', (SELECT pg_get_userbyid(nspowner) FROM pg_namespace WHERE nspname = known.name), true);
-        PERFORM streetgen._add_tables(known.name, known.srid);
-        PERFORM set_config('role', role_before, true);
+        PERFORM streetgen._register_model(known.name, known.srid, known.dimension);
+        role_before := streetgen._become_owner(known.name);
+        PERFORM streetgen._add_tables(known.name), set_config('role', role_before, true);
         SELECT string_agg(c, ', ') INTO missing FROM (SELECT description FROM wanted_column WHERE (srid, dimension, subjects) = (known.srid, known.dimension, streetgen._subjects(known.name)) EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         IF missing IS NOT NULL THEN
             RAISE EXCEPTION 'model "%" lacks columns of this build: %', known.name, missing USING ERRCODE = '55000',

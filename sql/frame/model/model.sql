@@ -34,19 +34,31 @@ END $$;
 COMMENT ON FUNCTION streetgen._give_to_owner(name, oid[]) IS
     'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
 
-CREATE OR REPLACE FUNCTION streetgen._add_tables(model name, srid integer) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._become_owner(model name) RETURNS text
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    before constant oid[] := streetgen._relations(model);
+    former constant text := current_setting('role');
+BEGIN
+    PERFORM streetgen._give_to_owner(model, '{}'), set_config('role', pg_get_userbyid(nspowner), true)
+        FROM pg_namespace WHERE nspname = model;
+    RETURN former;
+END $$;
+COMMENT ON FUNCTION streetgen._become_owner(name) IS
+    'Gives the tables of a model to the owner of its schema, and takes that role to the end of the transaction: '
+    'triggers that he hung on them run with his rights alone. Returns the setting role as it was, for set_config.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
 BEGIN
     PERFORM streetgen._make_tables(model, '{input_table}', streetgen._rooms()),
         streetgen._make_tables(model, '{kept_table}', ARRAY(SELECT DISTINCT t.room FROM streetgen.template t
             WHERE t.part = 'kept_table' AND to_regclass(format('%I.%I', model, t.relation)) IS NOT NULL)),
         streetgen._call_rooms('_mend_%s_tables', model, streetgen._rooms()),
-        streetgen._complete_tables(model), streetgen._give_to_owner(model, before);
+        streetgen._complete_tables(model);
 END $$;
-COMMENT ON FUNCTION streetgen._add_tables(name, integer) IS
+COMMENT ON FUNCTION streetgen._add_tables(name) IS
     'Makes the tables, columns, indexes and comments that came after the first models, where they are missing.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2,
@@ -158,8 +170,7 @@ DECLARE
     dimension integer;
     missing text[];
     before oid[];
-    caller constant text := current_setting('role');
-    owner constant name := (SELECT pg_get_userbyid(nspowner) FROM pg_namespace WHERE nspname = schema);
+    caller text;
 BEGIN
     PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema),
         streetgen._only_own_functions(schema);
@@ -183,11 +194,8 @@ BEGIN
     PERFORM streetgen._register_model(schema, srid, dimension);
     before := streetgen._relations(schema);
     PERFORM streetgen._drop_own_functions(schema);
-    -- Triggers and functions that the owner hung on the tables run with no more rights than his.
-    IF owner <> current_user THEN
-        PERFORM streetgen._give_to_owner(schema, '{}'), set_config('role', owner, true);
-    END IF;
-    PERFORM streetgen._add_tables(schema, srid);
+    caller := streetgen._become_owner(schema);
+    PERFORM streetgen._add_tables(schema);
     -- Settings that came later have their defaults.
     PERFORM streetgen._use_model(schema);
     INSERT INTO setting AS s SELECT * FROM streetgen._default_setting() ON CONFLICT (name) DO UPDATE
