@@ -226,7 +226,7 @@ BEGIN
         PERFORM streetgen._check_ends(TG_TABLE_SCHEMA, relation, is_now);
         PERFORM streetgen._check_parabola(TG_TABLE_SCHEMA, relation, coalesce(new_key, (is_now ->> key)::bigint));
         IF TG_OP = 'INSERT' THEN
-            -- What INSERT … RETURNING gives, and QGIS shows: the row as it became.
+            -- INSERT … RETURNING gives the row as it became, and QGIS shows it.
             EXECUTE format('SELECT * FROM %I.%I WHERE %I = $1', TG_TABLE_SCHEMA, TG_TABLE_NAME, key)
                 INTO became USING new_key;
             RETURN became;
@@ -316,7 +316,7 @@ BEGIN
     THEN
         RETURN;
     END IF;
-    PERFORM streetgen._check_edit_number('the ordinality of ' || subject, at, -1e6, 1e6, '',
+    PERFORM streetgen._check_edit_number('the ordinality of ' || subject, at, -1e6, 1e6, NULL,
         'It is the place in the order of the link.');
     EXECUTE format('SELECT bool_or(ordinality = $3) AS taken, max(%1$s) FILTER (WHERE ordinality < $3) AS low, '
             'min(%1$s) FILTER (WHERE ordinality > $3) AS high FROM %2$I.%3$I WHERE design_link_id = $1 '

@@ -1,4 +1,4 @@
--- What a model follows, what sources said last, and the conflicts that wait for somebody.
+-- Links that a model follows, the words of sources at the last delivery, and conflicts that wait for somebody.
 
 CREATE TABLE :"model".followed (
     source text PRIMARY KEY,

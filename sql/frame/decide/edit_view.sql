@@ -108,7 +108,7 @@ DECLARE
             AND conkey = ARRAY[attnum], regexp_matches(pg_get_expr(conbin, conrelid), '''([^'']*)''::text', 'g') w
         WHERE conrelid = input AND contype = 'c' AND attname = attribute);
 BEGIN
-    -- What the comment of the constraint says is for people.
+    -- The comment of the constraint is for people.
     IF words <> '{}' AND value <> ALL (words) THEN
         PERFORM streetgen._refuse('23514', format('the %s of %s cannot be %s', attribute, subject, to_json(value)),
             detail => format('Expected %s.', (SELECT r.expected FROM streetgen._input_rule(input, attribute) r)),

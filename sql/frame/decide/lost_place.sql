@@ -17,7 +17,7 @@ CREATE OR REPLACE FUNCTION streetgen._forget_lost_places(model name, extent geom
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- What another edit forgets just now is not waited for.
+    -- Nobody waits for a row that another edit forgets just now.
     DELETE FROM lost_place WHERE (relation, override_id, role) IN (SELECT l.relation, l.override_id, l.role
         FROM lost_place l WHERE l.geom && ST_Expand(extent, 110) AND NOT EXISTS (SELECT FROM override_place p
             WHERE (p.relation, p.override_id, p.role, p.axis_id) = (l.relation, l.override_id, l.role, l.axis_id)

@@ -41,7 +41,7 @@ BEGIN
         AS $body$
     DECLARE
         extent constant geometry := (SELECT ST_Extent(line)::geometry FROM unnest(lines_before || lines_after) line);
-        -- What lies beside an axis is no farther from it than 100 m, and three tolerances are 30 m at most.
+        -- Nothing beside an axis is farther from it than 100 m, and three tolerances are 30 m at most.
         near constant geometry := ST_Expand(extent, 110);
         concerned bigint[];
         held text[];

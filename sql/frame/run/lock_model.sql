@@ -16,7 +16,7 @@ BEGIN
                 current_setting('transaction_isolation')),
             hint => 'Under a higher level they would be computed from a snapshot older than the locks.');
     END IF;
-    -- What runs goes by one state of the settings, grid of the places included: who changes one waits until it has
+    -- A run goes by one state of the settings, grid of the places included: whoever changes one waits until it has
     -- ended.
     LOCK TABLE setting IN SHARE MODE;
     CASE

@@ -1,4 +1,4 @@
--- What heights of roads are found from.
+-- Heights of roads are found from these types.
 
 CREATE TYPE streetgen.profile_edge AS (edge_id bigint, from_node bigint, to_node bigint, line bytea, grade float8,
     speed float8);

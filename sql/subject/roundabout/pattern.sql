@@ -1,4 +1,4 @@
--- What streets on a roundabout are called, until somebody says otherwise.
+-- Streets on a roundabout are called by these patterns, until somebody says otherwise.
 
 CREATE OR REPLACE FUNCTION streetgen._default_roundabout_pattern() RETURNS TABLE(pattern text, language text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 16 SET search_path = pg_catalog

@@ -1,4 +1,4 @@
--- What a signal program takes and gives.
+-- A signal program is computed from these types, and given as them.
 CREATE TYPE streetgen.signal_request AS (lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
     approach bigint, exit bigint, turn text, length float8, speed float8, lanes integer, importance integer,
     flow float8, walk_in float8, walk_out float8, conflicts integer[]);
