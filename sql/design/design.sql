@@ -1,69 +1,100 @@
 -- The driver of a design: what is stale is computed, stage by stage.
 
 CREATE OR REPLACE FUNCTION streetgen._design_stage()
-    RETURNS TABLE(place integer, stage text, each_link boolean, input text)
+    RETURNS TABLE(place integer, stage text, computed boolean, each_link boolean)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 9 SET search_path = pg_catalog
-    AS $$ VALUES
-    (1, 'terrain', false, NULL), (2, 'zones', false, NULL), (3, 'nodes', false, NULL),
-    (4, 'links', false, $i$
-        SELECT ROW(design_node_id, kind, importance, geom) FROM %1$I.design_node WHERE NOT rejected
-            AND (by_hand OR kind <> 'interchange')
-        UNION ALL SELECT ROW(node_a, node_b, network, rejected) FROM %1$I.design_link WHERE by_hand
-        UNION ALL SELECT ROW(streetgen._design_text(%2$L, 'link_factor'), streetgen._design_text(%2$L, 'benefit'))$i$),
-    (5, 'paths', true, $i$
-        SELECT ROW(streetgen._link_rules(%2$L, %3$s) - 'curve_radius')
-        UNION ALL SELECT ROW(ordinality, geom, straight) FROM streetgen._link_places(%2$L, %3$s, true)
-        UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
-            AND NOT rejected
-        UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)
-            WHERE z.geom && streetgen._link_area(%2$L, %3$s) AND NOT z.rejected$i$),
-    (6, 'horizontal', true, $i$
-        SELECT ROW(streetgen._link_rules(%2$L, %3$s))
-        UNION ALL SELECT ROW(ordinality, geom, curve) FROM streetgen._link_places(%2$L, %3$s, false)
-        UNION ALL SELECT ROW(e.*) FROM %1$I.alignment_element e WHERE design_link_id = %3$s AND by_hand$i$),
-    (7, 'vertical', true, $i$
-        SELECT ROW(streetgen._link_rules(%2$L, %3$s), streetgen._design_text(%2$L, 'clearance'))
-        UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s))
-        UNION ALL SELECT ROW(abscissa, height, radius, rejected) FROM %1$I.grade_point WHERE design_link_id = %3$s
-            AND (by_hand OR rejected)
-        -- The place of a crossing follows from both alignments.
-        UNION ALL SELECT ROW(design_crossing_id, other_link_id, kind, rejected) FROM %1$I.design_crossing
-            WHERE design_link_id = %3$s AND (by_hand OR rejected)
-        UNION ALL SELECT ROW(content, geom) FROM %1$I.terrain_tile WHERE geom && streetgen._link_area(%2$L, %3$s)
-            AND NOT rejected
-        UNION ALL SELECT ROW(o.design_link_id, o.geom) FROM %1$I.design_link l JOIN %1$I.design_link o
-            ON (streetgen._network_rank(o.network), o.design_link_id) <
-                (streetgen._network_rank(l.network), l.design_link_id) AND NOT o.rejected
-            AND o.geom && ST_Envelope(streetgen._plan_line(%2$L, %3$s)) WHERE l.design_link_id = %3$s$i$),
-    (8, 'structures', true, $i$
-        SELECT ROW(streetgen._link_rules(%2$L, %3$s))
-        UNION ALL SELECT ROW(streetgen._link_elements(%2$L, %3$s), streetgen._link_grades(%2$L, %3$s))
-        UNION ALL SELECT ROW(abscissa, kind, rejected) FROM %1$I.design_crossing WHERE design_link_id = %3$s
-        UNION ALL SELECT ROW(z.class, cost, passage, z.content) FROM %1$I.zone z JOIN %1$I.zone_class USING (class)
-            WHERE z.geom && streetgen._link_area(%2$L, %3$s) AND NOT z.rejected
-        UNION ALL SELECT ROW(kind, start_abscissa, end_abscissa, rejected) FROM %1$I.structure
-            WHERE design_link_id = %3$s AND by_hand$i$),
-    (9, 'axes', true, $i$
-        SELECT ROW(c.*, a.name, b.name, streetgen._design_text(%2$L, 'driving_side'),
-            streetgen._link_elements(%2$L, %3$s), streetgen._link_grades(%2$L, %3$s)) FROM %1$I.design_link l
-            JOIN %1$I.design_class c USING (network) JOIN %1$I.design_node a ON a.design_node_id = node_a
-            JOIN %1$I.design_node b ON b.design_node_id = node_b WHERE design_link_id = %3$s
-        UNION ALL SELECT ROW(p.*) FROM streetgen._axis_cuts(%2$L, %3$s) p$i$) $$;
+    AS $$ VALUES (1, 'terrain', false, false), (2, 'zones', false, false), (3, 'nodes', false, false),
+        (4, 'links', true, false), (5, 'paths', true, true), (6, 'horizontal', true, true), (7, 'vertical', true, true),
+        (8, 'structures', true, true), (9, 'axes', true, true) $$;
 COMMENT ON FUNCTION streetgen._design_stage() IS
-    'The stages of a design in their order. input: query of the rows that a stage is computed from, over model %1$I '
-    '(%2$L) and link %3$s; stages without it are input alone.';
+    'The stages of a design in their order. computed: else it is input alone; each_link: it is computed link by link.';
 
-CREATE OR REPLACE FUNCTION streetgen._design_hash(model name, stage text, link bigint) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._ground_input(model name, stage text, link bigint) RETURNS SETOF text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 50 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    hash bigint;
+    area constant geometry := streetgen._link_area(model, link);
 BEGIN
-    EXECUTE format($sql$SELECT coalesce(hashtextextended(string_agg(md5(line), '' ORDER BY md5(line)), 47), 0)
-        FROM (SELECT r::text AS line FROM (%s) i(r)) l $sql$, (SELECT format(input, model, model, link)
-        FROM streetgen._design_stage() s WHERE s.stage = _design_hash.stage)) INTO hash;
-    RETURN hash;
+    PERFORM streetgen._use_model(model);
+    IF stage IN ('paths', 'vertical') THEN
+        RETURN QUERY SELECT ROW(content, geom)::text FROM terrain_tile WHERE geom && area AND NOT rejected;
+    END IF;
+    IF stage IN ('paths', 'structures') THEN
+        RETURN QUERY SELECT ROW(z.class, cost, passage, z.content)::text FROM zone z JOIN zone_class USING (class)
+            WHERE z.geom && area AND NOT z.rejected;
+    END IF;
 END $$;
+COMMENT ON FUNCTION streetgen._ground_input(name, text, bigint) IS
+    'The terrain and the zones that a stage of a link is computed from.';
+
+CREATE OR REPLACE FUNCTION streetgen._profile_input(model name, link bigint) RETURNS SETOF text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    extent constant geometry := ST_Envelope(streetgen._plan_line(model, link));
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    SELECT ROW(streetgen._link_rules(model, link), streetgen._design_text(model, 'clearance'))::text
+    UNION ALL SELECT ROW(streetgen._link_elements(model, link))::text
+    UNION ALL SELECT ROW(abscissa, height, radius, rejected)::text FROM grade_point WHERE design_link_id = link
+        AND (by_hand OR rejected)
+    -- The place of a crossing follows from both alignments.
+    UNION ALL SELECT ROW(design_crossing_id, other_link_id, kind, rejected)::text FROM design_crossing
+        WHERE design_link_id = link AND (by_hand OR rejected)
+    UNION ALL SELECT ROW(o.design_link_id, o.geom)::text FROM design_link l JOIN design_link o
+        ON (streetgen._network_rank(o.network), o.design_link_id) <
+            (streetgen._network_rank(l.network), l.design_link_id) AND NOT o.rejected
+        AND o.geom && extent WHERE l.design_link_id = link;
+END $$;
+COMMENT ON FUNCTION streetgen._profile_input(name, bigint) IS
+    'What stage vertical of a link is computed from, beside the terrain.';
+
+CREATE OR REPLACE FUNCTION streetgen._stage_input(model name, stage text, link bigint) RETURNS SETOF text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 50 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    CASE stage
+    WHEN 'links' THEN RETURN QUERY
+        SELECT ROW(design_node_id, kind, importance, geom)::text FROM design_node WHERE NOT rejected
+            AND (by_hand OR kind <> 'interchange')
+        UNION ALL SELECT ROW(node_a, node_b, network, rejected)::text FROM design_link WHERE by_hand
+        UNION ALL SELECT ROW(streetgen._design_text(model, 'link_factor'),
+            streetgen._design_text(model, 'benefit'))::text;
+    WHEN 'paths' THEN RETURN QUERY
+        SELECT ROW(streetgen._link_rules(model, link) - 'curve_radius')::text
+        UNION ALL SELECT ROW(ordinality, geom, straight)::text FROM streetgen._link_places(model, link, true)
+        UNION ALL SELECT * FROM streetgen._ground_input(model, stage, link);
+    WHEN 'horizontal' THEN RETURN QUERY
+        SELECT ROW(streetgen._link_rules(model, link))::text
+        UNION ALL SELECT ROW(ordinality, geom, curve)::text FROM streetgen._link_places(model, link, false)
+        UNION ALL SELECT ROW(e.*)::text FROM alignment_element e WHERE design_link_id = link AND by_hand;
+    WHEN 'vertical' THEN RETURN QUERY
+        SELECT * FROM streetgen._profile_input(model, link)
+        UNION ALL SELECT * FROM streetgen._ground_input(model, stage, link);
+    WHEN 'structures' THEN RETURN QUERY
+        SELECT ROW(streetgen._link_rules(model, link))::text
+        UNION ALL SELECT ROW(streetgen._link_elements(model, link), streetgen._link_grades(model, link))::text
+        UNION ALL SELECT ROW(abscissa, kind, rejected)::text FROM design_crossing WHERE design_link_id = link
+        UNION ALL SELECT * FROM streetgen._ground_input(model, stage, link)
+        UNION ALL SELECT ROW(kind, start_abscissa, end_abscissa, rejected)::text FROM structure
+            WHERE design_link_id = link AND by_hand;
+    WHEN 'axes' THEN RETURN QUERY
+        SELECT ROW(c.*, a.name, b.name, streetgen._design_text(model, 'driving_side'),
+            streetgen._link_elements(model, link), streetgen._link_grades(model, link))::text FROM design_link l
+            JOIN design_class c USING (network) JOIN design_node a ON a.design_node_id = node_a
+            JOIN design_node b ON b.design_node_id = node_b WHERE design_link_id = link
+        UNION ALL SELECT ROW(p.*)::text FROM streetgen._axis_cuts(model, link) p;
+    END CASE;
+END $$;
+COMMENT ON FUNCTION streetgen._stage_input(name, text, bigint) IS
+    'The rows that a stage of a link is computed from, as text; link 0: of a stage that is not link by link.';
+
+CREATE OR REPLACE FUNCTION streetgen._design_hash(model name, stage text, link bigint) RETURNS bigint
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce(hashtextextended(string_agg(md5(line), '' ORDER BY md5(line)), 47), 0)
+        FROM streetgen._stage_input(model, stage, link) line $$;
 COMMENT ON FUNCTION streetgen._design_hash(name, text, bigint) IS
     'Hash of what a stage is computed from; link 0: of a stage that is not link by link.';
 
@@ -110,7 +141,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     LOCK TABLE design_link IN SHARE ROW EXCLUSIVE MODE;
-    FOR each IN SELECT * FROM streetgen._design_stage() s WHERE s.input IS NOT NULL
+    FOR each IN SELECT * FROM streetgen._design_stage() s WHERE s.computed
         AND (stages IS NULL OR s.stage = ANY (stages)) ORDER BY s.place
     LOOP
         stage := each.stage;

@@ -44,28 +44,27 @@ DECLARE
     written bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _import ON COMMIT DROP AS
-WITH link AS MATERIALIZED (SELECT l.design_link_id, c.*, concat_ws(' - ', a.name, b.name) AS link_name,
-    streetgen._link_elements(%2$L, l.design_link_id) AS elements,
-    streetgen._link_grades(%2$L, l.design_link_id) AS grades
-    FROM %1$I.design_link l JOIN %1$I.design_class c USING (network)
-    JOIN %1$I.design_node a ON a.design_node_id = node_a
-    JOIN %1$I.design_node b ON b.design_node_id = node_b
-    WHERE l.design_link_id = ANY (%3$L::bigint[]) AND NOT l.rejected AND NOT c.rejected
-        AND coalesce(l.method, '') NOT LIKE 'no_path%%'),
-side AS (SELECT * FROM (VALUES (1, 0, 'both', ''), (2, 1, 'reverse', '/left'), (2, -1, 'direct', '/right'))
-    s(carriageways, side, direction, suffix))
-SELECT streetgen._alignment_line(elements, grades, %4$s, low, high, 0.01,
-        side * (roadway_width + median_width) / 2, taper)::geometry AS geom,
-    roadway_width AS width, NULL::float8 AS width_end, lane_count,
-    CASE WHEN %5$L AND direction <> 'both' THEN CASE direction WHEN 'direct' THEN 'reverse' ELSE 'direct' END
-        ELSE direction END AS direction,
-    speed, importance, nullif(link_name, '') AS name, level, NULL::text AS class, NULL::float8 AS radius,
-    design_link_id || '/' || part || suffix AS source_ref, design_link_id || '/' || part || suffix AS label,
-    NULL::text AS left_out, NULL::text[] AS unread
-FROM link JOIN side USING (carriageways), LATERAL streetgen._axis_cuts(%2$L, design_link_id)
-WHERE elements <> '{}' AND grades <> '{}' $sql$, model, model, links, srid, left_hand);
+    CREATE TEMPORARY TABLE _import ON COMMIT DROP AS
+    WITH link AS MATERIALIZED (SELECT l.design_link_id, c.*, concat_ws(' - ', a.name, b.name) AS link_name,
+        streetgen._link_elements(model, l.design_link_id) AS elements,
+        streetgen._link_grades(model, l.design_link_id) AS grades
+        FROM design_link l JOIN design_class c USING (network)
+        JOIN design_node a ON a.design_node_id = node_a
+        JOIN design_node b ON b.design_node_id = node_b
+        WHERE l.design_link_id = ANY (links) AND NOT l.rejected AND NOT c.rejected
+            AND coalesce(l.method, '') NOT LIKE 'no_path%'),
+    side AS (SELECT * FROM (VALUES (1, 0, 'both', ''), (2, 1, 'reverse', '/left'), (2, -1, 'direct', '/right'))
+        s(carriageways, side, direction, suffix))
+    SELECT streetgen._alignment_line(elements, grades, srid, low, high, 0.01,
+            side * (roadway_width + median_width) / 2, taper)::geometry AS geom,
+        roadway_width AS width, NULL::float8 AS width_end, lane_count,
+        CASE WHEN left_hand AND direction <> 'both' THEN CASE direction WHEN 'direct' THEN 'reverse' ELSE 'direct' END
+            ELSE direction END AS direction,
+        speed, importance, nullif(link_name, '') AS name, level, NULL::text AS class, NULL::float8 AS radius,
+        design_link_id || '/' || part || suffix AS source_ref, design_link_id || '/' || part || suffix AS label,
+        NULL::text AS left_out, NULL::text[] AS unread
+    FROM link JOIN side USING (carriageways), LATERAL streetgen._axis_cuts(model, design_link_id)
+    WHERE elements <> '{}' AND grades <> '{}';
     SELECT count(*) INTO written FROM pg_temp._import;
     SELECT coalesce(array_agg(source_ref), '{}') FROM axis WHERE source = 'design'
         AND (split_part(source_ref, '/', 1)::bigint = ANY (links)

@@ -246,14 +246,17 @@ BEGIN
             (SELECT string_agg(quote_ident(c), ', ') FROM unnest(streetgen._design_columns(model, shown.relation)) c),
             shown.relation);
         EXECUTE format('COMMENT ON VIEW %I.%I IS %L', model, shown.relation || '_editing',
-            shown.description || ', to be edited by hand: an edited row stays, a deleted one is rejected, and by_hand '
-            'false takes either back');
+            obj_description(format('%I.%I', model, shown.relation)::regclass, 'pg_class') || ', to be edited by hand: '
+            'an edited row stays, a deleted one is rejected, and by_hand false takes either back');
+        EXECUTE (SELECT string_agg(format('COMMENT ON COLUMN %I.%I.%I IS %L', model, shown.relation || '_editing',
+            attname, col_description(attrelid, attnum)), ';') FROM pg_attribute
+            WHERE attrelid = format('%I.%I', model, shown.relation)::regclass
+                AND attname = ANY (streetgen._design_columns(model, shown.relation)));
         EXECUTE format('CREATE OR REPLACE TRIGGER edit INSTEAD OF INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW '
             'EXECUTE FUNCTION %1$I._edit_design()', model, shown.relation || '_editing');
         EXECUTE format('COMMENT ON TRIGGER edit ON %I.%I IS %L', model, shown.relation || '_editing',
             'Turns an edit into a row by hand');
     END LOOP;
-    PERFORM streetgen._comment_design(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_design_edit_views(name) IS
     'Makes the views to edit a design by hand, and their trigger, again and again.';
@@ -397,7 +400,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     IF EXISTS (SELECT FROM streetgen._design_table() t WHERE t.relation = _follow_design.relation
-        AND t.of_link IS NOT NULL) THEN
+        AND t.of_link) THEN
         -- The links that it crossed before, and those that it crosses now.
         followed := streetgen._with_crossed(model, ARRAY[(edited ->> 'design_link_id')::bigint]);
         PERFORM FROM streetgen._run_stages(model, '{paths,horizontal,vertical}', followed);

@@ -50,14 +50,14 @@ BEGIN
     -- Towns drawn before wait for those drawn now: one at the same place is the same town.
     UPDATE design_node SET rejected = true WHERE NOT by_hand AND NOT rejected
         AND kind <> 'interchange' AND ST_Covers(ground, geom);
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _drawn ON COMMIT DROP AS SELECT d.kind, d.importance, d.geom, n.design_node_id FROM (
-    SELECT (ARRAY['city', 'town', 'village'])[kind + 1] AS kind, importance, ST_SetSRID(ST_Point(x, y), $1) AS geom
-    FROM streetgen._rank_size_towns($2, $3, $4, $5, $6)) d
-    LEFT JOIN LATERAL (SELECT design_node_id FROM %1$I.design_node w WHERE rejected AND NOT by_hand
-        AND w.kind <> 'interchange' AND ST_DWithin(w.geom, d.geom, 1) ORDER BY ST_Distance(w.geom, d.geom),
-        design_node_id LIMIT 1) n ON true $sql$, model) USING ST_SRID(ground), site,
-            ST_Multi(ST_Force2D(ground))::bytea, wishes, streetgen._town_numbers(model), seed;
+    CREATE TEMPORARY TABLE _drawn ON COMMIT DROP AS SELECT d.kind, d.importance, d.geom, n.design_node_id FROM (
+        SELECT (ARRAY['city', 'town', 'village'])[kind + 1] AS kind, importance,
+            ST_SetSRID(ST_Point(x, y), ST_SRID(ground)) AS geom
+        FROM streetgen._rank_size_towns(site, ST_Multi(ST_Force2D(ground))::bytea, wishes,
+            streetgen._town_numbers(model), seed)) d
+        LEFT JOIN LATERAL (SELECT design_node_id FROM design_node w WHERE rejected AND NOT by_hand
+            AND w.kind <> 'interchange' AND ST_DWithin(w.geom, d.geom, 1) ORDER BY ST_Distance(w.geom, d.geom),
+            design_node_id LIMIT 1) n ON true;
     UPDATE design_node n SET kind = d.kind, importance = d.importance, geom = d.geom, rejected = false
         FROM pg_temp._drawn d WHERE d.design_node_id = n.design_node_id;
     DELETE FROM design_node n WHERE rejected AND NOT by_hand

@@ -14,40 +14,41 @@ COMMENT ON FUNCTION streetgen._plan_line(name, bigint) IS 'The alignment of a li
 CREATE OR REPLACE FUNCTION streetgen._find_crossings(model name, link bigint) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    line constant geometry := streetgen._plan_line(model, link);
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- With the links that are built before it: those of higher networks, and of its own with a smaller key.
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _crossing ON COMMIT DROP AS
-SELECT row_number() OVER () AS nth, o.design_link_id AS other, p.geom,
-    ST_LineLocatePoint(line, p.geom) * ST_Length(line) AS abscissa,
-    ST_LineLocatePoint(other_line, p.geom) * ST_Length(other_line) AS other_abscissa,
-    CASE WHEN l.network = o.network OR 'highway' NOT IN (l.network, o.network) THEN 'level' END AS kind
-FROM %1$I.design_link l JOIN %1$I.design_link o ON o.geom && streetgen._plan_line(%2$L, %3$s)
-    AND (streetgen._network_rank(o.network), o.design_link_id) < (streetgen._network_rank(l.network), l.design_link_id)
-    AND NOT o.rejected,
-    LATERAL (SELECT streetgen._plan_line(%2$L, %3$s) AS line, ST_Force2D(o.geom) AS other_line OFFSET 0) g,
-    LATERAL ST_Dump(ST_CollectionExtract(ST_Intersection(line, other_line), 1)) p
-WHERE l.design_link_id = %3$s
-    -- Links touch where they leave a common node, and do not cross.
-    AND NOT EXISTS (SELECT FROM %1$I.design_node n WHERE n.design_node_id IN (l.node_a, l.node_b, o.node_a, o.node_b)
-        AND ST_DWithin(n.geom, p.geom, 60));
-CREATE TEMPORARY TABLE _near ON COMMIT DROP AS SELECT nth AS found, c.design_crossing_id AS known,
-    ST_Distance(f.geom, c.geom) AS apart FROM pg_temp._crossing f JOIN %1$I.design_crossing c
-        ON c.other_link_id = f.other
-    AND (c.by_hand OR ST_DWithin(f.geom, c.geom, 100)) WHERE c.design_link_id = %3$s $sql$, model, model, link);
+    CREATE TEMPORARY TABLE _crossing ON COMMIT DROP AS
+    SELECT row_number() OVER () AS nth, o.design_link_id AS other, p.geom,
+        ST_LineLocatePoint(line, p.geom) * ST_Length(line) AS abscissa,
+        ST_LineLocatePoint(other_line, p.geom) * ST_Length(other_line) AS other_abscissa,
+        CASE WHEN l.network = o.network OR 'highway' NOT IN (l.network, o.network) THEN 'level' END AS kind
+    FROM design_link l JOIN design_link o ON o.geom && line AND NOT o.rejected
+        AND (streetgen._network_rank(o.network), o.design_link_id)
+            < (streetgen._network_rank(l.network), l.design_link_id),
+        LATERAL (SELECT ST_Force2D(o.geom) AS other_line OFFSET 0) g,
+        LATERAL ST_Dump(ST_CollectionExtract(ST_Intersection(line, other_line), 1)) p
+    WHERE l.design_link_id = link
+        -- Links touch where they leave a common node, and do not cross.
+        AND NOT EXISTS (SELECT FROM design_node n WHERE n.design_node_id IN (l.node_a, l.node_b, o.node_a, o.node_b)
+            AND ST_DWithin(n.geom, p.geom, 60));
+    CREATE TEMPORARY TABLE _near ON COMMIT DROP AS SELECT nth AS found, c.design_crossing_id AS known,
+        ST_Distance(f.geom, c.geom) AS apart FROM pg_temp._crossing f JOIN design_crossing c
+            ON c.other_link_id = f.other
+        AND (c.by_hand OR ST_DWithin(f.geom, c.geom, 100)) WHERE c.design_link_id = link;
     PERFORM streetgen._match_nearest();
-    EXECUTE format($sql$
-DELETE FROM %1$I.design_crossing WHERE design_link_id = %2$s AND NOT by_hand
-    AND design_crossing_id NOT IN (SELECT known FROM pg_temp._match);
-UPDATE %1$I.design_crossing SET abscissa = -1, other_abscissa = -1 WHERE design_link_id = %2$s AND abscissa >= 0
-    AND design_crossing_id NOT IN (SELECT known FROM pg_temp._match);
-UPDATE %1$I.design_crossing c SET abscissa = f.abscissa, other_abscissa = f.other_abscissa, geom = f.geom
-    FROM pg_temp._match m JOIN pg_temp._crossing f ON f.nth = m.found WHERE c.design_crossing_id = m.known
-    AND (c.abscissa, c.other_abscissa) IS DISTINCT FROM (f.abscissa, f.other_abscissa);
-INSERT INTO %1$I.design_crossing (design_link_id, other_link_id, abscissa, other_abscissa, kind, geom)
-SELECT %2$s, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM pg_temp._crossing
-    WHERE nth NOT IN (SELECT found FROM pg_temp._match);
-DROP TABLE pg_temp._crossing, pg_temp._match $sql$, model, link);
+    DELETE FROM design_crossing WHERE design_link_id = link AND NOT by_hand
+        AND design_crossing_id NOT IN (SELECT m.known FROM pg_temp._match m);
+    UPDATE design_crossing SET abscissa = -1, other_abscissa = -1 WHERE design_link_id = link AND abscissa >= 0
+        AND design_crossing_id NOT IN (SELECT m.known FROM pg_temp._match m);
+    UPDATE design_crossing c SET abscissa = f.abscissa, other_abscissa = f.other_abscissa, geom = f.geom
+        FROM pg_temp._match m JOIN pg_temp._crossing f ON f.nth = m.found WHERE c.design_crossing_id = m.known
+        AND (c.abscissa, c.other_abscissa) IS DISTINCT FROM (f.abscissa, f.other_abscissa);
+    INSERT INTO design_crossing (design_link_id, other_link_id, abscissa, other_abscissa, kind, geom)
+    SELECT link, other, abscissa, other_abscissa, coalesce(kind, 'over'), geom FROM pg_temp._crossing
+        WHERE nth NOT IN (SELECT m.found FROM pg_temp._match m);
+    DROP TABLE pg_temp._crossing, pg_temp._match;
 END $$;
 COMMENT ON FUNCTION streetgen._find_crossings(name, bigint) IS
     'Finds where a link crosses links that are built before it. A decision by hand stays with the crossing of the same '

@@ -1,126 +1,283 @@
--- The tables of a design: a model that has them designs its roads on terrain.
+-- Tables of a design: a model that has them designs its roads on terrain.
 
-CREATE OR REPLACE FUNCTION streetgen._design_table()
-    RETURNS TABLE(place integer, relation name, computed boolean, of_link text, definition text, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
-    AS $$ VALUES
-    (1, 'terrain_tile'::name, false, NULL, 'geom geometry(Polygon, %2$s) NOT NULL, heights bytea NOT NULL,
-        content text GENERATED ALWAYS AS (md5(heights)) STORED',
-        'Heights of the ground: tiles of one raster'),
-    (2, 'zone_class', false, NULL, 'class text NOT NULL UNIQUE,
-        cost float8 NOT NULL DEFAULT 0 CHECK (cost BETWEEN 0 AND 1e9),
-        passage text NOT NULL DEFAULT ''free'' CHECK (passage IN (''free'', ''bridge'', ''forbidden''))',
-        'Classes of zones: what a road pays for crossing them, and how it may'),
-    (3, 'zone', false, NULL, 'class text NOT NULL REFERENCES %1$I.zone_class (class) ON UPDATE CASCADE,
-        geom geometry(MultiPolygon, %2$s) NOT NULL,
-        content text GENERATED ALWAYS AS (md5(ST_AsEWKB(geom))) STORED',
-        'Ground that roads pay for, bridge or keep out of'),
-    (4, 'design_standard', false, NULL, 'speed float8 NOT NULL UNIQUE CHECK (speed BETWEEN 10 AND 200),
-        radius float8 NOT NULL CHECK (radius BETWEEN 5 AND 10000),
-        radius_normal float8 NOT NULL CHECK (radius_normal BETWEEN 5 AND 10000),
-        clothoid float8 NOT NULL CHECK (clothoid BETWEEN 0 AND 10000),
-        grade float8 NOT NULL CHECK (grade BETWEEN 0.001 AND 0.5),
-        crest float8 NOT NULL CHECK (crest BETWEEN 10 AND 1e6), sag float8 NOT NULL CHECK (sag BETWEEN 10 AND 1e6),
-        stopping float8 NOT NULL CHECK (stopping BETWEEN 1 AND 1000)',
-        'What a base speed asks of a road, a row a speed: the Portuguese norm until other rows stand here'),
-    (5, 'design_class', false, NULL, 'network text NOT NULL UNIQUE
-            CHECK (network IN (''highway'', ''secondary'', ''rural'')),
-        speed float8 NOT NULL CHECK (speed BETWEEN 10 AND 200), width float8 NOT NULL CHECK (width BETWEEN 3 AND 200),
-        carriageways integer NOT NULL CHECK (carriageways IN (1, 2)),
-        lane_count integer NOT NULL CHECK (lane_count BETWEEN 1 AND 12),
-        roadway_width float8 NOT NULL CHECK (roadway_width BETWEEN 2 AND 100),
-        median_width float8 NOT NULL DEFAULT 0 CHECK (median_width BETWEEN 0 AND 100),
-        taper float8 NOT NULL DEFAULT 0 CHECK (taper BETWEEN 0 AND 10000),
-        importance integer NOT NULL CHECK (importance BETWEEN 1 AND 99)',
-        'What the roads of a network are built as'),
-    (6, 'design_node', true, NULL, 'name text, kind text NOT NULL
-            CHECK (kind IN (''city'', ''town'', ''village'', ''interchange'')),
-        importance float8 NOT NULL DEFAULT 0 CHECK (importance BETWEEN 0 AND 1e10),
-        geom geometry(Point, %2$s) NOT NULL',
-        'Towns that roads link, and interchanges where links of a network cross'),
-    (7, 'design_link', true, NULL, 'node_a bigint NOT NULL REFERENCES %1$I.design_node ON DELETE CASCADE,
-        node_b bigint NOT NULL REFERENCES %1$I.design_node ON DELETE CASCADE,
-        network text NOT NULL CHECK (network IN (''highway'', ''secondary'', ''rural'')),
-        length float8, utilisation float8, benefit float8, cost float8, method text,
-        geom geometry(LineStringZ, %2$s), town_a bigint, town_b bigint, CHECK (node_a <> node_b)',
-        'Roads between two nodes'),
-    (8, 'design_vertex', true, 'design_link_id', 'design_link_id bigint NOT NULL
-            REFERENCES %1$I.design_link ON DELETE CASCADE,
-        ordinality float8 NOT NULL, geom geometry(Point, %2$s) NOT NULL,
-        radius float8 CHECK (radius BETWEEN 0 AND 1e6), clothoid_in float8 CHECK (clothoid_in BETWEEN 0 AND 1e6),
-        clothoid_out float8 CHECK (clothoid_out BETWEEN 0 AND 1e6),
-        straight_in boolean NOT NULL DEFAULT false, straight_out boolean NOT NULL DEFAULT false',
-        'Vertices of the straight alignments of links'),
-    (9, 'alignment_element', true, 'design_link_id', 'design_link_id bigint NOT NULL
-            REFERENCES %1$I.design_link ON DELETE CASCADE,
-        ordinality integer NOT NULL, kind text NOT NULL CHECK (kind IN (''line'', ''clothoid'', ''arc'')),
-        abscissa float8 NOT NULL, start geometry(Point, %2$s) NOT NULL, heading float8 NOT NULL,
-        length float8 NOT NULL CHECK (length >= 0), curvature_start float8 NOT NULL, curvature_end float8 NOT NULL',
-        'Straight lines, clothoids and arcs of links'),
-    (10, 'grade_point', true, 'design_link_id', 'design_link_id bigint NOT NULL
-            REFERENCES %1$I.design_link ON DELETE CASCADE,
-        abscissa float8 NOT NULL CHECK (abscissa >= 0), height float8 NOT NULL CHECK (height BETWEEN -1e5 AND 1e5),
-        radius float8 CHECK (radius BETWEEN 0 AND 1e7), geom geometry(PointZ, %2$s)',
-        'Where straight grades of links meet, with the parabolas that round them'),
-    (11, 'design_crossing', true, 'design_link_id', 'design_link_id bigint NOT NULL
-            REFERENCES %1$I.design_link ON DELETE CASCADE,
-        other_link_id bigint NOT NULL REFERENCES %1$I.design_link ON DELETE CASCADE,
-        abscissa float8 NOT NULL, other_abscissa float8 NOT NULL,
-        kind text NOT NULL CHECK (kind IN (''over'', ''under'', ''level'')), geom geometry(Point, %2$s) NOT NULL',
-        'Where links of two networks cross'),
-    (12, 'structure', true, 'design_link_id', 'design_link_id bigint NOT NULL
-            REFERENCES %1$I.design_link ON DELETE CASCADE,
-        kind text NOT NULL CHECK (kind IN (''bridge'', ''tunnel'')), start_abscissa float8 NOT NULL,
-        end_abscissa float8 NOT NULL, geom geometry(LineStringZ, %2$s), CHECK (end_abscissa > start_abscissa)',
-        'Bridges and tunnels of links') $$;
-COMMENT ON FUNCTION streetgen._design_table() IS
-    'The tables of a design in their order. computed: streetgen.design writes the table; of_link: the column by which '
-    'its rows belong to a link; definition: its columns in model %1$I of SRID %2$s.';
+CREATE TABLE :"model".terrain_tile (
+    terrain_tile_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    geom geometry(Polygon, :srid) NOT NULL, heights bytea NOT NULL,
+    content text GENERATED ALWAYS AS (md5(heights)) STORED,
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX terrain_tile_geom ON :"model".terrain_tile USING gist (geom);
+COMMENT ON TABLE :"model".terrain_tile IS 'Heights of the ground: tiles of one raster';
+COMMENT ON COLUMN :"model".terrain_tile.terrain_tile_id IS 'key';
+COMMENT ON COLUMN :"model".terrain_tile.geom IS 'the box of the tile';
+COMMENT ON COLUMN :"model".terrain_tile.heights IS 'heights of the ground, metres: raster WKB, first band';
+COMMENT ON COLUMN :"model".terrain_tile.content IS 'hash of the heights';
+COMMENT ON COLUMN :"model".terrain_tile.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".terrain_tile.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
 
-CREATE OR REPLACE FUNCTION streetgen._rows_by_hand() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT string_agg(format('SELECT %1$L::name AS relation, %2$I AS id, design_link_id, %3$s AS geom
-        FROM %%1$I.%1$I WHERE by_hand', relation, relation || '_id', CASE relation
-            WHEN 'alignment_element' THEN 'start' ELSE 'geom' END), ' UNION ALL ' ORDER BY place)
-        || ' UNION ALL SELECT ''design_crossing'', design_crossing_id, other_link_id, geom
-            FROM %1$I.design_crossing WHERE by_hand'
-        FROM streetgen._design_table() WHERE of_link IS NOT NULL $$;
-COMMENT ON FUNCTION streetgen._rows_by_hand() IS
-    'Query of the rows by hand of links of model %1$I: relation, id, design_link_id and geom; a crossing is of both '
-    'its links.';
+CREATE TABLE :"model".zone_class (
+    zone_class_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    class text NOT NULL UNIQUE,
+    cost float8 NOT NULL DEFAULT 0 CHECK (cost BETWEEN 0 AND 1e9),
+    passage text NOT NULL DEFAULT 'free' CHECK (passage IN ('free', 'bridge', 'forbidden')),
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+COMMENT ON TABLE :"model".zone_class IS 'Classes of zones: what a road pays for crossing them, and how it may';
+COMMENT ON COLUMN :"model".zone_class.zone_class_id IS 'key';
+COMMENT ON COLUMN :"model".zone_class.class IS 'name of the class';
+COMMENT ON COLUMN :"model".zone_class.cost IS 'cost of each square metre that a road crosses';
+COMMENT ON COLUMN :"model".zone_class.passage IS 'free, bridge: on a bridge or in a tunnel alone, or forbidden';
+COMMENT ON COLUMN :"model".zone_class.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".zone_class.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
 
-CREATE OR REPLACE FUNCTION streetgen._require_design(model name) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    PERFORM streetgen._require_model(model);
-    IF NOT streetgen._has_design(model) THEN
-        PERFORM streetgen._refuse('55000', format('model "%s" has no design', model),
-            hint => format('SELECT streetgen.create_design(%L) makes its tables.', model));
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._require_design(name) IS
-    'Raises 3F000 when the model does not exist, 55000 when it has no tables of a design.';
+CREATE TABLE :"model".zone (
+    zone_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    class text NOT NULL REFERENCES :"model".zone_class (class) ON UPDATE CASCADE,
+    geom geometry(MultiPolygon, :srid) NOT NULL,
+    content text GENERATED ALWAYS AS (md5(ST_AsEWKB(geom))) STORED,
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX zone_geom ON :"model".zone USING gist (geom);
+COMMENT ON TABLE :"model".zone IS 'Ground that roads pay for, bridge or keep out of';
+COMMENT ON COLUMN :"model".zone.zone_id IS 'key';
+COMMENT ON COLUMN :"model".zone.class IS 'its class, see zone_class';
+COMMENT ON COLUMN :"model".zone.geom IS 'its ground';
+COMMENT ON COLUMN :"model".zone.content IS 'hash of its ground';
+COMMENT ON COLUMN :"model".zone.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".zone.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
 
-CREATE OR REPLACE FUNCTION streetgen._default_design_standard()
-    RETURNS TABLE(speed float8, radius float8, radius_normal float8, clothoid float8, grade float8, crest float8,
-        sag float8, stopping float8)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
-    AS $$ VALUES
-    (30::float8, 30::float8, 60::float8, 20::float8, 0.1::float8, 800::float8, 500::float8, 30::float8),
-    (40, 55, 110, 35, 0.08, 1500, 800, 40), (50, 85, 180, 50, 0.08, 1500, 1200, 60),
-    (60, 130, 250, 70, 0.07, 2000, 1600, 80), (70, 180, 350, 90, 0.065, 3000, 2500, 100),
-    (80, 240, 450, 120, 0.06, 5000, 3500, 120), (90, 320, 550, 150, 0.055, 7000, 4500, 150),
-    (100, 420, 700, 180, 0.05, 9000, 5500, 180), (110, 560, 850, 210, 0.045, 11500, 6250, 215),
-    (120, 700, 1000, 250, 0.04, 14000, 7000, 250), (130, 900, 1200, 300, 0.035, 17000, 8500, 290),
-    (140, 1200, 1400, 400, 0.03, 20000, 10000, 330) $$;
-COMMENT ON FUNCTION streetgen._default_design_standard() IS
-    'Values by base speed of the Portuguese norm JAE P3/94; rows between those of the norm are interpolated.';
+CREATE TABLE :"model".design_standard (
+    design_standard_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    speed float8 NOT NULL UNIQUE CHECK (speed BETWEEN 10 AND 200),
+    radius float8 NOT NULL CHECK (radius BETWEEN 5 AND 10000),
+    radius_normal float8 NOT NULL CHECK (radius_normal BETWEEN 5 AND 10000),
+    clothoid float8 NOT NULL CHECK (clothoid BETWEEN 0 AND 10000),
+    grade float8 NOT NULL CHECK (grade BETWEEN 0.001 AND 0.5),
+    crest float8 NOT NULL CHECK (crest BETWEEN 10 AND 1e6), sag float8 NOT NULL CHECK (sag BETWEEN 10 AND 1e6),
+    stopping float8 NOT NULL CHECK (stopping BETWEEN 1 AND 1000),
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+COMMENT ON TABLE :"model".design_standard IS
+    'What a base speed asks of a road, a row a speed: the Portuguese norm until other rows stand here';
+COMMENT ON COLUMN :"model".design_standard.design_standard_id IS 'key';
+COMMENT ON COLUMN :"model".design_standard.speed IS 'base speed, km/h';
+COMMENT ON COLUMN :"model".design_standard.radius IS 'least radius of a curve, metres';
+COMMENT ON COLUMN :"model".design_standard.radius_normal IS 'normal radius of a curve, metres';
+COMMENT ON COLUMN :"model".design_standard.clothoid IS 'parameter A of clothoids at the least radius, metres';
+COMMENT ON COLUMN :"model".design_standard.grade IS 'greatest grade, rise over run';
+COMMENT ON COLUMN :"model".design_standard.crest IS 'least radius of a parabola on a crest, metres';
+COMMENT ON COLUMN :"model".design_standard.sag IS 'least radius of a parabola in a sag, metres';
+COMMENT ON COLUMN :"model".design_standard.stopping IS 'stopping distance, metres';
+COMMENT ON COLUMN :"model".design_standard.by_hand IS
+    'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".design_standard.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
 
-CREATE OR REPLACE FUNCTION streetgen._default_design_class()
-    RETURNS TABLE(network text, speed float8, width float8, carriageways integer, lane_count integer,
-        roadway_width float8, median_width float8, taper float8, importance integer)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES ('highway', 120::float8, 40::float8, 2, 2, 10.5::float8, 8::float8, 200::float8, 1),
-    ('secondary', 80, 16, 1, 2, 9, 0, 0, 2), ('rural', 60, 12, 1, 2, 7, 0, 0, 3) $$;
-COMMENT ON FUNCTION streetgen._default_design_class() IS 'What the roads of the three networks are, until changed.';
+CREATE TABLE :"model".design_class (
+    design_class_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    network text NOT NULL UNIQUE CHECK (network IN ('highway', 'secondary', 'rural')),
+    speed float8 NOT NULL CHECK (speed BETWEEN 10 AND 200), width float8 NOT NULL CHECK (width BETWEEN 3 AND 200),
+    carriageways integer NOT NULL CHECK (carriageways IN (1, 2)),
+    lane_count integer NOT NULL CHECK (lane_count BETWEEN 1 AND 12),
+    roadway_width float8 NOT NULL CHECK (roadway_width BETWEEN 2 AND 100),
+    median_width float8 NOT NULL DEFAULT 0 CHECK (median_width BETWEEN 0 AND 100),
+    taper float8 NOT NULL DEFAULT 0 CHECK (taper BETWEEN 0 AND 10000),
+    importance integer NOT NULL CHECK (importance BETWEEN 1 AND 99),
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+COMMENT ON TABLE :"model".design_class IS 'What the roads of a network are built as';
+COMMENT ON COLUMN :"model".design_class.design_class_id IS 'key';
+COMMENT ON COLUMN :"model".design_class.network IS 'highway, secondary or rural';
+COMMENT ON COLUMN :"model".design_class.speed IS 'base speed, km/h, a row of design_standard';
+COMMENT ON COLUMN :"model".design_class.width IS 'width of the formation, which costs are reckoned with, metres';
+COMMENT ON COLUMN :"model".design_class.carriageways IS '1, or 2 that are one-way axes beside the alignment';
+COMMENT ON COLUMN :"model".design_class.lane_count IS 'lanes of each carriageway';
+COMMENT ON COLUMN :"model".design_class.roadway_width IS 'width of each carriageway kerb to kerb, metres';
+COMMENT ON COLUMN :"model".design_class.median_width IS 'width between two carriageways, metres';
+COMMENT ON COLUMN :"model".design_class.taper IS 'length over which two carriageways come together at a node, metres';
+COMMENT ON COLUMN :"model".design_class.importance IS 'importance of the axes, 1 the highest';
+COMMENT ON COLUMN :"model".design_class.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".design_class.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".design_node (
+    design_node_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    name text, kind text NOT NULL CHECK (kind IN ('city', 'town', 'village', 'interchange')),
+    importance float8 NOT NULL DEFAULT 0 CHECK (importance BETWEEN 0 AND 1e10),
+    geom geometry(Point, :srid) NOT NULL,
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX design_node_geom ON :"model".design_node USING gist (geom);
+COMMENT ON TABLE :"model".design_node IS 'Towns that roads link, and interchanges where links of a network cross';
+COMMENT ON COLUMN :"model".design_node.design_node_id IS 'key';
+COMMENT ON COLUMN :"model".design_node.name IS 'name of the town';
+COMMENT ON COLUMN :"model".design_node.kind IS 'city, town, village, or interchange';
+COMMENT ON COLUMN :"model".design_node.importance IS 'people, as a rule; 0 of interchanges';
+COMMENT ON COLUMN :"model".design_node.geom IS 'place';
+COMMENT ON COLUMN :"model".design_node.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".design_node.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".design_link (
+    design_link_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    node_a bigint NOT NULL REFERENCES :"model".design_node ON DELETE CASCADE,
+    node_b bigint NOT NULL REFERENCES :"model".design_node ON DELETE CASCADE,
+    network text NOT NULL CHECK (network IN ('highway', 'secondary', 'rural')),
+    length float8, utilisation float8, benefit float8, cost float8, method text,
+    geom geometry(LineStringZ, :srid), town_a bigint, town_b bigint, CHECK (node_a <> node_b),
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX design_link_geom ON :"model".design_link USING gist (geom);
+COMMENT ON TABLE :"model".design_link IS 'Roads between two nodes';
+COMMENT ON COLUMN :"model".design_link.design_link_id IS 'key';
+COMMENT ON COLUMN :"model".design_link.node_a IS 'node where it begins';
+COMMENT ON COLUMN :"model".design_link.node_b IS 'node where it ends';
+COMMENT ON COLUMN :"model".design_link.network IS 'highway, secondary or rural';
+COMMENT ON COLUMN :"model".design_link.length IS 'straight length of the link before it was cut at interchanges, km';
+COMMENT ON COLUMN :"model".design_link.utilisation IS 'equation 1: thousands of people squared per km2';
+COMMENT ON COLUMN :"model".design_link.benefit IS
+    'equation 2 times setting link_factor, km of road; infinite: there is no other way';
+COMMENT ON COLUMN :"model".design_link.cost IS 'cost of the link, km of road';
+COMMENT ON COLUMN :"model".design_link.method IS
+    'NULL: as wanted; breaks radius, grade, crest, sag: rules of its standard that it breaks; no_path: and what bars '
+    'it (terrain, zone, grade or turn)';
+COMMENT ON COLUMN :"model".design_link.geom IS 'the road, chords of a centimetre of sagitta';
+COMMENT ON COLUMN :"model".design_link.town_a IS
+    'town where it began before it was cut at interchanges; NULL: not known';
+COMMENT ON COLUMN :"model".design_link.town_b IS
+    'town where it ended before it was cut at interchanges; NULL: not known';
+COMMENT ON COLUMN :"model".design_link.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".design_link.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".design_vertex (
+    design_vertex_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    design_link_id bigint NOT NULL REFERENCES :"model".design_link ON DELETE CASCADE,
+    ordinality float8 NOT NULL, geom geometry(Point, :srid) NOT NULL,
+    radius float8 CHECK (radius BETWEEN 0 AND 1e6), clothoid_in float8 CHECK (clothoid_in BETWEEN 0 AND 1e6),
+    clothoid_out float8 CHECK (clothoid_out BETWEEN 0 AND 1e6),
+    straight_in boolean NOT NULL DEFAULT false, straight_out boolean NOT NULL DEFAULT false,
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX design_vertex_geom ON :"model".design_vertex USING gist (geom);
+CREATE INDEX design_vertex_link ON :"model".design_vertex (design_link_id);
+COMMENT ON TABLE :"model".design_vertex IS 'Vertices of the straight alignments of links';
+COMMENT ON COLUMN :"model".design_vertex.design_vertex_id IS 'key';
+COMMENT ON COLUMN :"model".design_vertex.design_link_id IS 'the link';
+COMMENT ON COLUMN :"model".design_vertex.ordinality IS
+    'place among the vertices of the link; parts of a number are fine';
+COMMENT ON COLUMN :"model".design_vertex.geom IS 'place';
+COMMENT ON COLUMN :"model".design_vertex.radius IS
+    'radius of the curve there by hand, metres; NULL: by setting curve_radius';
+COMMENT ON COLUMN :"model".design_vertex.clothoid_in IS
+    'parameter A of the clothoid before the arc, metres, where radius is given';
+COMMENT ON COLUMN :"model".design_vertex.clothoid_out IS
+    'parameter A of the clothoid behind the arc, metres, where radius is given';
+COMMENT ON COLUMN :"model".design_vertex.straight_in IS
+    'by hand: is the side before it straight? Else the search fills it';
+COMMENT ON COLUMN :"model".design_vertex.straight_out IS
+    'by hand: is the side behind it straight? Both ends of a side have to say so';
+COMMENT ON COLUMN :"model".design_vertex.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".design_vertex.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".alignment_element (
+    alignment_element_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    design_link_id bigint NOT NULL REFERENCES :"model".design_link ON DELETE CASCADE,
+    ordinality integer NOT NULL, kind text NOT NULL CHECK (kind IN ('line', 'clothoid', 'arc')),
+    abscissa float8 NOT NULL, start geometry(Point, :srid) NOT NULL, heading float8 NOT NULL,
+    length float8 NOT NULL CHECK (length >= 0), curvature_start float8 NOT NULL, curvature_end float8 NOT NULL,
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX alignment_element_link ON :"model".alignment_element (design_link_id);
+COMMENT ON TABLE :"model".alignment_element IS 'Straight lines, clothoids and arcs of links';
+COMMENT ON COLUMN :"model".alignment_element.alignment_element_id IS 'key';
+COMMENT ON COLUMN :"model".alignment_element.design_link_id IS 'the link';
+COMMENT ON COLUMN :"model".alignment_element.ordinality IS 'number along the link, from 1';
+COMMENT ON COLUMN :"model".alignment_element.kind IS 'line, clothoid or arc';
+COMMENT ON COLUMN :"model".alignment_element.abscissa IS 'of its start along the link, metres';
+COMMENT ON COLUMN :"model".alignment_element.start IS 'where it starts';
+COMMENT ON COLUMN :"model".alignment_element.heading IS 'at its start, radians counter-clockwise from the x axis';
+COMMENT ON COLUMN :"model".alignment_element.length IS 'metres';
+COMMENT ON COLUMN :"model".alignment_element.curvature_start IS '1/m, positive on left bends';
+COMMENT ON COLUMN :"model".alignment_element.curvature_end IS '1/m, positive on left bends';
+COMMENT ON COLUMN :"model".alignment_element.by_hand IS
+    'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".alignment_element.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".grade_point (
+    grade_point_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    design_link_id bigint NOT NULL REFERENCES :"model".design_link ON DELETE CASCADE,
+    abscissa float8 NOT NULL CHECK (abscissa >= 0), height float8 NOT NULL CHECK (height BETWEEN -1e5 AND 1e5),
+    radius float8 CHECK (radius BETWEEN 0 AND 1e7), geom geometry(PointZ, :srid),
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX grade_point_geom ON :"model".grade_point USING gist (geom);
+CREATE INDEX grade_point_link ON :"model".grade_point (design_link_id);
+COMMENT ON TABLE :"model".grade_point IS 'Where straight grades of links meet, with the parabolas that round them';
+COMMENT ON COLUMN :"model".grade_point.grade_point_id IS 'key';
+COMMENT ON COLUMN :"model".grade_point.design_link_id IS 'the link';
+COMMENT ON COLUMN :"model".grade_point.abscissa IS 'along the link, metres';
+COMMENT ON COLUMN :"model".grade_point.height IS 'where the straight grades meet, metres';
+COMMENT ON COLUMN :"model".grade_point.radius IS 'radius of the parabola, metres; 0 or NULL: none';
+COMMENT ON COLUMN :"model".grade_point.geom IS 'its place at its height';
+COMMENT ON COLUMN :"model".grade_point.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".grade_point.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".design_crossing (
+    design_crossing_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    design_link_id bigint NOT NULL REFERENCES :"model".design_link ON DELETE CASCADE,
+    other_link_id bigint NOT NULL REFERENCES :"model".design_link ON DELETE CASCADE,
+    abscissa float8 NOT NULL, other_abscissa float8 NOT NULL,
+    kind text NOT NULL CHECK (kind IN ('over', 'under', 'level')), geom geometry(Point, :srid) NOT NULL,
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX design_crossing_geom ON :"model".design_crossing USING gist (geom);
+CREATE INDEX design_crossing_link ON :"model".design_crossing (design_link_id);
+COMMENT ON TABLE :"model".design_crossing IS 'Where links of two networks cross';
+COMMENT ON COLUMN :"model".design_crossing.design_crossing_id IS 'key';
+COMMENT ON COLUMN :"model".design_crossing.design_link_id IS 'the link that is built later';
+COMMENT ON COLUMN :"model".design_crossing.other_link_id IS 'the link that it crosses';
+COMMENT ON COLUMN :"model".design_crossing.abscissa IS
+    'along the link, metres; -1: by hand, and the links do not cross now';
+COMMENT ON COLUMN :"model".design_crossing.other_abscissa IS 'along the other link, metres; -1 as abscissa';
+COMMENT ON COLUMN :"model".design_crossing.kind IS
+    'over or under the other link, by setting clearance, or at its level';
+COMMENT ON COLUMN :"model".design_crossing.geom IS 'place';
+COMMENT ON COLUMN :"model".design_crossing.by_hand IS
+    'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".design_crossing.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".structure (
+    structure_id bigint GENERATED BY DEFAULT AS IDENTITY PRIMARY KEY,
+    design_link_id bigint NOT NULL REFERENCES :"model".design_link ON DELETE CASCADE,
+    kind text NOT NULL CHECK (kind IN ('bridge', 'tunnel')), start_abscissa float8 NOT NULL,
+    end_abscissa float8 NOT NULL, geom geometry(LineStringZ, :srid), CHECK (end_abscissa > start_abscissa),
+    by_hand boolean NOT NULL DEFAULT false, rejected boolean NOT NULL DEFAULT false);
+CREATE INDEX structure_geom ON :"model".structure USING gist (geom);
+CREATE INDEX structure_link ON :"model".structure (design_link_id);
+COMMENT ON TABLE :"model".structure IS 'Bridges and tunnels of links';
+COMMENT ON COLUMN :"model".structure.structure_id IS 'key';
+COMMENT ON COLUMN :"model".structure.design_link_id IS 'the link';
+COMMENT ON COLUMN :"model".structure.kind IS 'bridge or tunnel';
+COMMENT ON COLUMN :"model".structure.start_abscissa IS 'where it begins along the link, metres';
+COMMENT ON COLUMN :"model".structure.end_abscissa IS 'where it ends along the link, metres';
+COMMENT ON COLUMN :"model".structure.geom IS 'the road on it';
+COMMENT ON COLUMN :"model".structure.by_hand IS 'was the row made or changed by hand? It stays then, and is input';
+COMMENT ON COLUMN :"model".structure.rejected IS
+    'is the row out of the design? By hand: it was deleted and never comes back; not by hand: it is no longer wanted, '
+    'and waits for the rows by hand of a link';
+
+CREATE TABLE :"model".design_input (
+    stage text, design_link_id bigint, input_hash bigint NOT NULL, PRIMARY KEY (stage, design_link_id));
+COMMENT ON TABLE :"model".design_input IS
+    'What each stage of the design was computed from: a stage whose input has another hash is stale';
+COMMENT ON COLUMN :"model".design_input.stage IS 'the stage';
+COMMENT ON COLUMN :"model".design_input.design_link_id IS 'the link; 0: a stage of all links';
+COMMENT ON COLUMN :"model".design_input.input_hash IS 'hash of what the stage was computed from';

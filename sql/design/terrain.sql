@@ -9,18 +9,19 @@ DECLARE
     wrong record;
     apart float8;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._check_scale(rims);
     SELECT * INTO wrong FROM streetgen._misplaced(rims);
     IF FOUND THEN
         RAISE EXCEPTION '%', wrong.remark USING ERRCODE = '22023', HINT = wrong.way_out;
     END IF;
-    EXECUTE format($sql$
-SELECT ST_Distance(t.ground, m.ground) FROM (SELECT ST_Collect(ST_MakeEnvelope(box[1], box[2], box[3], box[4], $1))
-    AS ground FROM pg_temp._tile) t, (SELECT ST_Collect(geom) AS ground FROM (
-        SELECT ST_SetSRID(ST_Extent(geom)::geometry, $1) AS geom FROM %1$I.axis
-        UNION ALL SELECT ST_SetSRID(ST_Extent(geom)::geometry, $1) FROM %1$I.design_node WHERE NOT rejected
-        UNION ALL SELECT ST_SetSRID(ST_Extent(geom)::geometry, $1) FROM %1$I.terrain_tile) e) m $sql$, model)
-        INTO apart USING target_srid;
+    SELECT ST_Distance(t.ground, m.ground) INTO apart FROM (
+        SELECT ST_Collect(ST_MakeEnvelope(box[1], box[2], box[3], box[4], target_srid)) AS ground
+        FROM pg_temp._tile) t, (
+        SELECT ST_SetSRID(ST_Collect(extent::geometry), target_srid) AS ground FROM (
+            SELECT ST_Extent(geom) AS extent FROM axis
+            UNION ALL SELECT ST_Extent(geom) FROM design_node WHERE NOT rejected
+            UNION ALL SELECT ST_Extent(geom) FROM terrain_tile) e) m;
     IF apart > 0 THEN
         RAISE WARNING 'the heights lie % m beside the axes, nodes and heights of model "%"', round(apart), model
             USING HINT = 'Look whether the file is that of another area, or says another spatial reference.';
@@ -40,25 +41,26 @@ DECLARE
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _tile ON COMMIT DROP AS SELECT heights, streetgen._height_tile_box(heights)
         AS box FROM (%s) s(heights)', source);
+    PERFORM streetgen._use_model(model);
     SELECT box[5]::integer AS srid INTO wrong FROM pg_temp._tile WHERE box[5] NOT IN (0, target_srid) LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'a tile has SRID %, the model %', wrong.srid, target_srid USING ERRCODE = '22023',
             HINT = 'data/streetgen terrain FILE MODEL transforms a file; gdalwarp -t_srs does, too.';
     END IF;
-    EXECUTE format('SELECT t.box AS a FROM pg_temp._tile t JOIN %I.terrain_tile o
-        ON ST_Area(ST_Intersection(o.geom, ST_MakeEnvelope(box[1], box[2], box[3], box[4], $1))) > 1e-3 LIMIT 1',
-        model) INTO wrong USING target_srid;
+    SELECT t.box AS a INTO wrong FROM pg_temp._tile t JOIN terrain_tile o
+        ON ST_Area(ST_Intersection(o.geom, ST_MakeEnvelope(box[1], box[2], box[3], box[4], target_srid))) > 1e-3
+        LIMIT 1;
     IF wrong.a IS NOT NULL THEN
         RAISE EXCEPTION 'the tile at % % overlaps a tile of the model', wrong.a[1], wrong.a[4]
             USING ERRCODE = '22023', HINT = 'Delete the tiles of terrain_tile that the new ones replace.';
     END IF;
     PERFORM streetgen._check_tile_places(model, target_srid);
-    EXECUTE format('INSERT INTO %I.terrain_tile (geom, heights) SELECT ST_MakeEnvelope(box[1], box[2], box[3], box[4], '
-        '$1), heights FROM pg_temp._tile ORDER BY box', model) USING target_srid;
+    INSERT INTO terrain_tile (geom, heights) SELECT ST_MakeEnvelope(box[1], box[2], box[3], box[4], target_srid),
+        heights FROM pg_temp._tile ORDER BY box;
     GET DIAGNOSTICS added = ROW_COUNT;
     DROP TABLE pg_temp._tile;
     -- Tiles that differ in cell, or overlap each other, are refused here.
-    EXECUTE format('SELECT streetgen._ground_heights(array_agg(heights), ''{}'', ''{}'') FROM %I.terrain_tile', model);
+    PERFORM streetgen._ground_heights(array_agg(heights), '{}', '{}') FROM terrain_tile;
     RETURN added;
 END $$;
 COMMENT ON FUNCTION streetgen._add_tiles(name, text) IS

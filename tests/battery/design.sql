@@ -63,11 +63,8 @@ SET streetgen.live = off;
 DELETE FROM net.design_node WHERE name = 'E';
 SELECT * FROM streetgen.design('net') \g /dev/null
 CREATE FUNCTION pg_temp.by_hand() RETURNS text[] LANGUAGE plpgsql AS $$
-DECLARE
-    rows text[];
 BEGIN
-    EXECUTE format('SELECT array_agg(relation || '' '' || id ORDER BY relation, id) FROM (%s) h', format(streetgen._rows_by_hand(), 'net')) INTO rows;
-    RETURN coalesce(rows, '{}');
+    RETURN ARRAY(SELECT relation || ' ' || id FROM streetgen._rows_by_hand('net') ORDER BY relation, id);
 END $$;
 CREATE FUNCTION pg_temp.edit_network(turn integer) RETURNS text LANGUAGE plpgsql AS $$
 DECLARE
