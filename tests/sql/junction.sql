@@ -248,8 +248,7 @@ DO $$ BEGIN
     ('SRID=2154;LINESTRING(649900 6860000,650000 6860000,650100 6860000)', 7, 2, 'direct', 'avenue'), ('SRID=2154;LINESTRING(650100 6860010,650000 6860010,649900 6860010)', 7, 2, 'direct', 'avenue'),
     ('SRID=2154;LINESTRING(650000 6859900,650000 6860000,650000 6860010,650000 6860100)', 7, 2, 'both', 'lane');
 END $$;
-CREATE VIEW pg_temp.drawn_arc AS SELECT ST_SetSRID(ST_GeomFromText('LINESTRING(' || (SELECT string_agg(format('%s %s', 649900 + p[1]::float8, 6860100 - p[2]::float8), ',' ORDER BY i) FROM regexp_matches(d[1], '([-0-9.]+) ([-0-9.]+)', 'g') WITH ORDINALITY m(p, i)) || ')'), 2154) AS geom
-  FROM streetgen.svg('near', ST_MakeEnvelope(649900, 6859900, 650100, 6860100, 2154)) s, string_to_table(s, E'\n') line, regexp_matches(line, 'class="arc[^"]*" d="([^"]*)"') d;
+CREATE VIEW pg_temp.drawn_arc AS SELECT geom FROM streetgen._junction_drawn('near', ST_MakeEnvelope(649900, 6859900, 650100, 6860100, 2154), '{junction_arc}');
 SELECT 'arcs are drawn where they are kerb, and not within the junction', count(*) >= 4 AND bool_and(ST_Length(ST_Difference(a.geom, ST_Buffer(ST_Boundary(j.surface), 0.1))) < 0.01)
   FROM pg_temp.drawn_arc a, near.junction j WHERE j.method = 'grouped';
 DROP VIEW pg_temp.drawn_arc;

@@ -5,21 +5,33 @@ SELECT streetgen.create_model('drawn', 2154) \g /dev/null
 INSERT INTO drawn.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
 DO $$ BEGIN PERFORM streetgen.generate('drawn'); END $$;
 SELECT 'svg draws', streetgen.svg('drawn') LIKE '<svg%</svg>' || E'\n';
-SELECT 'a map of a town shows the roadway alone', svg LIKE '%class="section%' AND svg NOT LIKE '%class="axis%' AND svg NOT LIKE '%class="limit%' FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154)) svg;
+SELECT 'a map of a town shows the roadway alone', svg LIKE '%class="section %' AND svg NOT LIKE '%class="axis %' AND svg NOT LIKE '%class="limit %' FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154), theme => 'construction') svg;
+SELECT 'as a street is seen it has no axis and no limit', svg LIKE '%class="section %' AND svg LIKE '%class="lane_separator %' AND svg !~ 'class="(axis|limit|arc|path) ' FROM streetgen.svg('drawn') svg;
+SELECT 'from 1:1,500 there is no paint', svg LIKE '%class="section %' AND svg NOT LIKE '%class="lane_separator %' FROM streetgen.svg('drawn', scale => 1500) svg;
+SELECT 'from 1:5,000 streets go by importance, from 1:15,000 they are lines', near LIKE '%class="roadway %' AND near NOT LIKE '%class="s%' AND far LIKE '%class="street %' AND far NOT LIKE '%class="roadway %'
+  FROM streetgen.svg('drawn', scale => 5000, width => 400) near, streetgen.svg('drawn', scale => 15000, width => 400) far;
+SELECT 'a scale gives the width, a pixel for 0.28 mm', svg LIKE format('%%width="%s" %%', round(120 / 500.0 / 0.00028)) FROM streetgen.svg('drawn', scale => 500) svg;
+SELECT 'half a pixel is not drawn', svg NOT LIKE '%<path%' FROM streetgen.svg('drawn', ST_MakeEnvelope(550000, 6760000, 750000, 6960000, 2154), width => 300) svg;
+SELECT call || ' is refused', state = '22023' AND hint <> '' FROM unnest('{theme => ''night'',scale => 0,scale => ''NaN'',scale => 1e9,width => 15,width => 20001}'::text[]) call, test.refusal('SELECT streetgen.svg(''drawn'', ' || call || ')');
+SELECT 'a theme has colours of its rules alone', count(*) > 3 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.theme = t.theme AND colour IN (r.fill, r.line))) FROM (VALUES ('street'), ('dark'), ('construction')) t(theme), streetgen.svg('drawn', legend => true, theme => t.theme) svg, regexp_matches(svg, '#[0-9a-fA-F]{3,8}', 'g') m, LATERAL (SELECT m[1] AS colour) c;
+SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '^_\w+_drawn$' AND strpos(prosrc, quote_literal(layer)) > 0)) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink')) l;
+SELECT 'and each layer that a room draws has a rule', count(*) > 20 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.layer = m[1])) FROM pg_proc, regexp_matches(prosrc, '''(\w+)'' = ANY \(layers\)', 'g') m WHERE proname ~ '^_\w+_drawn$';
+SELECT 'a colour that is none is refused: ' || colour, test.state(format('INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES (''street'', ''mud'', 0, %L)', colour)) = '23514' FROM unnest('{red,#fff,#GGGGGG,"#12345678 "}'::text[]) colour;
+SELECT 'so is a rule that is drawn at no scale', test.state('INSERT INTO streetgen.symbol_rule (theme, layer, place, from_scale, to_scale) VALUES (''street'', ''mud'', 0, 10, 10)') = '23514';
 SELECT 'an extent in another reference is refused', state = '22023' AND said = 'the extent has SRID 4326, the model 2154' AND hint <> '' FROM test.refusal($$SELECT streetgen.svg('drawn', ST_MakeEnvelope(2, 48, 3, 49, 4326))$$);
 SELECT 'one without a reference is the model''s', streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859950, 650100, 6860050)) = streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859950, 650100, 6860050, 2154));
-SELECT 'a street shows its axis', svg LIKE '%class="axis%' FROM streetgen.svg('drawn') svg;
-SELECT 'and over it the line in its middle', strpos(svg, 'class="axis') BETWEEN 1 AND strpos(svg, 'class="paint') FROM streetgen.svg('drawn') svg;
+SELECT 'a street under construction shows its axis', svg LIKE '%class="axis %' FROM streetgen.svg('drawn', theme => 'construction') svg;
+SELECT 'and over it the line in its middle', strpos(svg, 'class="axis') BETWEEN 1 AND strpos(svg, 'class="lane_separator') FROM streetgen.svg('drawn', theme => 'construction') svg;
+CREATE FUNCTION pg_temp.drawn(svg text, class text) RETURNS bigint LANGUAGE sql AS $$ SELECT coalesce(sum(regexp_count(m[1], '<path')), 0) FROM regexp_matches(svg, format('<g class="%s s\d+"[^>]*>((?:\s*<path [^>]*>)*)', class), 'g') m $$;
 -- Two streets that leave a short one on its two sides: its limits cross.
 INSERT INTO drawn.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650100 6860000,650106 6860000)', 7), ('SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 14), ('SRID=2154;LINESTRING(650106 6860000,650106 6859900)', 14);
 SELECT 'lanes between crossed limits are drawn as paths', (SELECT count(*) > 0 FROM drawn.lane WHERE method = 'crossed_limits')
-    AND (SELECT count(*) FROM regexp_matches(svg, 'class="path (implausible )?line"', 'g')) = (SELECT count(*) FROM drawn.interconnection) + (SELECT count(*) FROM drawn.lane WHERE method = 'crossed_limits') FROM streetgen.svg('drawn') svg;
-CREATE FUNCTION pg_temp.styles(svg text) RETURNS text[] LANGUAGE sql AS $$ SELECT array_agg(DISTINCT regexp_replace(m[1], ' line$', '')) FROM regexp_matches(svg, 'class="([^"]*)"', 'g') m $$;
-SELECT 'a legend says each style that is drawn, once', pg_temp.styles(map) = pg_temp.styles(beside) AND cardinality(pg_temp.styles(map)) = (SELECT count(*) FROM regexp_matches(beside, '<text x="44"', 'g'))
-FROM (SELECT split_part(svg, '<svg x=', 1) AS map, split_part(svg, '<svg x=', 2) AS beside FROM streetgen.svg('drawn', legend => true) svg) s;
+    AND pg_temp.drawn(svg, 'path(?: implausible)?') = (SELECT count(*) FROM drawn.interconnection) AND pg_temp.drawn(svg, 'lane_path') = (SELECT count(*) FROM drawn.lane WHERE method = 'crossed_limits') FROM streetgen.svg('drawn', theme => 'construction') svg;
+SELECT 'a legend says each thing that is drawn, once: ' || theme, (SELECT array_agg(DISTINCT meaning ORDER BY meaning) FROM regexp_matches(map, 'class="(\w+) ?(\w*) s\d+"', 'g') m JOIN streetgen.symbol_rule r ON (r.layer, r.kind, r.theme) = (m[1], m[2], t.theme) AND from_scale <= 300 AND to_scale > 300 WHERE meaning IS NOT NULL) = (SELECT array_agg(m[1] ORDER BY m[1]) FROM regexp_matches(beside, '<text x="44"[^>]*>([^<]*)<', 'g') m)
+FROM unnest('{street,construction}'::text[]) t(theme), LATERAL (SELECT split_part(svg, '<svg x=', 1) AS map, split_part(svg, '<svg x=', 2) AS beside FROM streetgen.svg('drawn', legend => true, theme => t.theme, scale => 300) svg) s;
 SELECT 'the map beside it is the same', strpos(with_legend, regexp_replace(without, '^<svg xmlns="[^"]*"', '<svg')) > 0 FROM streetgen.svg('drawn') without, streetgen.svg('drawn', legend => true) with_legend;
 SELECT 'a picture with a legend is XML, and as much wider as the legend is', xml_is_well_formed_document(svg) AND svg LIKE '<svg xmlns="http://www.w3.org/2000/svg" width="750" %' FROM streetgen.svg('drawn', width => 600, legend => true) svg;
-SELECT 'a map of a town has the roadway alone in its legend', svg LIKE '%>roadway<%' AND (SELECT count(*) = 1 FROM regexp_matches(svg, '<text x="44"', 'g')) FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154), legend => true) svg;
+SELECT 'a map of a town has the roadway alone in its legend', svg LIKE '%>roadway<%' AND (SELECT count(*) = 1 FROM regexp_matches(svg, '<text x="44"', 'g')) FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154), legend => true, theme => 'construction') svg;
 SELECT 'the bar of the scale is as long as it says', abs(bar[1]::float8 * 200 / 1200 - bar[2]::float8) < 0.01 AND bar[2]::float8 IN (10, 20) FROM regexp_match(streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859900, 650200, 6860000), legend => true), 'M0 0v8h([\d.]+)v-8.*>(\d+) m</text>') bar;
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without axes has a picture and a legend', xml_is_well_formed_document(streetgen.svg('bare')) AND xml_is_well_formed_document(streetgen.svg('bare', legend => true));

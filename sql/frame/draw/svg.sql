@@ -1,77 +1,67 @@
 -- Pictures of a model.
 
-CREATE OR REPLACE FUNCTION streetgen._legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+CREATE OR REPLACE FUNCTION streetgen._shapes(model name, box geometry, layers text[]) RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    rooms constant text[] := streetgen._rooms_of(model);
+    part text;
+    instead text[];
 BEGIN
-    RETURN QUERY EXECUTE streetgen._rows_of_rooms('legend');
+    FOR part IN SELECT format('SELECT array_agg(layer) FROM streetgen._%s_drawn_instead()', room)
+        FROM unnest(rooms) room WHERE to_regprocedure(format('streetgen._%s_drawn_instead()', room)) IS NOT NULL
+    LOOP
+        EXECUTE part INTO instead;
+        layers := ARRAY(SELECT unnest(layers) EXCEPT SELECT unnest(instead));
+    END LOOP;
+    FOR part IN SELECT format('SELECT * FROM streetgen._%s_drawn($1, $2, $3)', room) FROM unnest(rooms) room
+        WHERE to_regprocedure(format('streetgen._%s_drawn(name, geometry, text[])', room)) IS NOT NULL
+    LOOP
+        RETURN QUERY EXECUTE part USING model, box, layers;
+    END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._legend() IS
-    'The styles of drawings, from functions _ROOM_legend: place in a legend, form of the swatch (ground, line or '
-    'paint), and what the style means near, and far, where a pixel is 3 m and more; NULL: it is not seen.';
+COMMENT ON FUNCTION streetgen._shapes(name, geometry, text[]) IS
+    'What some layers of a model have in a box, from functions _ROOM_drawn (model, box, layers) of the subjects that '
+    'it computes; layers that _ROOM_drawn_instead names are left to that room.';
 
-CREATE OR REPLACE FUNCTION streetgen._svg_legend(styles text[], pixel float8)
+CREATE OR REPLACE FUNCTION streetgen._svg_legend(theme text, scale float8, symbols bigint[])
     RETURNS TABLE(turn bigint, swatch text, words text)
     LANGUAGE sql STABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
     AS $$
-    SELECT row_number() OVER (ORDER BY place), format(CASE form
-            WHEN 'line' THEN '<path class="%s line" style="stroke-width:2.5" d="M0 8h32"/>'
-            WHEN 'paint' THEN '<rect class="section" width="32" height="16"/><rect class="%s" y="6.5" width="32" '
-                'height="3"/>'
-            ELSE '<rect class="%s" style="stroke:none" width="32" height="16"/>' END, style), said
-    FROM streetgen._legend() l, LATERAL (SELECT CASE WHEN pixel < 3 THEN near ELSE far END AS said) s
-    WHERE style = ANY (styles) AND said IS NOT NULL
+    SELECT row_number() OVER (ORDER BY symbol), format(CASE WHEN fill IS NULL
+            THEN '<path class="s%s" style="stroke-width:2.5;stroke-dasharray:none" d="M0 8h32"/>'
+            ELSE '<rect class="s%s" style="stroke-width:1" width="32" height="16"/><path fill="none" '
+                'stroke="currentColor" stroke-opacity=".3" d="M0 0h32v16h-32z"/>' END, symbol), meaning
+    FROM (SELECT DISTINCT ON (meaning) * FROM streetgen._symbols(theme, scale)
+        WHERE symbol = ANY (symbols) AND meaning IS NOT NULL ORDER BY meaning, symbol) s
     $$;
-COMMENT ON FUNCTION streetgen._svg_legend(text[], float8) IS
-    'What the styles of a drawing mean, in the order of a legend, each with a swatch (SVG) of 32 by 16; pixel: its '
-    'size, metres.';
+COMMENT ON FUNCTION streetgen._svg_legend(text, float8, bigint[]) IS
+    'What the symbols of a drawing mean, in their order from below, each with a swatch (SVG) of 32 by 16.';
 
 CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(map text, width integer, height numeric, pixel float8,
-    styles text[]) RETURNS text
+    theme text, scale float8, symbols bigint[]) RETURNS text
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     -- The legend is drawn in units of a 1200th of the width, the scale bar up to 180 of them.
+    WITH legend AS MATERIALIZED (SELECT * FROM streetgen._svg_legend(theme, scale, symbols))
     SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width + ceil(300 * unit),
-        greatest(height, ceil(tall * unit))) || E'\n<rect width="100%" height="100%" fill="#fff"/>\n' || map
+        greatest(height, ceil(tall * unit))) || E'\n<rect width="100%" height="100%" fill="' || paper || E'"/>\n' || map
         || format('<svg x="%s" width="%s" height="%s" viewBox="0 0 300 %s" font-family="sans-serif" font-size="14" '
-            'fill="#1f2937">', width, ceil(300 * unit), ceil(tall * unit), tall) || E'\n'
+            'fill="%s">', width, ceil(300 * unit), ceil(tall * unit), tall, ink) || E'\n'
         || coalesce((SELECT string_agg(format('<g transform="translate(16 %s)">%s<text x="44" y="13">%s</text></g>',
-            26 * l.turn - 10, l.swatch, l.words), E'\n' ORDER BY l.turn) FROM streetgen._svg_legend(styles, pixel) l),
-            '') || E'\n'
-        || format('<path transform="translate(16 %s)" d="M0 0v8h%sv-8" fill="none" stroke="#1f2937" '
+            26 * l.turn - 10, l.swatch, l.words), E'\n' ORDER BY l.turn) FROM legend l), '') || E'\n'
+        || format('<path transform="translate(16 %s)" d="M0 0v8h%sv-8" fill="none" stroke="%s" '
             'stroke-width="1.5"/><text x="16" y="%s">%s m</text>', tall - 44, round((metres / (pixel * unit))::numeric,
-            2), tall - 18, metres::numeric) || E'\n</svg>\n</svg>\n'
-    FROM (SELECT width / 1200.0 AS unit, 26 * (SELECT count(*) FROM streetgen._svg_legend(styles, pixel)) + 72 AS tall,
+            2), ink, tall - 18, metres::numeric) || E'\n</svg>\n</svg>\n'
+    FROM (SELECT width / 1200.0 AS unit, 26 * (SELECT count(*) FROM legend) + 72 AS tall,
         180 * pixel * width / 1200.0 AS longest) size,
         LATERAL (SELECT 10 ^ floor(log(longest)) AS power) p, LATERAL (SELECT power * CASE WHEN longest >= 5 * power
-            THEN 5 WHEN longest >= 2 * power THEN 2 ELSE 1 END AS metres) s
+            THEN 5 WHEN longest >= 2 * power THEN 2 ELSE 1 END AS metres) s,
+        (SELECT max(fill) FILTER (WHERE layer = 'paper') AS paper, max(fill) FILTER (WHERE layer = 'ink') AS ink
+            FROM streetgen._symbols(theme, scale)) page
     $$;
-COMMENT ON FUNCTION streetgen._svg_beside_legend(text, integer, numeric, float8, text[]) IS
-    'A map (SVG of width by height, in pixels of so many metres) with the legend of its styles and a scale on white '
-    'beside it.';
-
-CREATE OR REPLACE FUNCTION streetgen._drawn_part()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
-    AS $$
-BEGIN
-    RETURN QUERY EXECUTE streetgen._rows_of_rooms('drawn');
-END $$;
-COMMENT ON FUNCTION streetgen._drawn_part() IS
-    'What streetgen.svg draws, query by query, over a model %1$I and the query size of the drawing, from functions '
-    '_ROOM_drawn: layer (drawn in ascending order), style, is it a line, geometry and key. subject: the query stands '
-    'only in models that compute it, or all of several.';
-
-CREATE OR REPLACE FUNCTION streetgen._drawn_instead() RETURNS TABLE(place integer, subject text)
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$
-BEGIN
-    RETURN QUERY EXECUTE streetgen._rows_of_rooms('drawn_instead');
-END $$;
-COMMENT ON FUNCTION streetgen._drawn_instead() IS
-    'The queries of streetgen._drawn_part, from functions _ROOM_drawn_instead, that do not stand in models which '
-    'compute a subject: its own show more.';
+COMMENT ON FUNCTION streetgen._svg_beside_legend(text, integer, numeric, float8, text, float8, bigint[]) IS
+    'A map (SVG of width by height, in pixels of so many metres) with the legend of its symbols and a scale beside it.';
 
 CREATE OR REPLACE FUNCTION streetgen._curve_as_svg(curve geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -100,75 +90,107 @@ COMMENT ON FUNCTION streetgen._curve_as_svg(geometry, float8, float8) IS
     'A COMPOUNDCURVE as a path of SVG, with true arcs, none of more than half a circle; x and y are those of the '
     'upper left corner of the picture.';
 
-CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NULL, width integer DEFAULT 1200,
-    legend boolean DEFAULT false) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._shape_as_svg(geom geometry, x float8, y float8, pixel float8) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT CASE GeometryType(geom) WHEN 'COMPOUNDCURVE' THEN streetgen._curve_as_svg(geom, x, y)
+        ELSE ST_AsSVG(ST_Translate(ST_RemoveRepeatedPoints(geom, pixel / 4), -x, -y), 1,
+            greatest(0, least(3, ceil(log(8 / pixel))::integer))) END $$;
+COMMENT ON FUNCTION streetgen._shape_as_svg(geometry, float8, float8, float8) IS
+    'A geometry as a path of SVG, to an eighth of a pixel (metres); x and y are those of the upper left corner of the '
+    'picture.';
+
+CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel float8, theme text, scale float8,
+    OUT drawing text, OUT symbols bigint[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    WITH symbol AS MATERIALIZED (SELECT * FROM streetgen._symbols(theme, scale)),
+    shape AS MATERIALIZED (
+        SELECT h.layer, CASE WHEN (h.layer, h.kind) IN (SELECT s.layer, s.kind FROM symbol s) THEN h.kind ELSE '' END
+            AS kind, h.level, h.id, streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path
+        FROM streetgen._shapes(model, box, ARRAY(SELECT DISTINCT s.layer FROM symbol s)) h
+        -- Half a pixel is not seen.
+        WHERE greatest(ST_XMax(h.geom) - ST_XMin(h.geom), ST_YMax(h.geom) - ST_YMin(h.geom)) >= pixel / 2),
+    drawn AS (
+        SELECT s.symbol, coalesce(h.level * 10, 1e6) + s.place AS height, format(E'<g class="%s"%s>\n%s\n</g>',
+                concat_ws(' ', s.layer, nullif(s.kind, ''), 's' || s.symbol), CASE s.marker WHEN 'shadow'
+                    THEN format(' transform="translate(%1$s %1$s)"', CASE s.unit WHEN 'pixel' THEN pixel ELSE 1 END
+                        * s.width) END, string_agg(format('<path d="%s"/>', h.path), E'\n' ORDER BY h.id, h.path)) AS
+            part
+        FROM shape h JOIN symbol s USING (layer, kind) WHERE h.path <> ''
+        GROUP BY s.symbol, s.layer, s.kind, s.place, s.marker, s.width, s.unit, h.level)
+    SELECT '<style>path{fill-rule:evenodd}' || (SELECT string_agg(format('.s%s{%s}', s.symbol, streetgen._as_css(s.fill,
+            CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel)), '' ORDER BY s.symbol)
+            FROM symbol s WHERE s.symbol IN (SELECT d.symbol FROM drawn d)) || E'</style>\n'
+        || (SELECT format('<rect width="100%%" height="100%%" fill="%s"/>', s.fill) FROM symbol s
+            WHERE s.layer = 'ground') || E'\n'
+        || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n', ''),
+        ARRAY(SELECT d.symbol FROM drawn d) INTO drawing, symbols;
+END $$;
+COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8) IS
+    'What streetgen.svg draws in a box of a model, in metres from its upper left corner, for pixels of so many metres; '
+    'and the symbols that are seen.';
+
+CREATE OR REPLACE FUNCTION streetgen._model_extent(model name) RETURNS geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN (SELECT ST_Expand(ST_Extent(geom)::box2d, 10)::geometry FROM axis);
+END $$;
+COMMENT ON FUNCTION streetgen._model_extent(name) IS
+    'The box of the axes of a model and 10 m about it; NULL where there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NULL, width integer DEFAULT NULL,
+    legend boolean DEFAULT false, theme text DEFAULT 'street', scale float8 DEFAULT NULL) RETURNS text
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    picture record;
+    -- Metres of paper: what standards of map services take a pixel for.
+    pixel_on_paper constant float8 := 0.00028;
+    themes constant text[] := ARRAY(SELECT DISTINCT r.theme FROM streetgen.symbol_rule r ORDER BY 1);
+    box geometry;
+    wide float8;
+    high float8;
+    pixel float8;
+    height numeric;
+    map record;
     frame text;
 BEGIN
-    PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text),
+    PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text, 'theme', theme),
         streetgen._check_extent(model, extent);
-    IF width IS NULL OR width NOT BETWEEN 16 AND 20000 THEN
-        RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', coalesce(width::text, 'NULL')
-            USING ERRCODE = '22023', HINT = 'The default is 1200.';
+    IF theme <> ALL (themes) THEN
+        RAISE EXCEPTION 'there is no theme "%"', theme USING ERRCODE = '22023',
+            HINT = format('Themes are %s.', array_to_string(themes, ', '));
+    ELSIF NOT scale BETWEEN 1 AND 1e8 THEN
+        RAISE EXCEPTION 'the scale is 1:%, expected 1:1 to 1:100000000', scale USING ERRCODE = '22023',
+            HINT = '1000 draws as for 1:1,000; NULL: as the width says.';
     END IF;
-    EXECUTE format($sql$
-WITH frame AS (
-    SELECT CASE WHEN $1 IS NULL THEN (SELECT ST_Expand(ST_Extent(geom)::box2d, 10)::geometry FROM %1$I.axis)
-        ELSE ST_Envelope($1) END AS box),
-size AS (SELECT ST_XMin(box) AS x, ST_YMax(box) AS y, greatest(ST_XMax(box) - ST_XMin(box), 1) AS w,
-    greatest(ST_YMax(box) - ST_YMin(box), 1) AS h,
-                greatest(ST_XMax(box) - ST_XMin(box), 1) / $2 AS pixel, ST_SetSRID(box, %2$s) AS box FROM frame),
-shape(layer, style, line, geom, id) AS (
-    $sql$ || (SELECT string_agg(query, ' UNION ALL ' ORDER BY place) FROM streetgen._drawn_part() p
-        WHERE string_to_array(subject, ',') <@ streetgen._subjects(model)
-            AND NOT EXISTS (SELECT FROM streetgen._drawn_instead() i WHERE i.place = p.place
-                AND i.subject = ANY (streetgen._subjects(model)))) || $sql$),
-drawn AS (
-    SELECT layer, id, style, format('<path class="%%s" d="%%s"/>', style || CASE WHEN line THEN ' line' ELSE '' END,
-        CASE GeometryType(geom) WHEN 'COMPOUNDCURVE' THEN streetgen._curve_as_svg(geom, x, y)
-            ELSE ST_AsSVG(ST_Translate(geom, -x, -y), 0, 2) END) AS path
-    FROM shape, size WHERE geom && box AND NOT ST_IsEmpty(geom))
-SELECT pixel, round(w::numeric, 3) AS w, round(h::numeric, 3) AS h,
-    greatest(1, round(($2 * h / w)::numeric)) AS height, ARRAY(SELECT DISTINCT style FROM drawn) AS styles,
-    '<style>.section{fill:#c9ccd1}.intersection{fill:#b3b8c0}.transition{fill:#c3b8d6}.contested{fill:#d9c7a7}'
-    '.sidewalk{fill:#e7d9bd;stroke:#c9b791;stroke-width:' || round((pixel * 0.4)::numeric, 4)
-    || '}path{fill-rule:evenodd}.line{fill:none;stroke-width:' || round((pixel * 1)::numeric, 4)
-    || '}.paint{fill:#fff}.axis{stroke:#8fa3b8}.limit{stroke:#6b7280}.arc{stroke:#1d4ed8;stroke-width:' ||
-        round((pixel * 1.5)::numeric, 4) || '}.fallback{stroke:#c2410c}.path{stroke:#15803d;stroke-width:' ||
-        round((pixel * 0.7)::numeric, 4)
-    || '}.junction{fill:#9fb0c3}.implausible{stroke:#6b7280;stroke-opacity:.5;stroke-width:' ||
-        round((pixel * 0.4)::numeric, 4) || '}.report{fill:#dc2626;fill-opacity:.4}.road{stroke:#a21caf;stroke-width:'
-    || round((pixel * 1.2)::numeric, 4) || '}.radius{stroke-width:' || round((pixel * 0.4)::numeric, 4) || '}'
-    || '.signal.head{fill:#c92a2a}.block{fill:#dfe6d3}.island{fill:#bcd3a5}.strip{fill:#cfdcb4}.kerb{fill:#8b8f96}'
-    || '.object{fill:#7c3aed;stroke:#4c1d95;stroke-width:' || round((pixel * 0.8)::numeric, 4)
-    || '}.object.green{fill:#4d7c0f;fill-opacity:0.6;stroke:#3f6212}.bay{fill:#c9ccd1;stroke:#fff;stroke-width:'
-    || round((pixel * 1.2)::numeric, 4) || '}'
-    || '.bridge{fill:#c9ccd1;stroke:#374151;stroke-width:' || round((pixel * 1.2)::numeric, 4)
-    || '}.shadow{fill:#111827;fill-opacity:.3}.tunnel{stroke:#374151;stroke-dasharray:'
-    || round((pixel * 5)::numeric, 4) || ';stroke-width:' || round((pixel * 1)::numeric, 4) || '}'
-    || '.ring{stroke:#7c3aed;stroke-width:' || round((pixel * 2)::numeric, 4)
-    || '}.refused{stroke:#6b7280;stroke-width:' || round((pixel * 1)::numeric, 4) || '}'
-    || CASE WHEN pixel < 3 THEN ''
-        ELSE '.section,.intersection{fill:#4b5563;stroke:#4b5563;stroke-width:' || round((pixel * 0.6)::numeric,
-        4) || '}' END || '</style>' || E'\n'
-    || '<rect width="100%%" height="100%%" fill="#f3f1ea"/>' || E'\n' || coalesce((SELECT string_agg(path, E'\n'
-        ORDER BY layer, id) FROM drawn), '') || E'\n' AS drawing FROM size
-$sql$, model, (SELECT srid FROM streetgen.model m WHERE m.name = model)) INTO picture USING extent, width;
-    frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, picture.height, picture.w, picture.h);
+    box := ST_SetSRID(coalesce(ST_Envelope(extent), streetgen._model_extent(model),
+        ST_MakeEnvelope(0, 0, 1, 1)), (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+    wide := greatest(ST_XMax(box) - ST_XMin(box), 1);
+    high := greatest(ST_YMax(box) - ST_YMin(box), 1);
+    width := coalesce(width, CASE WHEN scale > 0
+        THEN greatest(16, round(least(wide / scale / pixel_on_paper, 1e6))) ELSE 1200 END);
+    IF width NOT BETWEEN 16 AND 20000 THEN
+        RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', width USING ERRCODE = '22023',
+            HINT = 'The default is 1200, or as the scale says.';
+    END IF;
+    pixel := wide / width;
+    height := greatest(1, round((width * high / wide)::numeric));
+    scale := coalesce(scale, pixel / pixel_on_paper);
+    map := streetgen._svg_map(model, box, pixel, theme, scale);
+    frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, height, round(wide::numeric, 3),
+        round(high::numeric, 3));
     IF NOT legend THEN
-        RETURN format(E'<svg xmlns="http://www.w3.org/2000/svg" %s>\n%s</svg>\n', frame, picture.drawing);
+        RETURN format(E'<svg xmlns="http://www.w3.org/2000/svg" %s>\n%s</svg>\n', frame, map.drawing);
     END IF;
-    RETURN streetgen._svg_beside_legend(format(E'<svg %s>\n%s</svg>\n', frame, picture.drawing), width, picture.height,
-        picture.pixel, picture.styles);
+    RETURN streetgen._svg_beside_legend(format(E'<svg %s>\n%s</svg>\n', frame, map.drawing), width, height, pixel,
+        theme, scale, map.symbols);
 END $$;
-COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean) IS
-    'One styled SVG of a model, or of an extent of it (geometry in the model''s SRID): surfaces by level, what is '
-    'painted on them and paths between lanes (green, grey where not plausible; both where a pixel is under half a '
-    'metre), axes, limits, arcs (blue; orange where the wanted radius did not hold), contested ground (ochre), what '
-    'the network reports (red), rings (violet; grey where they are no roundabouts) with a bar at the centre as wide '
-    'as the score says, the radius for 1; bridges over what they cross, with a shadow, and tunnels dashed. Where '
-    'a pixel is 3 m and more, a map: the roadway alone, dark, and reports. '
-    'width in pixels. legend: on white beside the map, in addition to its width, with what is drawn and a scale.';
+COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean, text, float8) IS
+    'One picture (SVG) of a model, or of an extent of it (geometry in the model''s SRID), drawn as table symbol_rule '
+    'says. width: in pixels; NULL: 1200, or as the scale says. legend: beside the map, in addition to its width, with '
+    'what is drawn and a scale. theme: street, as one sees it from above; dark; or construction, how it was computed. '
+    'scale: drawn as for 1:scale, where a pixel is 0.28 mm; NULL: as extent and width say. A theme, width or scale '
+    'that is none: 22023.';

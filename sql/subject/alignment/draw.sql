@@ -1,21 +1,21 @@
--- Drawings of roads, and what their styles mean.
+-- Roads are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._alignment_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (11, 'alignment', $part$
-    SELECT 904, 'road', true, geom, road_id FROM %1$I.road, size WHERE pixel < 3$part$),
+CREATE OR REPLACE FUNCTION streetgen._alignment_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'road', '', NULL::integer, geom::geometry, road_id FROM road
+        WHERE 'road' = ANY (layers) AND geom && box;
     -- As figure 6b of Wilkie, Sewall and Lin: from the ends of an arc to its centre.
-    (12, 'alignment', $part$
-    SELECT 905, 'road radius', true, ST_MakeLine(ARRAY[ST_StartPoint(arc), centre, ST_EndPoint(arc)]), road_arc_id
-        FROM %1$I.road_arc, size WHERE pixel < 0.5 AND radius < 100$part$) $$;
-COMMENT ON FUNCTION streetgen._alignment_drawn() IS 'What streetgen.svg draws of roads.';
+    RETURN QUERY SELECT 'road_radius', '', NULL::integer,
+        ST_MakeLine(ARRAY[ST_StartPoint(arc), centre, ST_EndPoint(arc)])::geometry, road_arc_id FROM road_arc
+        WHERE 'road_radius' = ANY (layers) AND radius < 100 AND arc && box;
+END $$;
+COMMENT ON FUNCTION streetgen._alignment_drawn(name, geometry, text[]) IS
+    'What can be drawn of roads in a box: road, and road_radius of bends.';
 
-CREATE OR REPLACE FUNCTION streetgen._alignment_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (15, 'road', 'line', 'road', 'road'),
-    (16, 'road radius', 'line', 'radius of a bend', 'radius of a bend') $$;
-COMMENT ON FUNCTION streetgen._alignment_legend() IS 'What the styles of roads mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'road', 11000, 904, '#a21caf', 1.2, 'pixel', 'road'),
+    ('construction', 'road_radius', 2000, 905, '#a21caf', 0.4, 'pixel', 'radius of a bend');

@@ -1,20 +1,28 @@
--- Drawings of blocks, and what their styles mean.
+-- City blocks are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._block_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
+CREATE OR REPLACE FUNCTION streetgen._block_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
     -- Below the roadway of the ground.
-    (11, 'block', $part$
-    SELECT -1 + g.level * 10, CASE kind WHEN 'block' THEN 'block' ELSE 'block ' || kind END, false, surface, block_id
-        FROM %1$I.block, (SELECT value::integer AS level FROM %1$I.setting WHERE name = 'ground_level') g$part$) $$;
-COMMENT ON FUNCTION streetgen._block_drawn() IS 'What streetgen.svg draws of blocks.';
+    RETURN QUERY SELECT 'block', kind, (SELECT value::integer FROM setting WHERE name = 'ground_level'),
+        surface::geometry, block_id FROM block WHERE 'block' = ANY (layers) AND surface && box;
+END $$;
+COMMENT ON FUNCTION streetgen._block_drawn(name, geometry, text[]) IS
+    'What can be drawn of city blocks in a box: block, by kind.';
 
-CREATE OR REPLACE FUNCTION streetgen._block_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES
-    (17, 'block', 'ground', 'city block', 'city block'),
-    (18, 'block island', 'ground', 'island', 'island'),
-    (19, 'block strip', 'ground', 'strip between carriageways', 'strip between carriageways') $$;
-COMMENT ON FUNCTION streetgen._block_legend() IS 'What the styles of blocks mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('street', 'block', 5000, -1, '#efe9dc', 'city block'),
+    ('dark', 'block', 5000, -1, '#1d2127', 'city block');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
+    ('street', 'block', 'island', 5000, -1, '#a9c78d', 'island'),
+    ('street', 'block', 'strip', 5000, -1, '#a9c78d', 'strip between carriageways'),
+    ('dark', 'block', 'island', 5000, -1, '#26352a', 'island'),
+    ('dark', 'block', 'strip', 5000, -1, '#26352a', 'strip between carriageways');
+INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, meaning) VALUES
+    ('construction', 'block', -1, '#dfe6d3', 'city block');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, meaning) VALUES
+    ('construction', 'block', 'island', -1, '#bcd3a5', 'island'),
+    ('construction', 'block', 'strip', -1, '#cfdcb4', 'strip between carriageways');

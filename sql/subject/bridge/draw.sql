@@ -1,32 +1,49 @@
--- Drawings of bridges and tunnels, and what their styles mean.
+-- Bridges and tunnels are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._bridge_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ VALUES
-    -- A deck lies over what is painted on its level, and has its own paint.
-    (50, 'bridge', $part$
-    SELECT CASE method WHEN 'overpass' THEN 5.5 ELSE 0.5 END + e.level * 10, 'bridge', false, b.surface, b.bridge_id
-        FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
-    (51, 'bridge,lane', $part$
-    SELECT 6.5 + e.level * 10, 'paint', false, ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3),
-        b.bridge_id FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), LATERAL (
-            SELECT surface FROM %1$I.lane_separator l WHERE l.edge_id = b.edge_id
-            UNION ALL SELECT surface FROM %1$I.marking m WHERE m.edge_id = b.edge_id) p, size
-        WHERE b.method = 'overpass' AND pixel < 0.5 AND b.surface && size.box$part$),
-    -- The sun stands in the north-west.
-    (52, 'bridge', $part$
-    SELECT CASE method WHEN 'overpass' THEN 4.5 ELSE -0.5 END + e.level * 10, 'shadow', false,
-        ST_Translate(b.surface, 2, -2), b.bridge_id
-        FROM %1$I.bridge b JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 3$part$),
-    (53, 'bridge', $part$
-    SELECT 8.5, 'tunnel', true, ST_Boundary(surface), tunnel_id FROM %1$I.tunnel, size WHERE pixel < 3$part$) $$;
-COMMENT ON FUNCTION streetgen._bridge_drawn() IS 'What streetgen.svg draws of bridges and tunnels.';
+CREATE OR REPLACE FUNCTION streetgen._bridge_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'bridge', b.method, level, b.surface::geometry, bridge_id FROM bridge b
+        JOIN edge USING (edge_id) WHERE 'bridge' = ANY (layers) AND b.surface && box;
+    -- A deck that passes over its own level lies over what is painted there, and has its own paint.
+    IF 'deck_paint' = ANY (layers) AND to_regclass('lane_separator') IS NOT NULL THEN
+        RETURN QUERY SELECT 'deck_paint', '', level,
+                ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3), bridge_id
+            FROM bridge b JOIN edge e USING (edge_id), LATERAL (
+                SELECT surface FROM lane_separator l WHERE l.edge_id = b.edge_id
+                UNION ALL SELECT surface FROM marking m WHERE m.edge_id = b.edge_id) p
+            WHERE b.method = 'overpass' AND b.surface && box;
+    END IF;
+    RETURN QUERY SELECT 'tunnel', '', 0, ST_Boundary(surface), tunnel_id FROM tunnel
+        WHERE 'tunnel' = ANY (layers) AND surface && box;
+END $$;
+COMMENT ON FUNCTION streetgen._bridge_drawn(name, geometry, text[]) IS
+    'What can be drawn of bridges and tunnels in a box: bridge, by method; deck_paint of an overpass; and tunnel.';
 
-CREATE OR REPLACE FUNCTION streetgen._bridge_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (23, 'bridge', 'ground', 'bridge', 'bridge'),
-    (24, 'tunnel', 'line', 'tunnel', 'tunnel') $$;
-COMMENT ON FUNCTION streetgen._bridge_legend() IS 'What the styles of bridges and tunnels mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, width, unit, marker) VALUES
+    ('street', 'bridge', 5000, -0.5, '#0000004d', 2, 'metre', 'shadow'),
+    ('dark', 'bridge', 5000, -0.5, '#00000099', 2, 'metre', 'shadow'),
+    ('construction', 'bridge', 11000, -0.5, '#1118274d', 2, 'metre', 'shadow');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'bridge', 5000, 0.5, '#7d8188', '#4f545c', 0.5, 'metre', 'bridge'),
+    ('dark', 'bridge', 5000, 0.5, '#3a4049', '#9aa0a9', 0.5, 'metre', 'bridge'),
+    ('construction', 'bridge', 11000, 0.5, '#c9ccd1', '#374151', 1.2, 'pixel', 'bridge');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, width, unit, marker) VALUES
+    ('street', 'bridge', 'overpass', 5000, 4.5, '#0000004d', 2, 'metre', 'shadow'),
+    ('dark', 'bridge', 'overpass', 5000, 4.5, '#00000099', 2, 'metre', 'shadow'),
+    ('construction', 'bridge', 'overpass', 11000, 4.5, '#1118274d', 2, 'metre', 'shadow');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'bridge', 'overpass', 5000, 5.5, '#7d8188', '#4f545c', 0.5, 'metre', 'bridge'),
+    ('dark', 'bridge', 'overpass', 5000, 5.5, '#3a4049', '#9aa0a9', 0.5, 'metre', 'bridge'),
+    ('construction', 'bridge', 'overpass', 11000, 5.5, '#c9ccd1', '#374151', 1.2, 'pixel', 'bridge');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
+    ('street', 'deck_paint', 1500, 6.5, '#fbfbf8'),
+    ('dark', 'deck_paint', 1500, 6.5, '#c9ccd1'),
+    ('construction', 'deck_paint', 2000, 6.5, '#ffffff');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, dash, meaning) VALUES
+    ('street', 'tunnel', 5000, 8.5, '#4f545c', 1, 'pixel', '5', 'tunnel'),
+    ('dark', 'tunnel', 5000, 8.5, '#9aa0a9', 1, 'pixel', '5', 'tunnel'),
+    ('construction', 'tunnel', 11000, 8.5, '#374151', 1, 'pixel', '5', 'tunnel');

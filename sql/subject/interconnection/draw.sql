@@ -1,19 +1,18 @@
--- Drawings of interconnections, and what their styles mean.
+-- Paths between lanes are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._interconnection_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (8, 'interconnection', $part$
-    SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path'
-        ELSE 'path implausible' END, true, geom, interconnection_id FROM %1$I.interconnection, size
-        WHERE pixel < 0.5$part$) $$;
-COMMENT ON FUNCTION streetgen._interconnection_drawn() IS 'What streetgen.svg draws of interconnections.';
+CREATE OR REPLACE FUNCTION streetgen._interconnection_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'path', CASE WHEN plausible THEN '' ELSE 'implausible' END, NULL::integer, geom::geometry,
+        interconnection_id FROM interconnection WHERE 'path' = ANY (layers) AND geom && box;
+END $$;
+COMMENT ON FUNCTION streetgen._interconnection_drawn(name, geometry, text[]) IS
+    'What can be drawn of paths between lanes in a box: path.';
 
-CREATE OR REPLACE FUNCTION streetgen._interconnection_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (11, 'path', 'line', 'path from lane to lane', 'path from lane to lane'),
-    (12, 'path implausible', 'line', 'path that is not plausible', 'path that is not plausible') $$;
-COMMENT ON FUNCTION streetgen._interconnection_legend() IS 'What the styles of interconnections mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'path', 2000, 895, '#15803d', 0.7, 'pixel', 'path from lane to lane');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'path', 'implausible', 2000, 894, '#6b728080', 0.4, 'pixel', 'path that is not plausible');

@@ -1,41 +1,50 @@
--- Drawings of junctions, and what their styles mean.
+-- Junctions are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._junction_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$ VALUES
-    (40, 'junction', $part$
-    SELECT 3 + i.level * 10, 'junction', false, j.surface, j.junction_id FROM %1$I.junction j
-        JOIN %1$I.intersection i ON i.node_id = j.junction_id, size WHERE j.method <> 'hypothesis' AND pixel < 3$part$),
-    (41, 'junction', $part$
-    SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.rim_marking m
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
-    (42, 'junction', $part$
-    SELECT CASE WHEN plausible THEN 895 ELSE 894 END, CASE WHEN plausible THEN 'path' ELSE 'path implausible' END,
-        true, geom, interconnections[1] FROM %1$I.movement, size WHERE pixel < 0.5$part$),
-    (44, 'junction', $part$
-    SELECT 901, 'limit', true, l.border_line, l.section_limit_id FROM %1$I.section_limit l, size
-        WHERE l.method = 'hypothesis' AND pixel < 3 AND NOT EXISTS (SELECT FROM %1$I.junction_edge j
-            WHERE j.edge_id = l.edge_id)$part$),
+CREATE OR REPLACE FUNCTION streetgen._junction_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'junction', '', level, j.surface::geometry, junction_id FROM junction j
+        JOIN intersection i ON node_id = junction_id
+        WHERE 'junction' = ANY (layers) AND j.method <> 'hypothesis' AND j.surface && box;
+    RETURN QUERY SELECT 'rim_marking', m.kind, level, m.surface::geometry, marking_id FROM rim_marking m
+        JOIN edge USING (edge_id) WHERE 'rim_marking' = ANY (layers) AND m.surface && box;
+    RETURN QUERY SELECT 'movement', CASE WHEN plausible THEN '' ELSE 'implausible' END, NULL::integer, geom::geometry,
+        interconnections[1] FROM movement WHERE 'movement' = ANY (layers) AND geom && box;
+    RETURN QUERY SELECT 'junction_limit', '', NULL::integer, border_line::geometry, section_limit_id
+        FROM section_limit WHERE 'junction_limit' = ANY (layers) AND method = 'hypothesis' AND border_line && box
+            AND edge_id NOT IN (SELECT edge_id FROM junction_edge);
     -- Arcs inside a junction are no kerb.
-    (43, 'junction', $part$
-    SELECT 902, CASE c.method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, d.geom, c.corner_id
-        FROM size, %1$I.corner c LEFT JOIN %1$I.junction_node n USING (node_id)
-            LEFT JOIN %1$I.junction j ON j.junction_id = n.junction_id AND j.method <> 'hypothesis'
+    RETURN QUERY SELECT 'junction_arc', CASE c.method WHEN 'hypothesis' THEN '' ELSE 'fallback' END, NULL::integer,
+            d.geom, c.corner_id
+        FROM corner c LEFT JOIN junction_node n USING (node_id)
+            LEFT JOIN junction j ON j.junction_id = n.junction_id AND j.method <> 'hypothesis'
             CROSS JOIN LATERAL ST_CurveToLine(c.arc, 16) whole CROSS JOIN LATERAL ST_Dump(CASE WHEN j.surface IS NULL
                 THEN whole ELSE ST_Intersection(whole, ST_Buffer(ST_Boundary(j.surface), 0.05)) END) d
-        WHERE c.arc IS NOT NULL AND pixel < 3 AND (j.surface IS NULL OR ST_Length(d.geom) > 0.5)$part$) $$;
-COMMENT ON FUNCTION streetgen._junction_drawn() IS 'What streetgen.svg draws of junctions.';
+        WHERE 'junction_arc' = ANY (layers) AND c.arc && box AND (j.surface IS NULL OR ST_Length(d.geom) > 0.5);
+END $$;
+COMMENT ON FUNCTION streetgen._junction_drawn(name, geometry, text[]) IS
+    'What can be drawn of junctions in a box: junction; and rim_marking, movement, junction_limit and junction_arc, '
+    'which stand for markings, paths, limits and arcs of single nodes.';
 
-CREATE OR REPLACE FUNCTION streetgen._junction_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (14, 'junction', 'ground', 'junction of several nodes', 'junction of several nodes') $$;
-COMMENT ON FUNCTION streetgen._junction_legend() IS 'What the styles of junctions mean.';
-
-CREATE OR REPLACE FUNCTION streetgen._junction_drawn_instead() RETURNS TABLE(place integer, subject text)
+CREATE OR REPLACE FUNCTION streetgen._junction_drawn_instead() RETURNS TABLE(layer text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$ VALUES (4, 'junction'), (6, 'junction'), (7, 'junction'), (8, 'junction'), (9, 'junction') $$;
+    AS $$ VALUES ('marking'), ('limit'), ('arc'), ('path'), ('lane_path') $$;
 COMMENT ON FUNCTION streetgen._junction_drawn_instead() IS
-    'Drawings of others that do not stand where junctions are drawn: limits, corners and paths within them.';
+    'The layers of other rooms that are not drawn where junctions are computed: those of junctions show more.';
+
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('construction', 'junction', 11000, 3, '#9fb0c3', 'junction of several nodes');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
+    ('street', 'rim_marking', 1500, 4, '#fbfbf8'),
+    ('dark', 'rim_marking', 1500, 4, '#c9ccd1'),
+    ('construction', 'rim_marking', 2000, 4, '#ffffff');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'movement', 2000, 895, '#15803d', 0.7, 'pixel', 'path from lane to lane'),
+    ('construction', 'junction_limit', 11000, 901, '#6b7280', 1, 'pixel', 'limit of a section'),
+    ('construction', 'junction_arc', 11000, 902, '#1d4ed8', 1.5, 'pixel', 'corner of the wanted radius');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'movement', 'implausible', 2000, 894, '#6b728080', 0.4, 'pixel', 'path that is not plausible'),
+    ('construction', 'junction_arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');

@@ -1,16 +1,20 @@
--- Drawings of kerbs, and what their styles mean.
+-- Kerbs are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._kerb_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (12, 'kerb', $part$
-    SELECT 0.5 + level * 10, 'kerb', false, surface, kerb_id FROM %1$I.kerb, size WHERE pixel < 0.5$part$) $$;
-COMMENT ON FUNCTION streetgen._kerb_drawn() IS 'What streetgen.svg draws of kerbs.';
+CREATE OR REPLACE FUNCTION streetgen._kerb_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'kerb', '', level, surface::geometry, kerb_id FROM kerb
+        WHERE 'kerb' = ANY (layers) AND surface && box;
+END $$;
+COMMENT ON FUNCTION streetgen._kerb_drawn(name, geometry, text[]) IS
+    'What can be drawn of kerbs in a box: kerb, the stones.';
 
-CREATE OR REPLACE FUNCTION streetgen._kerb_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (20, 'kerb', 'ground', 'kerb stones', 'kerb stones') $$;
-COMMENT ON FUNCTION streetgen._kerb_legend() IS 'What the styles of kerbs mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, width, unit, marker) VALUES
+    ('street', 'kerb', 1500, 0.4, '#00000059', 0.12, 'metre', 'shadow');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('street', 'kerb', 2500, 0.5, '#f3f0e9', 'kerb stones'),
+    ('dark', 'kerb', 2500, 0.5, '#6a6f78', 'kerb stones'),
+    ('construction', 'kerb', 2000, 0.5, '#8b8f96', 'kerb stones');

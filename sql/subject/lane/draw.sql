@@ -1,25 +1,37 @@
--- Drawings of lanes, and what their styles mean.
+-- Lanes and their paint are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._lane_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES
-    -- Paint and paths only where a pixel can show them; the roadway alone where it is wider than a lane.
-    (3, 'lane', $part$
-    SELECT 4 + e.level * 10, 'paint', false, p.surface, p.lane_separator_id FROM %1$I.lane_separator p
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
-    (4, 'lane', $part$
-    SELECT 4 + e.level * 10, 'paint', false, m.surface, m.marking_id FROM %1$I.marking m
-        JOIN %1$I.edge e USING (edge_id), size WHERE pixel < 0.5$part$),
+CREATE OR REPLACE FUNCTION streetgen._lane_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'lane', kind, level, l.surface::geometry, lane_id FROM lane l JOIN edge USING (edge_id)
+        WHERE 'lane' = ANY (layers) AND kind IN ('bus', 'cycle') AND l.surface && box;
+    RETURN QUERY SELECT 'lane_separator', kind, level, p.surface::geometry, lane_separator_id FROM lane_separator p
+        JOIN edge USING (edge_id) WHERE 'lane_separator' = ANY (layers) AND p.surface && box;
+    RETURN QUERY SELECT 'marking', kind, level, m.surface::geometry, marking_id FROM marking m
+        JOIN edge USING (edge_id) WHERE 'marking' = ANY (layers) AND m.surface && box;
     -- Lanes between crossed limits join paths.
-    (9, 'lane', $part$
-    SELECT 895, 'path', true, geom, lane_id FROM %1$I.lane, size WHERE method = 'crossed_limits'
-        AND pixel < 0.5$part$) $$;
-COMMENT ON FUNCTION streetgen._lane_drawn() IS 'What streetgen.svg draws of lanes.';
+    RETURN QUERY SELECT 'lane_path', '', NULL::integer, l.geom::geometry, lane_id FROM lane l
+        WHERE 'lane_path' = ANY (layers) AND method = 'crossed_limits' AND l.geom && box;
+END $$;
+COMMENT ON FUNCTION streetgen._lane_drawn(name, geometry, text[]) IS
+    'What can be drawn of lanes in a box: lane, of buses and bicycles; lane_separator and marking, by kind; and '
+    'lane_path, lanes between crossed limits.';
 
-CREATE OR REPLACE FUNCTION streetgen._lane_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (6, 'paint', 'paint', 'paint', 'paint') $$;
-COMMENT ON FUNCTION streetgen._lane_legend() IS 'What the styles of lanes mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
+    ('street', 'lane', 'cycle', 5000, 3, '#b4604c', 'lane for bicycles'),
+    ('street', 'lane', 'bus', 5000, 3, '#b8935a', 'lane for buses'),
+    ('dark', 'lane', 'cycle', 5000, 3, '#8f4a3a', 'lane for bicycles'),
+    ('dark', 'lane', 'bus', 5000, 3, '#8a7038', 'lane for buses');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('street', 'lane_separator', 1500, 4, '#fbfbf8', 'paint'),
+    ('dark', 'lane_separator', 1500, 4, '#c9ccd1', 'paint'),
+    ('construction', 'lane_separator', 2000, 4, '#ffffff', 'paint');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
+    ('street', 'marking', 1500, 4, '#fbfbf8'),
+    ('dark', 'marking', 1500, 4, '#c9ccd1'),
+    ('construction', 'marking', 2000, 4, '#ffffff');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit) VALUES
+    ('construction', 'lane_path', 2000, 895, '#15803d', 0.7, 'pixel');

@@ -1,20 +1,33 @@
--- Drawings of nodes, edges and reports, and what their styles mean.
+-- Axes and streets are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._network_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
+CREATE OR REPLACE FUNCTION streetgen._network_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
     -- Below the line in the middle of the street, which runs along it.
-    (5, 'network', $part$
-    SELECT 3 + level * 10, 'axis', true, geom, edge_id FROM %1$I.edge, size WHERE pixel < 3$part$),
-    (10, 'network', $part$
-    SELECT 903, 'report', false, ST_Buffer(geom, 2), axis_a FROM %1$I.report$part$) $$;
-COMMENT ON FUNCTION streetgen._network_drawn() IS 'What streetgen.svg draws of nodes, edges and reports.';
+    RETURN QUERY SELECT 'axis', '', level, geom::geometry, edge_id FROM edge
+        WHERE 'axis' = ANY (layers) AND geom && box;
+    RETURN QUERY SELECT 'street', importance::text, NULL::integer, geom::geometry, edge_id FROM edge
+        WHERE 'street' = ANY (layers) AND geom && box;
+    RETURN QUERY SELECT 'report', '', NULL::integer, ST_Buffer(geom, 2), axis_a FROM report
+        WHERE 'report' = ANY (layers) AND geom && box;
+END $$;
+COMMENT ON FUNCTION streetgen._network_drawn(name, geometry, text[]) IS
+    'What can be drawn of the network in a box: axis; street, the same by importance; and report.';
 
-CREATE OR REPLACE FUNCTION streetgen._network_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (7, 'axis', 'line', 'axis', 'axis'),
-    (13, 'report', 'ground', 'report', 'report') $$;
-COMMENT ON FUNCTION streetgen._network_legend() IS 'What the styles of nodes, edges and reports mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, place, line, width, unit, meaning) VALUES
+    ('street', 'street', '1', 15000, 910, '#d9822b', 2.4, 'pixel', 'motorway or main road'),
+    ('street', 'street', '2', 15000, 909, '#e0a94b', 1.8, 'pixel', 'primary street'),
+    ('street', 'street', '3', 15000, 908, '#c3ae6e', 1.2, 'pixel', 'secondary street'),
+    ('dark', 'street', '1', 15000, 910, '#e0a060', 2.4, 'pixel', 'motorway or main road'),
+    ('dark', 'street', '2', 15000, 909, '#b8945a', 1.8, 'pixel', 'primary street'),
+    ('dark', 'street', '3', 15000, 908, '#8d8463', 1.2, 'pixel', 'secondary street');
+INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, line, width, unit, meaning) VALUES
+    ('street', 'street', 15000, 905, '#a9a598', 0.6, 'pixel', 'other street'),
+    ('dark', 'street', 15000, 905, '#565d68', 0.6, 'pixel', 'other street');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'axis', 11000, 3, '#8fa3b8', 1, 'pixel', 'axis');
+INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, meaning) VALUES
+    ('construction', 'report', 903, '#dc262666', 'report');

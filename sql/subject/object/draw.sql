@@ -1,25 +1,39 @@
--- Drawings of objects, and what their styles mean.
+-- Objects along streets are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._object_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (54, 'object', $part$
-    SELECT 950, CASE t.category WHEN 'green' THEN 'object green' ELSE 'object' END, false,
-        streetgen._object_symbol(o.geom, o.angle, t.symbol, greatest(t.size, 4 * pixel)), o.street_object_id
-        FROM %1$I.street_object o JOIN %1$I.object_type t USING (type), size
-        WHERE pixel < 0.5 AND t.symbol NOT IN ('crossing', 'bay')$part$),
-    (55, 'object', $part$
-    SELECT 7, 'paint', false, stripes, street_object_id FROM %1$I.pedestrian_crossing, size WHERE pixel < 0.5
-    UNION ALL SELECT 7, 'bay', false, surface, street_object_id FROM %1$I.parking_bay, size
-        WHERE pixel < 0.5$part$) $$;
-COMMENT ON FUNCTION streetgen._object_drawn() IS 'What streetgen.svg draws of objects.';
+CREATE OR REPLACE FUNCTION streetgen._object_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'object', coalesce(category, ''), NULL::integer,
+            streetgen._object_symbol(o.geom, angle, symbol, size), street_object_id
+        FROM street_object o JOIN object_type USING (type)
+        WHERE 'object' = ANY (layers) AND symbol NOT IN ('crossing', 'bay') AND o.geom && box;
+    RETURN QUERY SELECT 'crossing', '', 0, stripes::geometry, street_object_id FROM pedestrian_crossing
+        WHERE 'crossing' = ANY (layers) AND stripes && box;
+    RETURN QUERY SELECT 'bay', '', 0, surface::geometry, street_object_id FROM parking_bay
+        WHERE 'bay' = ANY (layers) AND surface && box;
+END $$;
+COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
+    'What can be drawn of objects in a box: object, by category of its type; crossing, the stripes; and bay.';
 
-CREATE OR REPLACE FUNCTION streetgen._object_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES
-    (40, 'object', 'ground', 'object', 'object'),
-    (41, 'object green', 'ground', 'tree or hedge', 'tree or hedge'),
-    (42, 'bay', 'ground', 'parking bay', 'parking bay') $$;
-COMMENT ON FUNCTION streetgen._object_legend() IS 'What the styles of objects mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, width, unit, marker) VALUES
+    ('street', 'object', 'green', 2500, 950, '#00000033', 1, 'metre', 'shadow'),
+    ('dark', 'object', 'green', 2500, 950, '#00000080', 1, 'metre', 'shadow');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'object', 'green', 2500, 951, '#6f9d57d9', '#4f7a3a', 0.5, 'pixel', 'tree or hedge'),
+    ('dark', 'object', 'green', 2500, 951, '#2f5a35d9', '#3f7a46', 0.5, 'pixel', 'tree or hedge'),
+    ('construction', 'object', 'green', 2000, 951, '#4d7c0f99', '#3f6212', 0.5, 'pixel', 'tree or hedge');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('street', 'object', 1500, 952, '#3f454d', 'object'),
+    ('street', 'crossing', 5000, 7, '#fbfbf8', 'crossing'),
+    ('dark', 'object', 1500, 952, '#8d949e', 'object'),
+    ('dark', 'crossing', 5000, 7, '#c9ccd1', 'crossing');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'bay', 1500, 3.5, '#7b7f86', '#fbfbf8', 0.1, 'metre', 'parking bay'),
+    ('dark', 'bay', 1500, 3.5, '#333941', '#c9ccd1', 0.1, 'metre', 'parking bay'),
+    ('construction', 'object', 2000, 952, '#7c3aed', '#4c1d95', 0.8, 'pixel', 'object'),
+    ('construction', 'bay', 2000, 3.5, '#c9ccd1', '#ffffff', 1.2, 'pixel', 'parking bay');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
+    ('construction', 'crossing', 2000, 7, '#ffffff');

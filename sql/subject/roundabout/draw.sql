@@ -1,20 +1,21 @@
--- Drawings of roundabouts, and what their styles mean.
+-- Roundabouts are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._roundabout_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (45, 'roundabout', $part$
-    SELECT 904, CASE WHEN accepted THEN 'ring' ELSE 'ring refused' END, true, ST_Collect(geom, ST_SetSRID(ST_MakeLine(
-        ST_MakePoint(ST_X(centre) - radius * score / 2, ST_Y(centre)),
-        ST_MakePoint(ST_X(centre) + radius * score / 2, ST_Y(centre))), ST_SRID(geom))), roundabout_id
-        FROM %1$I.roundabout, size WHERE pixel < 3$part$) $$;
-COMMENT ON FUNCTION streetgen._roundabout_drawn() IS 'What streetgen.svg draws of roundabouts.';
+CREATE OR REPLACE FUNCTION streetgen._roundabout_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'ring', CASE WHEN accepted THEN '' ELSE 'refused' END, NULL::integer, ST_Collect(geom,
+            ST_SetSRID(ST_MakeLine(ST_MakePoint(ST_X(centre) - radius * score / 2, ST_Y(centre)),
+                ST_MakePoint(ST_X(centre) + radius * score / 2, ST_Y(centre))), ST_SRID(geom))), roundabout_id
+        FROM roundabout WHERE 'ring' = ANY (layers) AND geom && box;
+END $$;
+COMMENT ON FUNCTION streetgen._roundabout_drawn(name, geometry, text[]) IS
+    'What can be drawn of roundabouts in a box: ring, with a bar at the centre as wide as the score says, the radius '
+    'for 1.';
 
-CREATE OR REPLACE FUNCTION streetgen._roundabout_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES
-    (21, 'ring', 'line', 'roundabout, bar: its score', 'roundabout, bar: its score'),
-    (22, 'ring refused', 'line', 'ring that is none', 'ring that is none') $$;
-COMMENT ON FUNCTION streetgen._roundabout_legend() IS 'What the styles of roundabouts mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'ring', 11000, 904, '#7c3aed', 2, 'pixel', 'roundabout, bar: its score');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'ring', 'refused', 11000, 904, '#6b7280', 1, 'pixel', 'ring that is none');

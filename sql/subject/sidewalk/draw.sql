@@ -1,17 +1,18 @@
--- Drawings of sidewalks, and what their styles mean.
+-- Sidewalks are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._sidewalk_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (35, 'sidewalk', $part$
-    SELECT k.level * 10, 'sidewalk', false, w.surface, w.sidewalk_id FROM %1$I.sidewalk w
-        JOIN %1$I.kerb k USING (edge_id, side, part), size WHERE pixel < 3$part$) $$;
-COMMENT ON FUNCTION streetgen._sidewalk_drawn() IS 'What streetgen.svg draws of sidewalks.';
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'sidewalk', '', level, w.surface::geometry, sidewalk_id FROM sidewalk w
+        JOIN kerb USING (edge_id, side, part) WHERE 'sidewalk' = ANY (layers) AND w.surface && box;
+END $$;
+COMMENT ON FUNCTION streetgen._sidewalk_drawn(name, geometry, text[]) IS
+    'What can be drawn of sidewalks in a box: sidewalk.';
 
-CREATE OR REPLACE FUNCTION streetgen._sidewalk_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (35, 'sidewalk', 'ground', 'sidewalk', NULL::text) $$;
-COMMENT ON FUNCTION streetgen._sidewalk_legend() IS 'What the styles of sidewalks mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'sidewalk', 5000, 0, '#cdc9c2', '#cdc9c2', 0.7, 'pixel', 'sidewalk'),
+    ('dark', 'sidewalk', 5000, 0, '#555b64', '#555b64', 0.7, 'pixel', 'sidewalk'),
+    ('construction', 'sidewalk', 11000, 0, '#e7d9bd', '#c9b791', 0.4, 'pixel', 'sidewalk');

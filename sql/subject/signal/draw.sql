@@ -1,17 +1,19 @@
--- Drawings of signals, and what their styles mean.
+-- Signals are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._signal_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (60, 'signal', $part$
-    SELECT 905, 'signal head', false, ST_Buffer(geom, 0.6, 4), lane_id FROM %1$I.signal_head, size
-        WHERE pixel < 0.5$part$) $$;
-COMMENT ON FUNCTION streetgen._signal_drawn() IS 'What streetgen.svg draws of signals.';
+CREATE OR REPLACE FUNCTION streetgen._signal_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'signal_head', '', NULL::integer, ST_Buffer(geom, 0.6, 4), lane_id FROM signal_head
+        WHERE 'signal_head' = ANY (layers) AND geom && box;
+END $$;
+COMMENT ON FUNCTION streetgen._signal_drawn(name, geometry, text[]) IS
+    'What can be drawn of signals in a box: signal_head.';
 
-CREATE OR REPLACE FUNCTION streetgen._signal_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES
-    (36, 'signal head', 'ground', 'signal', 'signal') $$;
-COMMENT ON FUNCTION streetgen._signal_legend() IS 'What the styles of signals mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'signal_head', 1500, 905, '#c92a2a', '#ffffff', 0.12, 'metre', 'signal');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('dark', 'signal_head', 1500, 905, '#ff5a4a', 'signal'),
+    ('construction', 'signal_head', 2000, 905, '#c92a2a', 'signal');

@@ -1,34 +1,70 @@
--- Drawings of the roadway, and what their styles mean.
+-- The roadway is drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._surface_drawn()
-    RETURNS TABLE(place integer, subject text, query text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ VALUES
-    (1, 'surface', $part$
-    SELECT 1 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'section contested' ELSE 'section' END,
-        false, surface, edge_id FROM %1$I.section$part$),
-    (2, 'surface', $part$
-    SELECT 2 + level * 10, CASE WHEN method IN ('contested', 'crowded') THEN 'intersection contested'
-        WHEN method = 'transition' THEN 'intersection transition' ELSE 'intersection' END, false, surface, node_id
-        FROM %1$I.intersection$part$),
-    (6, 'surface', $part$
-    SELECT 901, 'limit', true, border_line, section_limit_id FROM %1$I.section_limit, size
-        WHERE method = 'hypothesis' AND pixel < 3$part$),
-    (7, 'surface', $part$
-    SELECT 902, CASE method WHEN 'hypothesis' THEN 'arc' ELSE 'arc fallback' END, true, ST_CurveToLine(arc, 16),
-        corner_id FROM %1$I.corner, size WHERE arc IS NOT NULL AND pixel < 3$part$) $$;
-COMMENT ON FUNCTION streetgen._surface_drawn() IS 'What streetgen.svg draws of the roadway.';
+CREATE OR REPLACE FUNCTION streetgen._surface_drawn(model name, box geometry, layers text[])
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'section', CASE WHEN method IN ('contested', 'crowded') THEN 'contested' ELSE '' END, level,
+        surface::geometry, edge_id FROM section WHERE 'section' = ANY (layers) AND surface && box;
+    RETURN QUERY SELECT 'intersection', CASE WHEN method IN ('contested', 'crowded') THEN 'contested'
+            WHEN method = 'transition' THEN 'transition' ELSE '' END, level, surface::geometry, node_id
+        FROM intersection WHERE 'intersection' = ANY (layers) AND surface && box;
+    -- By the importance of the street, or of the most important one of a node.
+    RETURN QUERY SELECT 'roadway', importance::text, s.level, s.surface::geometry, edge_id FROM section s
+            JOIN edge USING (edge_id) WHERE 'roadway' = ANY (layers) AND surface && box
+        UNION ALL SELECT 'roadway', (SELECT min(importance)::text FROM edge WHERE node_id IN (from_node, to_node)),
+            level, surface, node_id FROM intersection WHERE 'roadway' = ANY (layers) AND surface && box;
+    RETURN QUERY SELECT 'limit', '', NULL::integer, border_line::geometry, section_limit_id FROM section_limit
+        WHERE 'limit' = ANY (layers) AND method = 'hypothesis' AND border_line && box;
+    RETURN QUERY SELECT 'arc', CASE method WHEN 'hypothesis' THEN '' ELSE 'fallback' END, NULL::integer,
+        ST_CurveToLine(arc, 16), corner_id FROM corner WHERE 'arc' = ANY (layers) AND arc && box;
+END $$;
+COMMENT ON FUNCTION streetgen._surface_drawn(name, geometry, text[]) IS
+    'What can be drawn of the roadway in a box: section, intersection, limit and arc; and roadway, both by importance.';
 
-CREATE OR REPLACE FUNCTION streetgen._surface_legend()
-    RETURNS TABLE(place integer, style text, form text, near text, far text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
-    AS $$ VALUES
-    (1, 'section', 'ground', 'section of a street', 'roadway'),
-    (2, 'intersection', 'ground', 'intersection', NULL),
-    (3, 'intersection transition', 'ground', 'change of width', NULL),
-    (4, 'section contested', 'ground', 'contested section', NULL),
-    (5, 'intersection contested', 'ground', 'contested intersection', NULL),
-    (8, 'limit', 'line', 'limit of a section', 'limit of a section'),
-    (9, 'arc', 'line', 'corner of the wanted radius', 'corner of the wanted radius'),
-    (10, 'arc fallback', 'line', 'corner of another radius', 'corner of another radius') $$;
-COMMENT ON FUNCTION streetgen._surface_legend() IS 'What the styles of the roadway mean.';
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'section', 5000, 1, '#7d8188', '#7d8188', 0.7, 'pixel', 'roadway'),
+    ('dark', 'section', 5000, 1, '#3a4049', '#3a4049', 0.7, 'pixel', 'roadway');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
+    ('street', 'intersection', 5000, 1, '#7d8188', '#7d8188', 0.7, 'pixel'),
+    ('dark', 'intersection', 5000, 1, '#3a4049', '#3a4049', 0.7, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, to_scale, place, fill, line, width, unit) VALUES
+    ('street', 'roadway', 5000, 15000, 1, '#a39d90', '#a39d90', 1.6, 'pixel'),
+    ('dark', 'roadway', 5000, 15000, 1, '#3a3f47', '#3a3f47', 1.6, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit) VALUES
+    ('street', 'roadway', '1', 5000, 15000, 1.3, '#a8662a', '#a8662a', 2, 'pixel'),
+    ('street', 'roadway', '2', 5000, 15000, 1.2, '#b5843c', '#b5843c', 2, 'pixel'),
+    ('street', 'roadway', '3', 5000, 15000, 1.1, '#b39a5a', '#b39a5a', 2, 'pixel'),
+    ('dark', 'roadway', '1', 5000, 15000, 1.3, '#6b4a26', '#6b4a26', 2, 'pixel'),
+    ('dark', 'roadway', '2', 5000, 15000, 1.2, '#5d4a2a', '#5d4a2a', 2, 'pixel'),
+    ('dark', 'roadway', '3', 5000, 15000, 1.1, '#4c4530', '#4c4530', 2, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, to_scale, place, fill, line, width, unit, meaning)
+    VALUES
+    ('street', 'roadway', 5000, 15000, 2, '#ffffff', '#ffffff', 0.4, 'pixel', 'other street'),
+    ('dark', 'roadway', 5000, 15000, 2, '#5a616b', '#5a616b', 0.4, 'pixel', 'other street');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit,
+    meaning) VALUES
+    ('street', 'roadway', '1', 5000, 15000, 3.0, '#f0a24e', '#f0a24e', 0.6, 'pixel', 'motorway or main road'),
+    ('street', 'roadway', '2', 5000, 15000, 2.9, '#f6c878', '#f6c878', 0.6, 'pixel', 'primary street'),
+    ('street', 'roadway', '3', 5000, 15000, 2.8, '#fbe5ac', '#fbe5ac', 0.6, 'pixel', 'secondary street'),
+    ('dark', 'roadway', '1', 5000, 15000, 3.0, '#c98a4a', '#c98a4a', 0.6, 'pixel', 'motorway or main road'),
+    ('dark', 'roadway', '2', 5000, 15000, 2.9, '#a8874f', '#a8874f', 0.6, 'pixel', 'primary street'),
+    ('dark', 'roadway', '3', 5000, 15000, 2.8, '#8a7c55', '#8a7c55', 0.6, 'pixel', 'secondary street');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('construction', 'section', 11000, 1, '#c9ccd1', 'section of a street'),
+    ('construction', 'intersection', 11000, 2, '#b3b8c0', 'intersection');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
+    ('construction', 'section', 'contested', 11000, 1, '#d9c7a7', 'contested section'),
+    ('construction', 'intersection', 'transition', 11000, 2, '#c3b8d6', 'change of width'),
+    ('construction', 'intersection', 'contested', 11000, 2, '#d9c7a7', 'contested intersection');
+INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'section', 11000, 1, '#4b5563', '#4b5563', 0.6, 'pixel', 'roadway');
+INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, fill, line, width, unit) VALUES
+    ('construction', 'intersection', 11000, 1, '#4b5563', '#4b5563', 0.6, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'limit', 11000, 901, '#6b7280', 1, 'pixel', 'limit of a section'),
+    ('construction', 'arc', 11000, 902, '#1d4ed8', 1.5, 'pixel', 'corner of the wanted radius');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
+    ('construction', 'arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');

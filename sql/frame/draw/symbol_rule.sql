@@ -1,0 +1,62 @@
+-- How a street looks is said here alone: rooms add the rules of their layers in their files draw.sql.
+
+CREATE TABLE streetgen.symbol_rule (
+    theme text NOT NULL CHECK (theme IN ('street', 'dark', 'construction')),
+    layer text NOT NULL, kind text NOT NULL DEFAULT '',
+    from_scale float8 NOT NULL DEFAULT 0 CHECK (from_scale >= 0),
+    to_scale float8 NOT NULL DEFAULT 'Infinity', place float8 NOT NULL,
+    fill text CHECK (fill ~ '^#[0-9a-f]{6}([0-9a-f]{2})?$'),
+    line text CHECK (line ~ '^#[0-9a-f]{6}([0-9a-f]{2})?$'),
+    width float8 CHECK (width > 0), unit text CHECK (unit IN ('metre', 'pixel')),
+    dash text CHECK (dash ~ '^\d+(\.\d+)?( \d+(\.\d+)?)*$'), marker text CHECK (marker IN ('shadow')),
+    meaning text,
+    PRIMARY KEY (theme, layer, kind, from_scale, place),
+    CHECK (from_scale < to_scale), CHECK (num_nulls(width, unit) IN (0, 2)),
+    CHECK (line IS NULL OR width IS NOT NULL), CHECK (marker IS NULL OR width IS NOT NULL));
+COMMENT ON TABLE streetgen.symbol_rule IS
+    'How layers of a model are drawn: by theme, kind and scale. A kind without a rule of its own at a scale is drawn '
+    'by the rules of kind '''', and a layer without a rule is not drawn. Several rules of one kind are drawn one above '
+    'the other, such as a casing and a fill';
+COMMENT ON COLUMN streetgen.symbol_rule.theme IS
+    'street: as one sees it from above; dark: the same at night; construction: how it was computed, for engineers';
+COMMENT ON COLUMN streetgen.symbol_rule.layer IS
+    'name of what is drawn, such as sidewalk; ground lies below all, paper and ink are those of a legend';
+COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
+COMMENT ON COLUMN streetgen.symbol_rule.from_scale IS
+    'drawn from this scale, as the number below the line: 1500 is 1:1,500';
+COMMENT ON COLUMN streetgen.symbol_rule.to_scale IS 'drawn to a scale below this one';
+COMMENT ON COLUMN streetgen.symbol_rule.place IS 'order on its level from below, less than 10; or above all levels';
+COMMENT ON COLUMN streetgen.symbol_rule.fill IS 'colour of its ground, #rrggbb or #rrggbbaa; NULL: none';
+COMMENT ON COLUMN streetgen.symbol_rule.line IS 'colour of its line or border, #rrggbb or #rrggbbaa; NULL: none';
+COMMENT ON COLUMN streetgen.symbol_rule.width IS 'width of the line; of a shadow, how far it falls to the south-east';
+COMMENT ON COLUMN streetgen.symbol_rule.unit IS 'unit of width and dash: metre or pixel';
+COMMENT ON COLUMN streetgen.symbol_rule.dash IS 'lengths of dashes and gaps in turn, such as 3 2; NULL: none';
+COMMENT ON COLUMN streetgen.symbol_rule.marker IS 'shadow: the geometry falls to the south-east; NULL: as it is';
+COMMENT ON COLUMN streetgen.symbol_rule.meaning IS 'what a legend says of it; NULL: nothing';
+GRANT SELECT ON streetgen.symbol_rule TO PUBLIC;
+
+INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
+    ('street', 'ground', 0, '#e4e0d6'), ('dark', 'ground', 0, '#14171c'), ('construction', 'ground', 0, '#f3f1ea'),
+    ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#1d2127'), ('construction', 'paper', 0, '#ffffff'),
+    ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('construction', 'ink', 0, '#1f2937');
+
+CREATE OR REPLACE FUNCTION streetgen._symbols(theme text, scale float8)
+    RETURNS TABLE(symbol bigint, layer text, kind text, place float8, fill text, line text, width float8, unit text,
+        dash text, marker text, meaning text)
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 60 SET search_path = pg_catalog
+    AS $$ SELECT row_number() OVER (ORDER BY r.place, r.layer, r.kind), r.layer, r.kind, r.place, r.fill, r.line,
+            r.width, r.unit, r.dash, r.marker, r.meaning
+        FROM streetgen.symbol_rule r WHERE r.theme = _symbols.theme AND scale >= from_scale AND scale < to_scale $$;
+COMMENT ON FUNCTION streetgen._symbols(text, float8) IS
+    'The rules of a theme at a scale (the number below the line), each with a number.';
+
+CREATE OR REPLACE FUNCTION streetgen._as_css(fill text, line text, width float8, unit text, dash text, pixel float8)
+    RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('fill:%s', coalesce(fill, 'none')) || CASE WHEN line IS NULL THEN '' ELSE
+            format(';stroke:%s;stroke-width:%s', line, round((width * each)::numeric, 4))
+            || coalesce(';stroke-dasharray:' || (SELECT string_agg(round((d::float8 * each)::numeric, 4)::text, ' '
+                ORDER BY n) FROM string_to_table(dash, ' ') WITH ORDINALITY t(d, n)), '') END
+        FROM (SELECT CASE unit WHEN 'pixel' THEN pixel ELSE 1 END AS each) u $$;
+COMMENT ON FUNCTION streetgen._as_css(text, text, float8, text, text, float8) IS
+    'A rule as properties of SVG, for a drawing in metres whose pixel is so many metres wide.';
