@@ -55,3 +55,13 @@ FROM (SELECT f.*, heir.road_id FROM found_road f LEFT JOIN (
         SELECT road_id FROM {model}.road_edge o
         WHERE NOT {empty} AND o.edge_id = n.edge_id AND o.position = 1 {by_key}) o
     GROUP BY n.number) heir USING (number) ORDER BY f.number OFFSET 0) r
+
+--{road_arc
+-- No road has a million arcs.
+CREATE OR REPLACE VIEW road_arc WITH (security_invoker = true) AS
+SELECT r.road_id * 1000000 + b.ordinality AS road_arc_id, r.road_id, b.start_abscissa, b.end_abscissa, b.radius,
+    streetgen.arc_road_speed_limit(b.radius, (SELECT value::float8 FROM setting WHERE name = 'road_friction'))
+        AS speed_limit,
+    b.centre::geometry(Point, {srid}) AS centre, b.corner::geometry(Point, {srid}) AS corner,
+    b.arc::geometry(CircularString, {srid}) AS arc
+FROM road r, LATERAL streetgen._arc_road_bends(r.geom) WITH ORDINALITY b

@@ -21,16 +21,7 @@ DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- No road has a million arcs.
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.road_arc WITH (security_invoker = true) AS
-SELECT r.road_id * 1000000 + b.ordinality AS road_arc_id, r.road_id, b.start_abscissa, b.end_abscissa, b.radius,
-    streetgen.arc_road_speed_limit(b.radius, (SELECT value::float8 FROM %1$I.setting WHERE name = 'road_friction'))
-        AS speed_limit,
-    b.centre::geometry(Point, %2$s) AS centre, b.corner::geometry(Point, %2$s) AS corner,
-    b.arc::geometry(CircularString, %2$s) AS arc
-FROM %1$I.road r, LATERAL streetgen._arc_road_bends(r.geom) WITH ORDINALITY b
-$sql$, model, srid);
+    EXECUTE streetgen._fill_template(streetgen._part('road_arc'), jsonb_build_object('srid', srid));
     COMMENT ON VIEW road_arc IS 'The bends of roads that are arcs';
     COMMENT ON COLUMN road_arc.road_arc_id IS 'key, of the road and the number of the bend';
     COMMENT ON COLUMN road_arc.road_id IS 'the road';

@@ -5,8 +5,9 @@ CREATE OR REPLACE FUNCTION streetgen._add_width_by_hand(model name) RETURNS void
         SET client_min_messages = warning
     AS $$
 BEGIN
-    EXECUTE format('ALTER TABLE %I.axis ADD IF NOT EXISTS width_by_hand boolean NOT NULL DEFAULT false,
-        ADD IF NOT EXISTS source_width float8, ADD IF NOT EXISTS source_width_end float8', model);
+    PERFORM streetgen._use_model(model);
+    ALTER TABLE axis ADD IF NOT EXISTS width_by_hand boolean NOT NULL DEFAULT false,
+        ADD IF NOT EXISTS source_width float8, ADD IF NOT EXISTS source_width_end float8;
 END $$;
 COMMENT ON FUNCTION streetgen._add_width_by_hand(name) IS
     'Adds the columns of axis that tell a width put by hand from one of the source, where they are missing.';
@@ -60,28 +61,28 @@ COMMENT ON FUNCTION streetgen._make_axis_functions(name) IS
 CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
     RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+        -- One plan for all axes would not reach some by their keys.
+        SET plan_cache_mode = force_custom_plan
     AS $$
 #variable_conflict use_column
 DECLARE
     doubted bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- To plan the values used costs more than to see that there is nothing to doubt.
     IF axes IS NOT NULL THEN
-        PERFORM streetgen._use_model(model);
         SELECT array_agg(a.axis_id) FROM axis a WHERE a.axis_id = ANY (axes) AND NOT a.width_by_hand
             AND a.lane_count IS NOT NULL AND (a.width IS NOT NULL OR a.width_end IS NOT NULL) INTO doubted;
         IF doubted IS NULL THEN
             RETURN;
         END IF;
     END IF;
-    RETURN QUERY EXECUTE format($sql$
-SELECT a.axis_id, w.attribute, w.width, a.lane_count, a.source_ref, a.geom::geometry
-FROM %1$I.axis a JOIN %1$I.axis_used u USING (axis_id),
-    LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
-WHERE %2$s AND a.lane_count IS NOT NULL AND w.width IS NOT NULL AND w.attribute = ANY (u.estimated) ORDER BY 1, 2
-$sql$, model, CASE WHEN axes IS NULL THEN 'true' ELSE
+    RETURN QUERY SELECT a.axis_id, w.attribute, w.width, a.lane_count, a.source_ref, a.geom::geometry
+        FROM axis a JOIN axis_used u USING (axis_id),
+            LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
         -- Both relations are narrowed: the planner computes the values used of all axes otherwise.
-        'a.axis_id = ANY ($1) AND u.axis_id = ANY ($1)' END) USING doubted;
+        WHERE (axes IS NULL OR a.axis_id = ANY (doubted) AND u.axis_id = ANY (doubted))
+            AND a.lane_count IS NOT NULL AND w.width IS NOT NULL AND w.attribute = ANY (u.estimated) ORDER BY 1, 2;
 END $$;
 COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
     'The widths (metres, in column width or width_end) that sources give the axes of a model, or some of them, and '

@@ -44,43 +44,8 @@ COMMENT ON FUNCTION streetgen._renew_all_blocks(name) IS
 CREATE OR REPLACE FUNCTION streetgen._make_block_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    renewed text := '';
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF 'block' = ANY (streetgen._subjects(model)) THEN
-        renewed := format($sql$
-    IF blocks = '{}' THEN
-        RETURN QUERY SELECT t::text, 0::bigint, 0::bigint, 0::bigint, 0::bigint, 0::bigint
-            FROM unnest('{block,block_edge}'::text[]) t;
-        RETURN;
-    END IF;
-    FOREACH by_place IN ARRAY ARRAY[false, true] LOOP
-        IF by_place THEN
-            -- More than was locked: nobody else may hold these, nor a run that does not know of them have shut the
-            -- door.
-            further := ARRAY(SELECT DISTINCT coalesce(b.block_id, 0) FROM %2$I.edge s, LATERAL (
-                    SELECT edge_id FROM %2$I.edge e WHERE e.from_node IN (s.from_node, s.to_node)
-                    UNION ALL SELECT edge_id FROM %2$I.edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e,
-                    LATERAL (SELECT block_id FROM %2$I.block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
-                WHERE s.axis_id = ANY (axes) AND coalesce(b.block_id, 0) <> ALL (blocks));
-            IF NOT (SELECT streetgen._lock_places(%3$L, p.alone, p.shared, wait => false)
-                    FROM streetgen._places_of(%3$L, '{}', '{}',
-                        ARRAY(SELECT streetgen._chain_key('block', b) FROM unnest(further) b)) p)
-                OR further <> '{}' AND NOT streetgen._door_is_open(%3$L) THEN
-                PERFORM streetgen._refuse_place(%3$L);
-            END IF;
-            blocks := blocks || further;
-        END IF;
-        FOR relation, inserted, updated, deleted, unchanged, fallbacks IN %1$s LOOP
-            found := true;
-            RETURN NEXT;
-        END LOOP;
-        EXIT WHEN found;
-    END LOOP;$sql$, regexp_replace(regexp_replace(regexp_replace(
-            streetgen._block_statement(streetgen._upsert_places(model, 'part')),
-            '\$1', 'blocks', 'g'), '\$2', 'axes', 'g'), '\$3', 'by_place', 'g'), model, model);
-    END IF;
     CREATE OR REPLACE FUNCTION _blocks_about(axes bigint[]) RETURNS TABLE(axis_id bigint, block_id bigint)
         LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path FROM CURRENT SET jit = off
         SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
@@ -117,23 +82,55 @@ BEGIN
                 ON true
         WHERE b.there OR e.edge_id IS NULL;
     END $body$;
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._renew_blocks(blocks bigint[], axes bigint[])
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 2 SET search_path FROM CURRENT SET jit = off
-    SET enable_seqscan = off SET random_page_cost = 0.01 SET plan_cache_mode = force_generic_plan
-    AS $body$
-#variable_conflict use_column
-DECLARE
-    by_place boolean;
-    further bigint[];
-    found boolean := false;
-BEGIN
-    %2$s
-END $body$ $sql$, model, renewed);
     PERFORM streetgen._own_function(model, '_blocks_about(bigint[])',
-        'Of axes that lie alone: the blocks that they may lie in, beside the axis; 0: what lies in no block'),
-        streetgen._own_function(model, '_renew_blocks(bigint[], bigint[])',
+        'Of axes that lie alone: the blocks that they may lie in, beside the axis; 0: what lies in no block');
+    IF 'block' <> ALL (streetgen._subjects(model)) THEN
+        PERFORM streetgen._drop_own_functions(model, '{_renew_blocks,_write_blocks}');
+        RETURN;
+    END IF;
+    PERFORM streetgen._compose_function(model, '_write_blocks(blocks bigint[], axes bigint[], by_place boolean)',
+        'TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)',
+        -- An error within a loop's query does not show it whole.
+        format(E'#variable_conflict use_column\nBEGIN\n    FOR relation, inserted, updated, deleted, unchanged, '
+            'fallbacks IN %s LOOP\n        RETURN NEXT;\n    END LOOP;\nEND',
+            streetgen._block_statement(streetgen._upsert_places(model, 'part'))),
+        '_write_blocks(bigint[], bigint[], boolean)',
+        'Computes and writes blocks, for _renew_blocks: a row per table, none where kerbs are missing');
+    CREATE OR REPLACE FUNCTION _renew_blocks(blocks bigint[], axes bigint[])
+        RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
+            bigint)
+        LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 2 SET search_path FROM CURRENT SET jit = off
+        SET enable_seqscan = off SET random_page_cost = 0.01 SET plan_cache_mode = force_generic_plan
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        model constant name := current_schema();
+        further bigint[];
+    BEGIN
+        IF blocks = '{}' THEN
+            RETURN QUERY SELECT t::text, 0::bigint, 0::bigint, 0::bigint, 0::bigint, 0::bigint
+                FROM unnest('{block,block_edge}'::text[]) t;
+            RETURN;
+        END IF;
+        RETURN QUERY SELECT * FROM _write_blocks(blocks, axes, false);
+        IF FOUND THEN
+            RETURN;
+        END IF;
+        -- More than was locked: nobody else may hold these, nor a run that does not know of them have shut the door.
+        further := ARRAY(SELECT DISTINCT coalesce(b.block_id, 0) FROM edge s, LATERAL (
+                SELECT edge_id FROM edge e WHERE e.from_node IN (s.from_node, s.to_node)
+                UNION ALL SELECT edge_id FROM edge e WHERE e.to_node IN (s.from_node, s.to_node) OFFSET 0) e,
+                LATERAL (SELECT block_id FROM block_edge b WHERE b.edge_id = e.edge_id OFFSET 0) b
+            WHERE s.axis_id = ANY (axes) AND coalesce(b.block_id, 0) <> ALL (blocks));
+        IF NOT (SELECT streetgen._lock_places(model, p.alone, p.shared, wait => false)
+                FROM streetgen._places_of(model, '{}', '{}',
+                    ARRAY(SELECT streetgen._chain_key('block', b) FROM unnest(further) b)) p)
+            OR further <> '{}' AND NOT streetgen._door_is_open(model) THEN
+            PERFORM streetgen._refuse_place(model);
+        END IF;
+        RETURN QUERY SELECT * FROM _write_blocks(blocks || further, axes, true);
+    END $body$;
+    PERFORM streetgen._own_function(model, '_renew_blocks(bigint[], bigint[])',
         'Computes and writes blocks that changed, or came with new edges of the axes that were written, a row per '
         'table');
 END $$;

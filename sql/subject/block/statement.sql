@@ -191,3 +191,12 @@ moved AS MATERIALIZED (
         SELECT block_id FROM {model}.block_edge b WHERE b.edge_id = s.edge_id OFFSET 0) b
     WHERE s.moved OR b.block_id IS NOT NULL
     UNION SELECT 0 FROM loose_edge WHERE NOT EXISTS (SELECT FROM near_edge WHERE moved))
+
+--{block_interior
+CREATE OR REPLACE VIEW block_interior WITH (security_invoker = true) AS
+SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (SELECT ST_Union(s.surface)
+    FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
+    WHERE s.surface && b.surface AND ST_Intersects(s.surface, b.surface)
+        AND k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level'))), b.surface), 3))
+    ::geometry(MultiPolygon, {srid}) AS geom
+FROM block b

@@ -14,14 +14,8 @@ BEGIN
         WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
     FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
     WHERE k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level');
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW block_interior WITH (security_invoker = true) AS
-SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (SELECT ST_Union(s.surface)
-    FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
-    WHERE s.surface && b.surface AND ST_Intersects(s.surface, b.surface)
-        AND k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level'))), b.surface), 3))
-    ::geometry(MultiPolygon, %s) AS geom
-FROM block b$sql$, (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
+    EXECUTE streetgen._fill_template(streetgen._part('block_interior'), jsonb_build_object('srid', (SELECT m.srid
+        FROM streetgen.model m WHERE m.name = model)));
     COMMENT ON VIEW sidewalk_block IS 'The block that each sidewalk of the ground lies on';
     COMMENT ON COLUMN sidewalk_block.sidewalk_id IS 'the sidewalk';
     COMMENT ON COLUMN sidewalk_block.block_id IS 'the block that it lies on; NULL: it lies in no face';

@@ -42,66 +42,74 @@ BEGIN
         PERFORM streetgen._drop_own_functions(model, '{_renew_bridges,_crossing_edges}');
         RETURN;
     END IF;
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._crossing_edges(axes bigint[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    AS $body$
-BEGIN
-    RETURN ARRAY(
-        WITH own AS MATERIALIZED (SELECT edge_id FROM %1$I.edge WHERE axis_id = ANY (axes))
-        SELECT edge_id FROM own
-        UNION SELECT o.edge_above FROM own e JOIN %1$I.overpass o ON o.edge_below = e.edge_id
-        UNION SELECT o.edge_below FROM own e JOIN %1$I.overpass o ON o.edge_above = e.edge_id);
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I._renew_bridges(edges bigint[])
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path FROM CURRENT SET jit = off
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    %2$s
-END $body$ $sql$, model, (SELECT string_agg(format($part$
-    RETURN QUERY WITH region AS MATERIALIZED (
-        SELECT edge_id FROM %1$I.edge WHERE edges IS NULL UNION ALL SELECT DISTINCT unnest(edges)),
-    stretch AS (%3$s),
-    new AS MATERIALIZED (
-        SELECT s.edge_id, s.low AS start_abscissa, s.high AS end_abscissa, s.method,
-            streetgen._stretch_surface(c.surface, e.geom, s.low, s.high, greatest(e.width, e.width_end)) AS surface
-        FROM stretch s JOIN %1$I.edge e USING (edge_id) JOIN %1$I.section c USING (edge_id)),
-    compared AS MATERIALIZED (
-        SELECT n.*, o.%2$I_id, (o.end_abscissa, o.method, o.surface::bytea) IS DISTINCT FROM
-            (n.end_abscissa, n.method, n.surface::bytea) AS changed
-        FROM new n LEFT JOIN %1$I.%2$I o USING (edge_id, start_abscissa)),
-    gone AS (
-        DELETE FROM %1$I.%2$I o USING region r WHERE o.edge_id = r.edge_id AND NOT EXISTS (SELECT FROM new n
-            WHERE (n.edge_id, n.start_abscissa) = (o.edge_id, o.start_abscissa)) RETURNING 1),
-    put AS (
-        INSERT INTO %1$I.%2$I (edge_id, start_abscissa, end_abscissa, surface, method)
-        SELECT edge_id, start_abscissa, end_abscissa, surface, method FROM compared WHERE changed
-        ORDER BY edge_id, start_abscissa
-        ON CONFLICT (edge_id, start_abscissa) DO UPDATE SET (end_abscissa, surface, method)
-            = ROW (excluded.end_abscissa, excluded.surface, excluded.method))
-    SELECT %2$L, count(*) FILTER (WHERE %2$I_id IS NULL), count(*) FILTER (WHERE changed AND %2$I_id IS NOT NULL),
-        (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;$part$,
-        model, k.relation, format(k.query, model)), '') FROM (VALUES ('bridge', $part$
-        SELECT e.edge_id, 0::float8 AS low, ST_Length2D(e.geom) AS high,
-            CASE a.source WHEN 'design' THEN 'design' ELSE 'stated' END AS method
-        FROM region r JOIN %1$I.edge e USING (edge_id) JOIN %1$I.axis a USING (axis_id) WHERE e.level > 0
-        UNION ALL
-        SELECT edge_id, lower(part)::float8, upper(part)::float8, 'overpass' FROM (
+    CREATE OR REPLACE FUNCTION _crossing_edges(axes bigint[]) RETURNS bigint[]
+        LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    BEGIN
+        RETURN ARRAY(
+            WITH own AS MATERIALIZED (SELECT edge_id FROM edge WHERE axis_id = ANY (axes))
+            SELECT edge_id FROM own
+            UNION SELECT o.edge_above FROM own e JOIN overpass o ON o.edge_below = e.edge_id
+            UNION SELECT o.edge_below FROM own e JOIN overpass o ON o.edge_above = e.edge_id);
+    END $body$;
+    CREATE OR REPLACE FUNCTION _renew_bridges(edges bigint[])
+        RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
+            bigint)
+        LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        RETURN QUERY WITH region AS MATERIALIZED (
+            SELECT edge_id FROM edge WHERE edges IS NULL UNION ALL SELECT DISTINCT unnest(edges)),
+        deck AS (
             SELECT a.edge_id, unnest(range_agg(numrange(greatest(0, o.abscissa_above - h.half)::numeric,
                 least(ST_Length2D(a.geom), o.abscissa_above + h.half)::numeric))) AS part
-            FROM region r JOIN %1$I.edge a USING (edge_id) JOIN %1$I.overpass o ON o.edge_above = a.edge_id
-                JOIN %1$I.edge b ON b.edge_id = o.edge_below, LATERAL (SELECT streetgen._deck_half(
+            FROM region r JOIN edge a USING (edge_id) JOIN overpass o ON o.edge_above = a.edge_id
+                JOIN edge b ON b.edge_id = o.edge_below, LATERAL (SELECT streetgen._deck_half(
                     greatest(a.width, a.width_end), greatest(b.width, b.width_end),
                     streetgen._heading_at(a.geom, o.abscissa_above) - streetgen._heading_at(b.geom, o.abscissa_below))
                     AS half) h
-            WHERE a.level = 0 AND b.level >= 0
-            GROUP BY a.edge_id) d WHERE upper(part) > lower(part)$part$), ('tunnel', $part$
-        SELECT e.edge_id, 0::float8 AS low, ST_Length2D(e.geom) AS high,
-            CASE a.source WHEN 'design' THEN 'design' ELSE 'stated' END AS method
-        FROM region r JOIN %1$I.edge e USING (edge_id) JOIN %1$I.axis a USING (axis_id)
-        WHERE e.level < 0$part$)) k(relation, query)));
+            WHERE a.level = 0 AND b.level >= 0 GROUP BY a.edge_id),
+        stretch AS (
+            SELECT CASE WHEN e.level > 0 THEN 'bridge' ELSE 'tunnel' END AS kind, e.edge_id, 0::float8 AS low,
+                ST_Length2D(e.geom) AS high, CASE a.source WHEN 'design' THEN 'design' ELSE 'stated' END AS method
+            FROM region r JOIN edge e USING (edge_id) JOIN axis a USING (axis_id) WHERE e.level <> 0
+            UNION ALL SELECT 'bridge', edge_id, lower(part)::float8, upper(part)::float8, 'overpass' FROM deck
+                WHERE upper(part) > lower(part)),
+        new AS MATERIALIZED (
+            SELECT s.kind, s.edge_id, s.low AS start_abscissa, s.high AS end_abscissa, s.method,
+                streetgen._stretch_surface(c.surface, e.geom, s.low, s.high, greatest(e.width, e.width_end)) AS surface
+            FROM stretch s JOIN edge e USING (edge_id) JOIN section c USING (edge_id)),
+        there AS MATERIALIZED (
+            SELECT 'bridge' AS kind, bridge_id AS key, edge_id, start_abscissa, end_abscissa, method, surface
+            FROM bridge JOIN region USING (edge_id)
+            UNION ALL SELECT 'tunnel', tunnel_id, edge_id, start_abscissa, end_abscissa, method, surface
+            FROM tunnel JOIN region USING (edge_id)),
+        compared AS MATERIALIZED (
+            SELECT n.*, o.edge_id IS NULL AS fresh, (o.end_abscissa, o.method, o.surface::bytea) IS DISTINCT FROM
+                (n.end_abscissa, n.method, n.surface::bytea) AS changed
+            FROM new n LEFT JOIN there o USING (kind, edge_id, start_abscissa)),
+        gone AS MATERIALIZED (
+            SELECT o.kind, o.key FROM there o WHERE NOT EXISTS (SELECT FROM new n
+                WHERE (n.kind, n.edge_id, n.start_abscissa) = (o.kind, o.edge_id, o.start_abscissa))),
+        no_bridge AS (DELETE FROM bridge b USING gone g WHERE g.kind = 'bridge' AND b.bridge_id = g.key),
+        no_tunnel AS (DELETE FROM tunnel t USING gone g WHERE g.kind = 'tunnel' AND t.tunnel_id = g.key),
+        put_bridge AS (
+            INSERT INTO bridge (edge_id, start_abscissa, end_abscissa, surface, method)
+            SELECT edge_id, start_abscissa, end_abscissa, surface, method FROM compared
+            WHERE changed AND kind = 'bridge' ORDER BY edge_id, start_abscissa
+            ON CONFLICT (edge_id, start_abscissa) DO UPDATE SET (end_abscissa, surface, method)
+                = ROW (excluded.end_abscissa, excluded.surface, excluded.method)),
+        put_tunnel AS (
+            INSERT INTO tunnel (edge_id, start_abscissa, end_abscissa, surface, method)
+            SELECT edge_id, start_abscissa, end_abscissa, surface, method FROM compared
+            WHERE changed AND kind = 'tunnel' ORDER BY edge_id, start_abscissa
+            ON CONFLICT (edge_id, start_abscissa) DO UPDATE SET (end_abscissa, surface, method)
+                = ROW (excluded.end_abscissa, excluded.surface, excluded.method))
+        SELECT k, count(*) FILTER (WHERE c.fresh), count(*) FILTER (WHERE c.changed AND NOT c.fresh),
+            (SELECT count(*) FROM gone g WHERE g.kind = k), count(*) FILTER (WHERE NOT c.changed), 0::bigint
+        FROM unnest('{bridge,tunnel}'::text[]) k LEFT JOIN compared c ON c.kind = k GROUP BY k ORDER BY k;
+    END $body$;
     PERFORM streetgen._own_function(model, '_crossing_edges(bigint[])',
         'The edges of axes, and those that cross them without a node'),
         streetgen._own_function(model, '_renew_bridges(bigint[])',

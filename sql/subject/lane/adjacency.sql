@@ -14,27 +14,8 @@ BEGIN
             SELECT CASE WHEN l.method = 'crossed_limits' THEN a.wanted_abscissa ELSE a.abscissa END AS at) f
         CROSS JOIN LATERAL (
             SELECT CASE WHEN l.method = 'crossed_limits' THEN b.wanted_abscissa ELSE b.abscissa END AS at) t;
-    EXECUTE format($sql$
-CREATE OR REPLACE VIEW %1$I.lane_adjacency WITH (security_invoker = true) AS
-SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_id,
-    CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
-    CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, p.start_abscissa, p.end_abscissa,
-    CASE WHEN s.kind = 'centre' THEN 'opposite'
-        WHEN CASE v.side WHEN 'left' THEN s.leftwards ELSE s.rightwards END THEN 'allowed'
-        ELSE 'forbidden' END AS change,
-    s.kind <> 'centre' AND EXISTS (SELECT FROM %1$I.lane_adjacency_override o
-        WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
-            AND (o.lane_from, o.lane_to) = (CASE v.side WHEN 'right' THEN l.ordinality ELSE r.ordinality END,
-                CASE v.side WHEN 'right' THEN r.ordinality ELSE l.ordinality END)) AS by_hand, s.geom
-FROM %1$I.lane_separator s %2$s
-    JOIN %1$I.edge e ON e.edge_id = s.edge_id
-    JOIN %1$I.lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
-    -- As far as both go: a merging lane is beside the others on a part of the edge.
-    CROSS JOIN LATERAL (SELECT greatest(x.start_abscissa, r.start_abscissa) AS start_abscissa,
-        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p
-$sql$, model, format(CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN streetgen._lanes_beside_merging()
-        ELSE $sql$JOIN %1$I.lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
-    JOIN %1$I.lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)$sql$ END, model));
+    EXECUTE streetgen._fill_template(streetgen._part('lane_adjacency'), jsonb_build_object('beside', streetgen._part(
+        CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN 'lanes_beside_merging' ELSE 'lanes_beside' END)));
     COMMENT ON VIEW lane_extent IS 'Where each lane begins and ends along its axis';
     COMMENT ON COLUMN lane_extent.lane_id IS 'the lane';
     COMMENT ON COLUMN lane_extent.axis_id IS 'its axis';
@@ -76,23 +57,6 @@ $sql$, model, format(CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN st
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
     'Makes the views lane_extent, lane_adjacency and lane_interval of a model, again and again.';
-
-CREATE OR REPLACE FUNCTION streetgen._lanes_beside_merging() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    -- The outer one of two merging lanes on different parts of an edge lies beside the lanes that go all along.
-    AS $f$ SELECT $sql$JOIN %1$I.lane on_left ON (on_left.edge_id, on_left.lane_position) = (s.edge_id, s.lane_position)
-    JOIN %1$I.lane on_right ON (on_right.edge_id, on_right.lane_position)
-        = (s.edge_id, s.lane_position + 1)
-    CROSS JOIN LATERAL (SELECT on_left.kind = 'merging' AND on_right.kind = 'merging' AND (on_left.start_abscissa,
-        on_left.end_abscissa) IS DISTINCT FROM (on_right.start_abscissa, on_right.end_abscissa) AS apart) m
-    JOIN %1$I.lane l ON l.lane_id = CASE WHEN apart AND on_left.side = 'right' THEN (SELECT lane_id FROM %1$I.lane w
-        WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position DESC LIMIT 1)
-        ELSE on_left.lane_id END
-    JOIN %1$I.lane r ON r.lane_id = CASE WHEN apart AND on_left.side = 'left' THEN (SELECT lane_id FROM %1$I.lane w
-        WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position LIMIT 1)
-        ELSE on_right.lane_id END$sql$ $f$;
-COMMENT ON FUNCTION streetgen._lanes_beside_merging() IS
-    'The lanes l and r on both sides of each separator s, where a model has merging lanes.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8, first float8,
     last float8, OUT on_axis float8[], OUT on_lane float8[])

@@ -4,8 +4,6 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_functions(model name) RETURNS 
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
     AS $$
-DECLARE
-    followed record;
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._make_object_triggers(model);
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
@@ -253,14 +251,14 @@ BEGIN
         'After objects or edges were deleted: which object stands at which edge'),
         streetgen._own_function(model, 'rejoin_objects()',
         'After a type got another parent: its objects get the rows of what they are a kind of now');
-    FOR followed IN SELECT * FROM unnest('{insert,update}'::text[]) event LOOP
-        EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER join_objects_%2$s AFTER %2$s ON %1$I.street_object REFERENCING NEW TABLE AS new_object
-    FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION %1$I.join_objects();
-COMMENT ON TRIGGER join_objects_%2$s ON %1$I.street_object IS 'Finds the edges at which objects stand'
-$sql$, model, followed.event);
-    END LOOP;
+    CREATE OR REPLACE TRIGGER join_objects_insert AFTER INSERT ON street_object REFERENCING NEW TABLE AS new_object
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION join_objects();
+    CREATE OR REPLACE TRIGGER join_objects_update AFTER UPDATE ON street_object REFERENCING NEW TABLE AS new_object
+        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+        EXECUTE FUNCTION join_objects();
+    COMMENT ON TRIGGER join_objects_insert ON street_object IS 'Finds the edges at which objects stand';
+    COMMENT ON TRIGGER join_objects_update ON street_object IS 'Finds the edges at which objects stand';
     PERFORM streetgen._follow_axes(model, 'carry_objects', 'street_object', '_carry_objects',
         'objects stay at the piece of road where they stand');
     PERFORM streetgen._tie_specialised(model);

@@ -4,47 +4,51 @@ CREATE OR REPLACE FUNCTION streetgen._make_signal_requests(model name) RETURNS v
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._signal_requests(junctions bigint[])
-    RETURNS TABLE(junction_id bigint, movements streetgen.signal_request[])
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    RETURN QUERY
-    WITH path AS MATERIALIZED (
-        SELECT m.junction_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.geom,
-            -- By metres across the junction, of an approach and of a movement; then by what outlives a run from
-            -- scratch: keys do not.
-            row_number() OVER (PARTITION BY m.junction_id ORDER BY m.metres_of_approach DESC, a.axis_id,
-                a.start_abscissa, m.metres DESC, i.ordinality, m.along_in, b.axis_id, b.start_abscissa, o.ordinality,
-                m.along_out)::integer AS number
-        FROM (SELECT m.*, l.edge_id AS approach, round(ST_Length(m.geom)::numeric, 3) AS metres,
-                    round(sum(ST_Length(m.geom)) OVER (PARTITION BY m.junction_id, l.edge_id)::numeric, 3)
-                        AS metres_of_approach
-                FROM %1$I.movement m JOIN %1$I.lane l ON l.lane_id = m.lane_in
-                WHERE m.connecting AND m.junction_id = ANY (junctions)) m
-            JOIN %1$I.lane i ON i.lane_id = m.lane_in JOIN %1$I.edge a ON a.edge_id = m.approach
-            JOIN %1$I.lane o ON o.lane_id = m.lane_out JOIN %1$I.edge b ON b.edge_id = o.edge_id),
-    conflict AS MATERIALIZED (
-        SELECT a.junction_id, a.number, array_agg(b.number ORDER BY b.number) AS others FROM path a JOIN path b
-            ON b.junction_id = a.junction_id AND b.number <> a.number
-        WHERE %2$s GROUP BY a.junction_id, a.number),
-    crossed AS MATERIALIZED (
-        SELECT c.junction_id, c.edge_id, max(c.seconds) AS seconds FROM %1$I.junction_crossing c
-        WHERE c.junction_id = ANY (junctions) GROUP BY c.junction_id, c.edge_id)
-    SELECT p.junction_id, array_agg(ROW (p.lane_in, p.lane_out, p.along_in, p.along_out, i.edge_id, o.edge_id, p.turn,
-        ST_Length(p.geom), greatest(e.speed, 1), greatest(1, CASE WHEN p.along_in THEN e.lanes_forward
-            ELSE e.lanes_backward END + e.lanes_both), e.importance,
-        a.flow / CASE WHEN e.lanes_both > 0 OR least(e.lanes_forward, e.lanes_backward) > 0 THEN 2 ELSE 1 END,
-        ci.seconds, co.seconds, coalesce(c.others, '{}'))::streetgen.signal_request ORDER BY p.number)
-    FROM path p JOIN %1$I.lane i ON i.lane_id = p.lane_in JOIN %1$I.lane o ON o.lane_id = p.lane_out
-        JOIN %1$I.edge e ON e.edge_id = i.edge_id LEFT JOIN %1$I.axis a ON a.axis_id = e.axis_id
-        LEFT JOIN conflict c ON (c.junction_id, c.number) = (p.junction_id, p.number)
-        LEFT JOIN crossed ci ON (ci.junction_id, ci.edge_id) = (p.junction_id, i.edge_id)
-        LEFT JOIN crossed co ON (co.junction_id, co.edge_id) = (p.junction_id, o.edge_id)
-    GROUP BY p.junction_id;
-END $body$ $sql$, model, streetgen._paths_meet('a', 'b'));
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _signal_requests(junctions bigint[])
+        RETURNS TABLE(junction_id bigint, movements streetgen.signal_request[])
+        LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        RETURN QUERY
+        WITH path AS MATERIALIZED (
+            SELECT m.junction_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.geom,
+                -- By metres across the junction, of an approach and of a movement; then by what outlives a run from
+                -- scratch: keys do not.
+                row_number() OVER (PARTITION BY m.junction_id ORDER BY m.metres_of_approach DESC, a.axis_id,
+                    a.start_abscissa, m.metres DESC, i.ordinality, m.along_in, b.axis_id, b.start_abscissa,
+                    o.ordinality, m.along_out)::integer AS number
+            FROM (SELECT m.*, l.edge_id AS approach, round(ST_Length(m.geom)::numeric, 3) AS metres,
+                        round(sum(ST_Length(m.geom)) OVER (PARTITION BY m.junction_id, l.edge_id)::numeric, 3)
+                            AS metres_of_approach
+                    FROM movement m JOIN lane l ON l.lane_id = m.lane_in
+                    WHERE m.connecting AND m.junction_id = ANY (junctions)) m
+                JOIN lane i ON i.lane_id = m.lane_in JOIN edge a ON a.edge_id = m.approach
+                JOIN lane o ON o.lane_id = m.lane_out JOIN edge b ON b.edge_id = o.edge_id),
+        conflict AS MATERIALIZED (
+            SELECT a.junction_id, a.number, array_agg(b.number ORDER BY b.number) AS others FROM path a JOIN path b
+                ON b.junction_id = a.junction_id AND b.number <> a.number
+            WHERE (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
+                -- As in the view conflict: they merge, they oppose each other in a lane for both directions, or cross.
+                AND ((a.lane_out, a.along_out) IN ((b.lane_out, b.along_out), (b.lane_in, NOT b.along_in))
+                    OR (a.lane_in, NOT a.along_in) = (b.lane_out, b.along_out) OR ST_Intersects(a.geom, b.geom))
+            GROUP BY a.junction_id, a.number),
+        crossed AS MATERIALIZED (
+            SELECT c.junction_id, c.edge_id, max(c.seconds) AS seconds FROM junction_crossing c
+            WHERE c.junction_id = ANY (junctions) GROUP BY c.junction_id, c.edge_id)
+        SELECT p.junction_id, array_agg(ROW (p.lane_in, p.lane_out, p.along_in, p.along_out, i.edge_id, o.edge_id,
+            p.turn, ST_Length(p.geom), greatest(e.speed, 1), greatest(1, CASE WHEN p.along_in THEN e.lanes_forward
+                ELSE e.lanes_backward END + e.lanes_both), e.importance,
+            a.flow / CASE WHEN e.lanes_both > 0 OR least(e.lanes_forward, e.lanes_backward) > 0 THEN 2 ELSE 1 END,
+            ci.seconds, co.seconds, coalesce(c.others, '{}'))::streetgen.signal_request ORDER BY p.number)
+        FROM path p JOIN lane i ON i.lane_id = p.lane_in JOIN lane o ON o.lane_id = p.lane_out
+            JOIN edge e ON e.edge_id = i.edge_id LEFT JOIN axis a ON a.axis_id = e.axis_id
+            LEFT JOIN conflict c ON (c.junction_id, c.number) = (p.junction_id, p.number)
+            LEFT JOIN crossed ci ON (ci.junction_id, ci.edge_id) = (p.junction_id, i.edge_id)
+            LEFT JOIN crossed co ON (co.junction_id, co.edge_id) = (p.junction_id, o.edge_id)
+        GROUP BY p.junction_id;
+    END $body$;
     PERFORM streetgen._own_function(model, '_signal_requests(bigint[])',
         'What junctions ask their signal programs for');
 END $$;

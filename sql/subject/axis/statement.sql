@@ -1,0 +1,129 @@
+-- Views of axes, by name: streetgen._part gives each.
+
+--{axis_used
+CREATE OR REPLACE VIEW axis_used WITH (security_invoker = true) AS
+SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width IS NULL THEN believed_end END,
+    width_used) AS width_end,
+       forward_used + backward_used + both_used AS lane_count, forward_used AS lanes_forward,
+           backward_used AS lanes_backward, both_used AS lanes_both, direction_used AS direction,
+       kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
+       streetgen._wanted_radius(
+           coalesce(radius, CASE WHEN predictor IS NOT NULL THEN streetgen._predicted_radius(predictor, axis_id,
+               width_used, speed_used,
+               coalesce(importance_known, importance_default), forward_used + backward_used + both_used, kind) END),
+           importance_known, speed_used, width_used, radii, turning_mode, turning_minimal, turning_maximal) AS radius,
+       array_remove(ARRAY[CASE WHEN kerb_width IS NULL AND believed IS NULL THEN 'width' END,
+                          CASE WHEN kerb_width IS NULL AND believed_end IS NULL AND width_end IS NOT NULL
+                              THEN 'width_end' END, CASE WHEN lane_count IS NULL AND stated_forward IS NULL
+                              AND stated_backward IS NULL THEN 'lane_count' END,
+                          CASE WHEN speed IS NULL THEN 'speed' END, CASE WHEN importance IS NULL
+                              THEN 'importance' END, CASE WHEN sidewalk_left IS NULL THEN 'sidewalk_left' END,
+                          CASE WHEN sidewalk_right IS NULL THEN 'sidewalk_right' END], NULL) AS estimated,
+       hash_record_extended(ROW(geom::bytea, level, width, width_end, lane_count, speed, importance, radius, kind,
+           class_width, class_speed, class_importance, kerb_width,
+           CASE WHEN {any} THEN (SELECT string_agg(says::text, '|' ORDER BY place, key, later) FROM ({says}) o) END,
+           direction_used, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward,
+               lane_width_forward,
+               lane_width_backward, turn_forward, turn_backward, by_hand{rings}),
+           -- Sidewalks, flows, lane changes, tags of roundabouts and what a class means are the seed, so that it stays
+           -- the same where nothing is said of them.
+           CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
+           # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
+           # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
+           # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
+           # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
+           # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
+               THEN 0
+               ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END)
+           AS input_hash,
+       setting_hash,
+       coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
+       coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
+       streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
+           AS roadway_offset
+FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
+    importance AS class_importance,
+    highway_role, walked_along, crossed_on_foot, lanes_by_width FROM axis_class) c USING (kind)
+LEFT JOIN setting_used ON true
+LEFT JOIN (
+    SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
+        (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
+           (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
+               (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
+           (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,
+               (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
+           (max(value) FILTER (WHERE name = 'two_way_width_minimal'))::float8 AS two_way_width_minimal,
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds,
+               (max(value) FILTER (WHERE name = 'speed_per_width'))::float8 AS speed_per_width,
+           streetgen._by_importance(nullif(max(value) FILTER (WHERE name = 'radius_by_importance'), '')::jsonb)
+               AS radii, max(value) FILTER (WHERE name = 'turning_mode') AS turning_mode,
+           (max(value) FILTER (WHERE name = 'turning_radius_minimal'))::float8 AS turning_minimal,
+           (max(value) FILTER (WHERE name = 'turning_radius_maximal'))::float8 AS turning_maximal,
+           streetgen._by_importance((max(value) FILTER (WHERE name = 'sidewalk_by_importance'))::jsonb)
+               AS sidewalks,
+           streetgen._radius_function({model}, max(value) FILTER (WHERE name = 'radius_function')) AS predictor,
+           bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count,
+           max(value) FILTER (WHERE name = 'driving_side') AS driving_side
+    FROM setting) s ON true
+-- Most models have none or one kind, and no axis of them is asked for its own of the others.
+LEFT JOIN (SELECT EXISTS (SELECT FROM kerb_point_override) AS any_kerb, {flags} HAVING true) o ON true
+-- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
+-- asked for does.
+-- The ways of OpenStreetMap that are tagged so run one way round, in their direction.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN direction = 'both' AND tags_count AND roundabout_tag IN ('roundabout', 'circular') THEN 'direct'
+        ELSE direction END AS direction_used HAVING true) way ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id)
+        FROM kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward,
+        coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+           coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand
+               HAVING true) known ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN by_hand OR NOT lanes_by_width THEN NULL ELSE max_width_per_lane END AS most_per_lane
+        HAVING true) m ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
+           streetgen.believed_width(width_end, lane_count, most_per_lane) AS believed_end HAVING true) b ON true
+CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
+    AS lanes_stated) stated
+LEFT JOIN LATERAL (
+    SELECT coalesce(kerb_width, believed,
+        least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)
+               + CASE WHEN lanes_stated IS NULL THEN 0
+                   ELSE coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
+                                                            + coalesce(streetgen.kerbside_width(kind_backward,
+                                                                cycle_lane_width, parking_lane_width), 0) END))
+                                                                AS width_used HAVING true) w ON true
+LEFT JOIN LATERAL (
+    SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds,
+        speed_per_width)) AS speed_used HAVING true) p ON true
+LEFT JOIN LATERAL (
+    SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
+        HAVING true) r ON true
+LEFT JOIN LATERAL (
+    SELECT CASE direction_used WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
+               coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used
+                   HAVING true) t ON true
+{more}
+-- The rest is left to the lanes of one direction.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
+        THEN 0
+                ELSE greatest(CASE WHEN NOT lanes_by_width THEN 1
+                    ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END - both_used,
+                              CASE direction_used WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
+           CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
+LEFT JOIN LATERAL (
+    SELECT streetgen.lanes_of_way(direction_used <> 'reverse', kind_forward IS NOT NULL, stated_forward,
+               CASE WHEN direction_used = 'both' THEN coalesce(stated_backward, count_used / 2)
+                   WHEN kind_backward IS NULL THEN 0 ELSE stated_backward END, count_used, fewest) AS forward_used,
+           streetgen.lanes_of_way(direction_used <> 'direct', kind_backward IS NOT NULL, stated_backward,
+               CASE WHEN direction_used = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
+                   WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
+                   HAVING true) l ON true
