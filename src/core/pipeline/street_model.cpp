@@ -3,8 +3,9 @@
 #include <unordered_map>
 
 #include "geometry/polyline.hpp"
+#include "interconnection/check_interconnections.hpp"
+#include "lane/check_lanes.hpp"
 #include "lane/ramp_lanes.hpp"
-#include "pipeline/invariants.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -44,7 +45,7 @@ StreetModel street_model(const StreetModelInput& input) {
                          input.interconnection_settings, input.circulations);
     forbid_against_rings(model.streets, model.lanes.lanes, input.circulations,
                          model.interconnections);
-    check_interconnections(model);
+    check_interconnections(model.streets, model.lanes.lanes, model.interconnections);
   }
   if (input.subjects.overpass) model.overpasses = overpasses_of(model.streets, input);
   return model;

@@ -3,12 +3,15 @@
 #include <map>
 #include <utility>
 
+#include "kerb/check_kerbs.hpp"
 #include "kerb/find_kerbs.hpp"
 #include "layout/layout.hpp"
+#include "network/check_network.hpp"
+#include "ownership/check_surfaces.hpp"
 #include "ownership/settle_owners.hpp"
-#include "pipeline/invariants.hpp"
 #include "ramp/find_ramps.hpp"
 #include "ramp/merging_lanes.hpp"
+#include "roadway/check_roadway.hpp"
 #include "roadway/find_affected.hpp"
 #include "roadway/settle_limits.hpp"
 #include "roadway/solve_corners.hpp"
