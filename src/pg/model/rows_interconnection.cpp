@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 
 namespace streetgen::pg {
 
@@ -21,9 +22,11 @@ bool fill_interconnection(const ComputedStreets& computed, const Named& named, s
              Geometry{stored_line(pair.line, flat(computed))});
 }
 
-}  // namespace
-
 const Table interconnection_table{[](Computed c) { return c.interconnections.size(); },
                                   fill_interconnection};
+
+}  // namespace
+
+STREETGEN_TABLE(interconnection, &Named::nodes, &Named::lanes)
 
 }  // namespace streetgen::pg

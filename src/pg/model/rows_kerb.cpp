@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 
 namespace streetgen::pg {
 
@@ -25,9 +26,11 @@ bool fill_kerb(const ComputedStreets& computed, const Named& named, std::size_t 
              name(method_name(kerb.method)));
 }
 
-}  // namespace
-
 const Table kerb_table{[](Computed c) { return c.streets.kerbs.size(); }, fill_kerb,
                        [](ComputedStreets& c) { release(c.streets.kerbs); }};
+
+}  // namespace
+
+STREETGEN_TABLE(kerb, &Named::nodes, &Named::edges)
 
 }  // namespace streetgen::pg

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 #include "value/lane_text.hpp"
 
 namespace streetgen::pg {
@@ -71,8 +72,6 @@ bool fill_marking(const ComputedStreets& computed, const Named& named, std::size
                          Geometry{stored_surface(marking.surface, flat(computed))});
 }
 
-}  // namespace
-
 const Table lane_table{[](Computed c) { return c.lanes.lanes.size(); }, fill_lane,
                        [](ComputedStreets& c) { release(c.lanes.lanes); }};
 const Table lane_separator_table{[](Computed c) { return c.lanes.separators.size(); },
@@ -80,5 +79,11 @@ const Table lane_separator_table{[](Computed c) { return c.lanes.separators.size
                                  [](ComputedStreets& c) { release(c.lanes.separators); }};
 const Table marking_table{[](Computed c) { return c.lanes.markings.size(); }, fill_marking,
                           [](ComputedStreets& c) { release(c.lanes.markings); }};
+
+}  // namespace
+
+STREETGEN_TABLE(lane, &Named::edges)
+STREETGEN_TABLE(lane_separator, &Named::edges)
+STREETGEN_TABLE(marking, &Named::nodes, &Named::edges)
 
 }  // namespace streetgen::pg

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 
 namespace streetgen::pg {
 
@@ -57,10 +58,14 @@ bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, R
              Geometry{stored_point(report.point, flat(computed))});
 }
 
-}  // namespace
-
 const Table node_table{[](Computed c) { return c.streets.network.nodes.size(); }, fill_node};
 const Table edge_table{[](Computed c) { return c.streets.network.edges.size(); }, fill_edge};
 const Table report_table{[](Computed c) { return c.streets.network.reports.size(); }, fill_report};
+
+}  // namespace
+
+STREETGEN_TABLE(node)
+STREETGEN_TABLE(edge)
+STREETGEN_TABLE(report)
 
 }  // namespace streetgen::pg

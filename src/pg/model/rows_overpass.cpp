@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 
 namespace streetgen::pg {
 
@@ -33,8 +34,10 @@ bool fill_overpass(const ComputedStreets& computed, const Named& named, std::siz
              name(overpass_method_name(overpass.method)));
 }
 
+const Table overpass_table{[](Computed c) { return c.overpasses.size(); }, fill_overpass};
+
 }  // namespace
 
-const Table overpass_table{[](Computed c) { return c.overpasses.size(); }, fill_overpass};
+STREETGEN_TABLE(overpass, &Named::edges)
 
 }  // namespace streetgen::pg

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 
 namespace streetgen::pg {
 
@@ -24,8 +25,10 @@ bool fill_ramp(const ComputedStreets& computed, const Named& named, std::size_t 
              name(ramp.by_hand ? "by_hand" : "hypothesis"));
 }
 
+const Table ramp_table{[](Computed c) { return c.streets.ramps.size(); }, fill_ramp};
+
 }  // namespace
 
-const Table ramp_table{[](Computed c) { return c.streets.ramps.size(); }, fill_ramp};
+STREETGEN_TABLE(ramp, &Named::nodes, &Named::edges)
 
 }  // namespace streetgen::pg

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "model/row_value.hpp"
+#include "model/streets_give.hpp"
 
 namespace streetgen::pg {
 
@@ -59,8 +60,6 @@ bool fill_intersection(const ComputedStreets& computed, const Named& named, std:
                          name(method_name(intersection.method)), intersection.contested_area);
 }
 
-}  // namespace
-
 const Table section_limit_table{[](Computed c) { return c.streets.limits.size(); },
                                 fill_section_limit,
                                 [](ComputedStreets& c) { release(c.streets.limits); }};
@@ -71,5 +70,12 @@ const Table corner_table{[](Computed c) { return c.streets.corners.size(); }, fi
 const Table intersection_table{[](Computed c) { return c.streets.intersections.size(); },
                                fill_intersection,
                                [](ComputedStreets& c) { release(c.streets.intersections); }};
+
+}  // namespace
+
+STREETGEN_TABLE(section_limit, &Named::edges)
+STREETGEN_TABLE(section, &Named::edges)
+STREETGEN_TABLE(corner, &Named::nodes, &Named::edges)
+STREETGEN_TABLE(intersection, &Named::nodes)
 
 }  // namespace streetgen::pg

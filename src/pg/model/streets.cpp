@@ -84,11 +84,10 @@ Ids take_ids(FunctionCallInfo fcinfo, int argument) {
           static_cast<std::size_t>(ArrayGetNItems(ARR_NDIM(array), ARR_DIMS(array)))};
 }
 
-// Whose ids stand in the arguments after the first, in their order.
-using IdsOf = Ids Named::*;
+}  // namespace
 
-Datum give_table(FunctionCallInfo fcinfo, const Table& table,
-                 std::initializer_list<IdsOf> arguments) {
+Datum give_kept(FunctionCallInfo fcinfo, const Table& table,
+                std::initializer_list<Ids Named::*> arguments) {
   Kept* kept = Kept::find(PG_GETARG_INT64(0));
   if (kept == nullptr || !kept->knows(table))
     ereport(ERROR, (errcode(ERRCODE_OBJECT_NOT_IN_PREREQUISITE_STATE),
@@ -98,13 +97,12 @@ Datum give_table(FunctionCallInfo fcinfo, const Table& table,
                             "of their rows until they were given.")));
   Named named;
   int argument = 0;
-  for (const IdsOf ids : arguments) named.*ids = take_ids(fcinfo, ++argument);
+  for (Ids Named::*ids : arguments) named.*ids = take_ids(fcinfo, ++argument);
   const Datum given = give(fcinfo, table, kept->computed(), named);
   if (table.forget != nullptr) report(compute([&] { kept->forget(table); }));
   return given;
 }
 
-}  // namespace
 }  // namespace streetgen::pg
 
 STREETGEN_FUNCTION(streetgen_streets) {
@@ -119,24 +117,3 @@ STREETGEN_FUNCTION(streetgen_streets) {
   report(outcome);
   PG_RETURN_INT64(slot->value->number());
 }
-
-#define STREETGEN_TABLE(table, ...)                                                        \
-  STREETGEN_FUNCTION(streetgen_computed_##table) {                                         \
-    using streetgen::pg::Named;                                                            \
-    return streetgen::pg::give_table(fcinfo, streetgen::pg::table##_table, {__VA_ARGS__}); \
-  }
-
-STREETGEN_TABLE(node)
-STREETGEN_TABLE(edge)
-STREETGEN_TABLE(section_limit, &Named::edges)
-STREETGEN_TABLE(section, &Named::edges)
-STREETGEN_TABLE(corner, &Named::nodes, &Named::edges)
-STREETGEN_TABLE(intersection, &Named::nodes)
-STREETGEN_TABLE(kerb, &Named::nodes, &Named::edges)
-STREETGEN_TABLE(lane, &Named::edges)
-STREETGEN_TABLE(lane_separator, &Named::edges)
-STREETGEN_TABLE(marking, &Named::nodes, &Named::edges)
-STREETGEN_TABLE(interconnection, &Named::nodes, &Named::lanes)
-STREETGEN_TABLE(overpass, &Named::edges)
-STREETGEN_TABLE(ramp, &Named::nodes, &Named::edges)
-STREETGEN_TABLE(report)

@@ -55,8 +55,4 @@ struct Table {
   void (*forget)(ComputedStreets& computed) = nullptr;
 };
 
-extern const Table node_table, edge_table, section_limit_table, section_table, corner_table,
-    intersection_table, kerb_table, lane_table, lane_separator_table, marking_table,
-    interconnection_table, overpass_table, ramp_table, report_table;
-
 }  // namespace streetgen::pg
