@@ -1,6 +1,8 @@
 // The whole model of a set of axes: every step from the network to lane-to-lane paths, in order.
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "streetgen/interconnection.hpp"
@@ -11,17 +13,10 @@
 
 namespace streetgen {
 
-// The subjects that are computed on the roadway.  A subject that needs another one comes out empty
-// without it.
-struct Subjects {
-  bool lane = true;             // lanes, separators and markings
-  bool interconnection = true;  // needs lane
-  bool kerb = false;
-  bool overpass = false;
-};
-
 struct StreetModelInput {
-  Subjects subjects;
+  // What is computed on the roadway, by the words of subjects.  One that needs another comes out
+  // empty without it, and words that no step knows are passed over.
+  std::set<std::string> subjects{"lane", "interconnection"};
   std::vector<StreetAxis> axes;
   StreetSettings settings;
   StreetOverrides overrides;

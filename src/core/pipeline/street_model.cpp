@@ -26,20 +26,21 @@ std::vector<Overpass> overpasses_of(const Streets& streets, const StreetModelInp
 }  // namespace
 
 StreetModel street_model(const StreetModelInput& input) {
+  const auto wanted = [&](const char* subject) { return input.subjects.count(subject) > 0; };
   StreetModel model;
   RampRules ramps = input.ramps;
   if (!ramps.axes.empty())
     count_ramp_lanes(ramps, input.axes,
                      {input.lanes, input.lane_overrides, input.circulations, input.lane_settings},
                      input.lane_settings);
-  model.streets = streets(input.axes, input.settings, input.overrides, input.former,
-                          input.subjects.kerb, ramps);
-  if (input.subjects.lane) {
+  model.streets =
+      streets(input.axes, input.settings, input.overrides, input.former, wanted("kerb"), ramps);
+  if (wanted("lane")) {
     model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings,
                         input.controls, input.circulations, input.paint);
     check_lanes(model.streets, model.lanes);
   }
-  if (input.subjects.interconnection) {
+  if (wanted("interconnection")) {
     model.interconnections =
         interconnections(model.streets, input.axes, model.lanes.lanes, input.restrictions,
                          input.interconnection_settings, input.circulations);
@@ -47,7 +48,7 @@ StreetModel street_model(const StreetModelInput& input) {
                          model.interconnections);
     check_interconnections(model.streets, model.lanes.lanes, model.interconnections);
   }
-  if (input.subjects.overpass) model.overpasses = overpasses_of(model.streets, input);
+  if (wanted("overpass")) model.overpasses = overpasses_of(model.streets, input);
   return model;
 }
 

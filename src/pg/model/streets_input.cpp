@@ -448,25 +448,13 @@ Former former_of(const StreetsCall& call) {
   return former;
 }
 
-Subjects subjects_of(const StreetsCall& call) {
-  Subjects subjects{false, false, false, false};
-  for (int i = 0; i < call.subjects.count; ++i) {
-    const std::string_view word = call.subjects.words[i];
-    subjects.lane = subjects.lane || word == "lane";
-    subjects.interconnection = subjects.interconnection || word == "interconnection";
-    subjects.kerb = subjects.kerb || word == "kerb";
-    subjects.overpass = subjects.overpass || word == "overpass";
-  }
-  return subjects;
-}
-
 }  // namespace
 
 StreetsInput read_input(const StreetsCall& call) {
   const Settings settings(call);
   StreetsInput input;
   input.srid = call.srid;
-  input.model.subjects = subjects_of(call);
+  input.model.subjects = {call.subjects.words, call.subjects.words + call.subjects.count};
   input.model.axes = axes_of(call, &input.has_z);
   input.model.settings = street_settings_of(settings);
   input.model.former = former_of(call);
