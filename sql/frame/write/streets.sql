@@ -24,14 +24,11 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
         'the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is '
-        'due too as its hint, an array. subjects: what is computed besides network and surfaces: lane, '
-        'interconnection, kerb, overpass; words of SQL alone are passed over. neighbours: for kerbs, all surfaces '
-        'near that '
-        'stay; NULL: unknown. ramp_axes: those that may be part of a ramp; without any there are no ramps. '
-        'junctions, changes, leaving: what is known of paint. No axes '
-        '(NULL) or no subjects (NULL): NULL; any other '
-        'list may be NULL. A value of a row that is missing: 22004; a setting that is missing, a value out of range '
-        'or unknown, a geometry that is none: 22023.';
+        'due too as its hint, an array. subjects: what is computed besides network and surfaces; words of SQL alone '
+        'are passed over. neighbours: for kerbs, all surfaces near that stay; NULL: unknown. ramp_axes: those that may '
+        'be part of a ramp; without any there are no ramps. junctions, changes, leaving: what is known of paint. No '
+        'axes (NULL) or no subjects (NULL): NULL; any other list may be NULL. A value of a row that is missing: '
+        '22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._ids_put(list internal, number integer, id bigint) RETURNS internal
     LANGUAGE c IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_ids_put';
