@@ -1,3 +1,6 @@
+-- All rooms are there.
+SELECT streetgen._compose_computed_table();
+
 -- Functions name PostGIS through search_path; where it lives elsewhere than in public, they follow.
 -- Temporary tables, views and types come last: first, as where they are not named, a role could put its
 -- own in place of the system's, and triggers would read them with the rights of the model's owner.

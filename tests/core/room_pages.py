@@ -2,7 +2,7 @@
 
 Each room of sql/order.txt has a README.md of one screen, its own or that of the folder above.  It names each file of the
 room that has not a name of every room (sql/README.md lists these), and every path that it names is there.  The page of a
-subject names what the subject needs and the tables that it gives, as the two lists in sql/frame/catalogue say.
+subject names what the subject needs, as the list of subjects says, and the tables that it gives.
 """
 
 import re
@@ -20,9 +20,8 @@ def listed(text, function):
 def faults(root):
     sql = root / "sql"
     usual = set(re.findall(r"`(\w+\.sql)`", (sql / "README.md").read_text()))
-    subjects, tables = ((sql / "frame/catalogue" / name).read_text() for name in ("subject_order.sql", "computed_table.sql"))
+    subjects = (sql / "frame/catalogue/subject_order.sql").read_text()
     needs = {m[1]: re.findall(r"\w+", m[2]) for row in listed(subjects, "_subject") if (m := re.match(r"\(\d+, '(\w+)', '\{(.*?)\}'", row))}
-    gives = [m.groups() for row in listed(tables, "_computed_table") if (m := re.match(r"\(\d+, '(\w+)', '(\w+)'", row))]
     for room in (line for line in (sql / "order.txt").read_text().splitlines() if re.match("[a-z]", line)):
         page = next((p for p in (sql / room / "README.md", (sql / room).parent / "README.md") if p.exists()), None)
         if page is None or page.parent == sql:
@@ -43,8 +42,8 @@ def faults(root):
             for word in needs[subject]:
                 if not said or not re.search(rf"\b{word}\b", said[1]):
                     yield f"{page} does not say that {subject} needs {word}"
-            for relation, of in gives:
-                if of == subject and f"`{relation}`" not in text:
+            for relation in re.findall(r'^CREATE TABLE :"model"\.(\w+)', (sql / room / "table.sql").read_text(), re.M):
+                if f"`{relation}`" not in text:
                     yield f"{page} does not name table {relation}"
 
 

@@ -1,5 +1,14 @@
 -- The one statement, roads: of new edges and of what is left of the roads that these touch.
 
+CREATE OR REPLACE FUNCTION streetgen._alignment_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (20, 'road', 'alignment', 'road_id', NULL, 'road', 1),
+    (21, 'road_edge', 'alignment', 'edge_id', NULL, 'edge', 1) $$;
+COMMENT ON FUNCTION streetgen._alignment_computed_table() IS 'The computed tables of roads.';
+
 CREATE OR REPLACE FUNCTION streetgen._roads(parts streetgen.road_part[], branching bigint[], shift float8,
     bends streetgen.street_bend[])
     RETURNS TABLE(number integer, from_node bigint, to_node bigint, closed boolean, length float8, geom bytea,

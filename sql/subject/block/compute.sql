@@ -1,5 +1,14 @@
 -- City blocks, computed from edges and kerbs that are in their tables.
 
+CREATE OR REPLACE FUNCTION streetgen._block_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (30, 'block', 'block', 'block_id', NULL, 'block', 1),
+    (31, 'block_edge', 'block', NULL, NULL, NULL, NULL) $$;
+COMMENT ON FUNCTION streetgen._block_computed_table() IS 'The computed tables of city blocks.';
+
 CREATE OR REPLACE FUNCTION streetgen._blocks(edges bigint[], edge_lines bytea[], kerb_edges bigint[],
     kerb_sides text[], kerbs_contested boolean[], kerbs_change_level boolean[], kerb_lines bytea[],
     kept_edges bigint[], kept_left boolean[], kept_starts float8[], kept_ends float8[],

@@ -1,5 +1,14 @@
 -- Bridges and tunnels after a run: they read the overpasses and the sections that the one statement wrote.
 
+CREATE OR REPLACE FUNCTION streetgen._bridge_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    AS $$ VALUES
+    (57, 'bridge', 'bridge', 'bridge_id', 'edge_id, start_abscissa', 'bridge', 1),
+    (58, 'tunnel', 'bridge', 'tunnel_id', 'edge_id, start_abscissa', 'tunnel', 1) $$;
+COMMENT ON FUNCTION streetgen._bridge_computed_table() IS 'The computed tables of bridges and tunnels.';
+
 CREATE OR REPLACE FUNCTION streetgen._heading_at(line geometry, abscissa float8) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$

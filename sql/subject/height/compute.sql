@@ -1,5 +1,13 @@
 -- The one statement, heights along edges.
 
+CREATE OR REPLACE FUNCTION streetgen._height_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (56, 'profile', 'height', 'edge_id', NULL, 'edge', 1) $$;
+COMMENT ON FUNCTION streetgen._height_computed_table() IS 'The computed table of heights.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_height(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('height'),

@@ -1,5 +1,14 @@
 -- The one statement, interconnections: pairs of lanes as computed or as decided by hand.
 
+CREATE OR REPLACE FUNCTION streetgen._interconnection_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (10, 'interconnection', 'interconnection', 'interconnection_id', 'lane_in, lane_out, along_in, along_out',
+        'interconnection', 1) $$;
+COMMENT ON FUNCTION streetgen._interconnection_computed_table() IS 'The computed table of paths from lane to lane.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint, nodes bigint[], lanes bigint[])
     RETURNS TABLE(number integer, node_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
         turn text, angle float8,

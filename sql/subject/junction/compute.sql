@@ -1,6 +1,18 @@
 -- Junctions after a run. A junction may be longer than the reach: statements of its own read the rows that the one
 -- statement wrote.
 
+CREATE OR REPLACE FUNCTION streetgen._junction_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    (40, 'junction', 'junction', 'junction_id', NULL, 'junction', 1),
+    (41, 'junction_node', 'junction', 'node_id', NULL, 'junction_node', 1),
+    (42, 'junction_edge', 'junction', 'edge_id', NULL, 'junction_edge', 1),
+    (43, 'junction_movement', 'junction', 'junction_movement_id', 'lane_in, lane_out, along_in, along_out',
+        'junction_movement', 1) $$;
+COMMENT ON FUNCTION streetgen._junction_computed_table() IS 'The computed tables of junctions.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_put_junctions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -1,5 +1,13 @@
 -- The one statement, kerbs: the border of what is affected, and of what lies beside ground that changed.
 
+CREATE OR REPLACE FUNCTION streetgen._kerb_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (11, 'kerb', 'kerb', 'kerb_id', 'edge_id, side, part', 'kerb', 1) $$;
+COMMENT ON FUNCTION streetgen._kerb_computed_table() IS 'The computed table of kerbs.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_kerb(streets bigint, nodes bigint[], edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, node_id bigint, level integer, side text, part integer, geom geometry,
         curve geometry, surface geometry, method text)

@@ -1,5 +1,15 @@
 -- The one statement, lanes and what is painted on them.
 
+CREATE OR REPLACE FUNCTION streetgen._lane_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    (7, 'lane', 'lane', 'lane_id', 'edge_id, ordinality', 'lane', 1),
+    (8, 'lane_separator', 'lane', 'lane_separator_id', 'edge_id, lane_position', 'lane_separator', 1),
+    (9, 'marking', 'lane', 'marking_id', 'edge_id, kind, lane_position, along_axis', 'marking', 1) $$;
+COMMENT ON FUNCTION streetgen._lane_computed_table() IS 'The computed tables of lanes.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text,
         along_axis boolean, both_ways boolean, kind text,

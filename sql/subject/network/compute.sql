@@ -1,5 +1,15 @@
 -- The one statement, nodes and edges: which of them are written, and which keep the id of one that is there.
 
+CREATE OR REPLACE FUNCTION streetgen._network_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    (1, 'node', 'network', 'node_id', NULL, 'node', 1),
+    (2, 'edge', 'network', 'edge_id', NULL, 'edge', 1),
+    (99, 'report', 'network', NULL, NULL, NULL, NULL) $$;
+COMMENT ON FUNCTION streetgen._network_computed_table() IS 'The computed tables of the network.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_node(streets bigint)
     RETURNS TABLE(number integer, affected boolean, kerbs_affected boolean, geom geometry, anchor_axis bigint[],
         anchor_abscissa float8[])

@@ -1,5 +1,13 @@
 -- Objects follow their axes: what moves with them, and what finds another axis, or none.
 
+CREATE OR REPLACE FUNCTION streetgen._object_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (70, 'object_edge', 'object', 'street_object_id', NULL, 'object_edge', 1) $$;
+COMMENT ON FUNCTION streetgen._object_computed_table() IS 'The computed table of objects at streets.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_object_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning

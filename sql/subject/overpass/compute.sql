@@ -1,5 +1,13 @@
 -- The one statement, overpasses: those of every written edge. Axes that cross one of these are gathered with it.
 
+CREATE OR REPLACE FUNCTION streetgen._overpass_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (55, 'overpass', 'overpass', 'overpass_id', 'edge_above, edge_below, ordinality', 'overpass', 1) $$;
+COMMENT ON FUNCTION streetgen._overpass_computed_table() IS 'The computed table of overpasses.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_overpass(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_above bigint, abscissa_above float8, edge_below bigint, abscissa_below float8,
         geom geometry, clearance float8, method text)

@@ -1,5 +1,13 @@
 -- The one statement, ramps: axes that may be part of one go into the core, which tells ramps and their merging lanes.
 
+CREATE OR REPLACE FUNCTION streetgen._ramp_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (12, 'ramp', 'ramp', 'ramp_id', 'node_id', 'ramp', 1) $$;
+COMMENT ON FUNCTION streetgen._ramp_computed_table() IS 'The computed table of ramps.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_ramp(streets bigint, nodes bigint[], edges bigint[])
     RETURNS TABLE(number integer, node_id bigint, edge_id bigint, edge_before bigint, edge_after bigint, kind text,
         side text, lanes_before integer, lanes_ramp integer, lanes_after integer, lanes_missing integer,

@@ -1,6 +1,17 @@
 -- The one statement, roundabouts: rings are found and scored before streets are computed, since traffic on the
 -- accepted ones runs one way round; their rows are written after the edges.
 
+CREATE OR REPLACE FUNCTION streetgen._roundabout_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES
+    (25, 'roundabout', 'roundabout', 'roundabout_id', 'edge_id, along_axis', 'roundabout', 1),
+    (26, 'roundabout_edge', 'roundabout', 'roundabout_edge_id', 'edge_id, along_axis', 'roundabout_edge', 1),
+    (27, 'roundabout_arm', 'roundabout', 'roundabout_arm_id', 'roundabout_id, edge_id, along_axis',
+        'roundabout_arm', 1) $$;
+COMMENT ON FUNCTION streetgen._roundabout_computed_table() IS 'The computed tables of roundabouts.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_ring_score(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template(streetgen._part('ring_score'),

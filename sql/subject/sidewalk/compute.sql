@@ -1,5 +1,13 @@
 -- The one statement, sidewalks: behind the kerbs that moved, and behind those that these come near.
 
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (35, 'sidewalk', 'sidewalk', 'sidewalk_id', 'edge_id, side, part', 'sidewalk', 1) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_computed_table() IS 'The computed table of sidewalks.';
+
 CREATE OR REPLACE FUNCTION streetgen._sidewalks(kerbs bytea[], levels integer[], widths float8[], across boolean[],
     ends boolean[], by_hand boolean[], wanted boolean[], transition float8, srid integer)
     RETURNS TABLE(number integer, width float8, surface geometry, method text)

@@ -1,5 +1,16 @@
 -- Signals after a run: they follow the junctions, whose movements they give green to.
 
+CREATE OR REPLACE FUNCTION streetgen._signal_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    (60, 'controller', 'signal', 'controller_id', NULL, 'controller', 1),
+    (61, 'signal_state', 'signal', NULL, NULL, NULL, NULL),
+    (62, 'signal_movement', 'signal', NULL, NULL, NULL, NULL),
+    (63, 'signal_head', 'signal', NULL, NULL, NULL, NULL) $$;
+COMMENT ON FUNCTION streetgen._signal_computed_table() IS 'The computed tables of signals.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_signal_requests(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

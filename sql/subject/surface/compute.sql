@@ -1,5 +1,16 @@
 -- The one statement, surfaces: section limits, sections, corners, intersections.
 
+CREATE OR REPLACE FUNCTION streetgen._surface_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES
+    (3, 'section_limit', 'surface', 'section_limit_id', 'edge_id, which', 'edge', 2),
+    (4, 'section', 'surface', 'edge_id', NULL, 'edge', 1),
+    (5, 'corner', 'surface', 'corner_id', 'node_id, edge_a, end_a, edge_b, end_b', 'corner', 1),
+    (6, 'intersection', 'surface', 'node_id', NULL, 'intersection', 1) $$;
+COMMENT ON FUNCTION streetgen._surface_computed_table() IS 'The computed tables of the roadway.';
+
 CREATE OR REPLACE FUNCTION streetgen._computed_section_limit(streets bigint, edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, which text, wanted_abscissa float8, abscissa float8,
         geom geometry, border_line geometry, method text)
