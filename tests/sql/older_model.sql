@@ -44,6 +44,7 @@ ALTER TABLE older.street_object DROP control_point_id CASCADE;
 ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES older.street_object ON DELETE CASCADE, ADD FOREIGN KEY (edge_id) REFERENCES older.edge ON DELETE CASCADE;
 ALTER TABLE older.lane_override DROP line CASCADE, DROP geom CASCADE;
 ALTER TABLE older.transition_override DROP geom CASCADE;
+ALTER TABLE older.section DROP borders CASCADE;
 DROP TABLE older.free_place CASCADE;
 DROP INDEX older.edge_axis, older.lane_override_axis;
 DO $$ DECLARE said text; BEGIN

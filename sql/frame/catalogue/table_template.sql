@@ -67,6 +67,14 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_tables(name, text[], text[]) IS
     'Makes the tables of these parts of some rooms that a model lacks, with all that stands below them.';
 
+CREATE OR REPLACE FUNCTION streetgen._stated(model name) RETURNS TABLE(input regclass, statement text)
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 1000 SET search_path = pg_catalog
+    AS $$ SELECT to_regclass(format('%I.%I', model, relation)), regexp_replace(s, '^(\s*--[^\n]*\n|\s)+', '')
+        FROM streetgen.template, string_to_table(statements, E';\n') s
+        WHERE to_regclass(format('%I.%I', model, relation)) IS NOT NULL $$;
+COMMENT ON FUNCTION streetgen._stated(name) IS
+    'The statements of templates, one by one, with the table of a model that they are about; none of what it lacks.';
+
 CREATE OR REPLACE FUNCTION streetgen._complete_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
@@ -76,11 +84,14 @@ DECLARE
     missing text;
 BEGIN
     FOR missing IN
-        WITH there AS (SELECT to_regclass(format('%I.%I', model, relation)) AS input, statements
-                FROM streetgen.template),
-            stated AS (SELECT input, regexp_replace(s, '^(\s*--[^\n]*\n|\s)+', '') AS statement
-                FROM there, string_to_table(statements, E';\n') s WHERE input IS NOT NULL)
-        SELECT streetgen._fill_table(statement, said) FROM stated WHERE CASE
+        SELECT statement FROM streetgen._stated(model) WHERE statement ~ '^ALTER TABLE \S+ ADD COLUMN IF NOT EXISTS'
+            AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = input
+                AND attname = substring(statement, 'IF NOT EXISTS (\w+)') AND NOT attisdropped)
+    LOOP
+        EXECUTE streetgen._fill_table(missing, said);
+    END LOOP;
+    FOR missing IN
+        SELECT statement FROM streetgen._stated(model) WHERE CASE
             WHEN statement ~ '^CREATE (UNIQUE )?INDEX' THEN to_regclass(format('%I.%I', model,
                 substring(statement, 'INDEX (?:IF NOT EXISTS )?(\w+) ON'))) IS NULL
             WHEN statement ~ '^COMMENT ON COLUMN' THEN EXISTS (SELECT FROM pg_attribute WHERE attrelid = input
@@ -89,9 +100,10 @@ BEGIN
                 AND conname = substring(statement, 'CONSTRAINT (\w+)'))
             ELSE statement ~ '^(COMMENT|CREATE OR REPLACE TRIGGER)' END
     LOOP
-        EXECUTE missing;
+        EXECUTE streetgen._fill_table(missing, said);
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._complete_tables(name) IS
-    'Gives the tables that a model has the indexes, triggers and comments of this build: another one may have made '
-    'them, or somebody may have taken some away.';
+    'Gives the tables that a model has the later columns, indexes, triggers and comments of this build: another one '
+    'may have made them, or somebody may have taken some away. A column comes by ALTER TABLE … ADD COLUMN IF NOT '
+    'EXISTS, a statement each.';

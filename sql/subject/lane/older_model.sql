@@ -71,27 +71,10 @@ COMMENT ON FUNCTION streetgen._add_lane_changes(name) IS
     'Adds the columns of lane_separator that say who may cross a line between lanes, where a model was made before '
     'them: over a dashed line all may.';
 
-CREATE OR REPLACE FUNCTION streetgen._add_lines_of_lanes(model name, srid integer) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._mend_lane_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    IF streetgen._lacks_column(model, 'lane_override', 'line') THEN
-        PERFORM streetgen._execute_each(ARRAY['ALTER TABLE %I.lane_override ADD line geometry(LineString, %s)
-            CONSTRAINT line_is_finite CHECK (%s AND ST_IsValid(line))'], model, srid::text, streetgen._finite('line'));
-    END IF;
-    IF streetgen._lacks_column(model, 'lane_override', 'geom') THEN
-        PERFORM streetgen._execute_each(ARRAY['ALTER TABLE %I.lane_override ADD geom geometry(Point, %s)
-            CONSTRAINT geom_is_a_finite_point CHECK (%s)'], model, srid::text, streetgen._finite('geom'));
-    END IF;
+    PERFORM streetgen._add_both_ways(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model);
 END $$;
-COMMENT ON FUNCTION streetgen._add_lines_of_lanes(name, integer) IS
-    'Adds the columns of lane_override that say where the lane lies, where a model was made before them.';
-
-CREATE OR REPLACE FUNCTION streetgen._mend_lane_tables(model name, srid integer) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._add_both_ways(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model),
-        streetgen._add_lines_of_lanes(model, srid);
-END $$;
-COMMENT ON FUNCTION streetgen._mend_lane_tables(name, integer) IS 'Adds to the lanes of a model what older ones lack.';
+COMMENT ON FUNCTION streetgen._mend_lane_tables(name) IS 'Adds to the lanes of a model what older ones lack.';

@@ -30,7 +30,8 @@ CREATE TABLE :"model".section (
     edge_id bigint PRIMARY KEY REFERENCES :"model".edge ON DELETE CASCADE,
     level integer NOT NULL,
     surface geometry(MultiPolygon, :srid) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)),
-    method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0), borders float8[]);
+    method text NOT NULL, contested_area float8 NOT NULL CHECK (contested_area >= 0));
+ALTER TABLE :"model".section ADD COLUMN IF NOT EXISTS borders float8[];
 CREATE INDEX section_surface ON :"model".section USING gist (surface);
 COMMENT ON TABLE :"model".section IS
     'Roadway of the constant part of an edge; empty where its limits crossed; contested_area (m2) went to another '
