@@ -39,6 +39,18 @@ class Database:
         """The names of the tables and views of a model."""
         return {name for name, in self.ask(f'SELECT relname FROM pg_class WHERE relnamespace = {literal(identifier(model))}::regnamespace')}
 
+    def decisions(self, model):
+        """The tables of decisions by hand that a model has, and the columns of each that one may type in."""
+        rows = self.ask(f'''
+            SELECT relation, attname FROM streetgen._decisions_of({literal(model)}) d JOIN streetgen.template t USING (relation)
+                JOIN pg_attribute ON attrelid = format('%I.%I', {literal(model)}, relation)::regclass AND attname = ANY (t.attributes)
+                JOIN pg_type y ON y.oid = atttypid
+            WHERE attname <> d.key AND typname <> 'geometry' ORDER BY d.n, attnum''')
+        found = {}
+        for relation, column in rows:
+            found[relation] = (*found.get(relation, ()), column)
+        return found
+
     def source(self, model, srid, layer):
         """Where a layer comes from. The key is named, since a view tells none."""
         uri = QgsDataSourceUri(self.uri)

@@ -133,12 +133,13 @@ def street_object():
         ('other', 'ELSE', turned(point('diamond', HAND, 2.4), 'angle')))
 
 
-def by_hand(relation, *columns):
+def by_hand(relation, columns):
     """What users decided; here also that which fits nowhere can be seen and deleted."""
     return Layer('overrides', relation, f'{relation}_id', 'geom', lambda: single(point('star', HAND, 3)), columns)
 
 
-LAYERS = (
+# What is edited, above what is computed.
+EDITED = (
     Layer('edit', 'node_editing', 'node_id', 'geom', lambda: single(point('circle', AXIS, 2.6)), ()),
     Layer('edit', 'section_limit_editing', 'section_limit_id', 'geom', handle('diamond', 2.6, LIMIT), ('abscissa', 'by_hand'), scale=2500),
     Layer('edit', 'corner_editing', 'corner_id', 'geom', handle('circle', 2.2, ARC), ('radius', 'by_hand'), scale=2500),
@@ -168,28 +169,14 @@ LAYERS = (
     Layer('input', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
            'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True),
-    by_hand('transition_override', 'axis_id', 'which', 'kind', 'length'),
-    by_hand('section_limit_override', 'axis_id', 'which', 'abscissa'),
-    by_hand('corner_override', 'axis_a', 'axis_b', 'radius'),
-    by_hand('road_override', 'axis_id', 'abscissa', 'radius'),
-    by_hand('ramp_override', 'axis_id', 'abscissa', 'tangent', 'length'),
-    by_hand('junction_override', 'axis_id', 'inside', 'kind'),
-    by_hand('lane_adjacency_override', 'axis_id', 'abscissa', 'lane_from', 'lane_to', 'change'),
-    by_hand('kerb_point_override', 'axis_id', 'abscissa', 'width'),
-    by_hand('block_override', 'kind'),
-    by_hand('sidewalk_override', 'axis_id', 'abscissa', 'side', 'width'),
-    by_hand('lane_override', 'axis_id', 'abscissa', 'ordinality', 'along_axis', 'both_ways', 'width'),
-    by_hand('controller_override', 'axis_id', 'program', 'cycle', 'start_offset', 'durations'),
-    by_hand('overpass_override', 'axis_above', 'axis_below', 'clearance'),
-    by_hand('free_place', 'rule_id'),
-    by_hand('height_override', 'axis_id', 'abscissa', 'height'),
-    by_hand('roundabout_override', 'confirmed'),
-    by_hand('interconnection_override', 'axis_in', 'lane_in', 'axis_out', 'lane_out', 'along_in', 'along_out', 'connecting'),
     Layer('input', 'object_type', 'type', writable=('type', 'category', 'parent', 'geometry', 'symbol', 'size', 'description', 'distance_least')),
     Layer('input', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'turn', 'density', 'active')),
     Layer('input', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance', 'highway_role', 'walked_along', 'crossed_on_foot', 'lanes_by_width')),
     Layer('input', 'roundabout_pattern', 'pattern', writable=('pattern', 'language')),
     Layer('input', 'setting', 'name'),
+    by_hand('free_place', ('rule_id',)),
+)
+COMPUTED = (
     Layer('traffic', 'junction_movement', 'junction_movement_id', 'geom', junction_movement, scale=1500),
     Layer('traffic', 'interconnection', 'interconnection_id', 'geom', interconnection, scale=1500, shown=True),
     Layer('traffic', 'lane', 'lane_id', 'geom', lane, scale=2500),
@@ -253,7 +240,13 @@ DESIGN = (
 )
 
 
-def layers_of(relations):
-    """The layers of a model that has these relations: a subject that it does not compute has none."""
+def layers_of(relations, decisions):
+    """The layers of a model that has these relations: a subject that it does not compute has none.
+
+    A table of decisions, with the columns that one may type in, is one of overrides where it has no layer of its own.
+    """
     shown = ' UNION ALL '.join(rows for relation, rows in ROADWAY.items() if relation in relations)
-    return [dataclasses.replace(layer, query=shown) if layer.relation == 'roadway' else layer for layer in (*LAYERS, *DESIGN) if layer.relation in relations]
+    own = {layer.relation for layer in EDITED}
+    overrides = [by_hand(relation, columns) for relation, columns in decisions.items() if relation not in own]
+    return [dataclasses.replace(layer, query=shown) if layer.relation == 'roadway' else layer
+            for layer in (*EDITED, *overrides, *COMPUTED, *DESIGN) if layer.relation in relations]

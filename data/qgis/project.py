@@ -59,7 +59,7 @@ def follow(model, layers, vectors):
 
 def make_project(database, model):
     srid, words = database.srid(model), database.words(model)
-    layers = layers_of(database.relations(model))
+    layers = layers_of(database.relations(model), database.decisions(model))
     project = QgsProject.instance()
     project.clear()
     project.setTitle(model)
