@@ -31,7 +31,17 @@ COMMENT ON FUNCTION streetgen._check_tile_places(name, integer) IS
     'Raises 22023 for tiles to be added (temporary table _tile) that lie outside of the area of their SRID, or where '
     'its scale is more than 1 % off; warns where they lie beside all that the model has.';
 
-CREATE OR REPLACE FUNCTION streetgen._add_tiles(model name, source text) RETURNS bigint
+CREATE OR REPLACE FUNCTION streetgen._take_tiles(source text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public, pg_temp
+    AS $$
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _tile ON COMMIT DROP AS SELECT heights, streetgen._height_tile_box(heights)
+        AS box FROM (%s) s(heights)', source);
+END $$;
+COMMENT ON FUNCTION streetgen._take_tiles(text) IS
+    'Makes temporary table _tile of the tiles that a query gives (bytea, raster WKB), each with its box.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_tiles(model name) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -39,8 +49,6 @@ DECLARE
     wrong record;
     added bigint;
 BEGIN
-    EXECUTE format('CREATE TEMPORARY TABLE _tile ON COMMIT DROP AS SELECT heights, streetgen._height_tile_box(heights)
-        AS box FROM (%s) s(heights)', source);
     PERFORM streetgen._use_model(model);
     SELECT box[5]::integer AS srid INTO wrong FROM pg_temp._tile WHERE box[5] NOT IN (0, target_srid) LIMIT 1;
     IF FOUND THEN
@@ -63,9 +71,9 @@ BEGIN
     PERFORM streetgen._ground_heights(array_agg(heights), '{}', '{}') FROM terrain_tile;
     RETURN added;
 END $$;
-COMMENT ON FUNCTION streetgen._add_tiles(name, text) IS
-    'Adds the tiles that a query gives (bytea, raster WKB) to a model. Tiles of another SRID, area or cell, or that '
-    'overlap: 22023.';
+COMMENT ON FUNCTION streetgen._add_tiles(name) IS
+    'Adds the tiles of temporary table _tile, which goes, to a model, and returns how many. Tiles of another SRID, '
+    'area or cell, or that overlap: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_terrain(model name, source regclass) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -83,10 +91,11 @@ BEGIN
         RAISE EXCEPTION 'table % has no column of rasters', source USING ERRCODE = '42703',
             HINT = 'Expected a column of type raster, or raster WKB as bytea or as hexadecimal text.';
     END IF;
-    RETURN streetgen._add_tiles(model, format('SELECT %s FROM %s WHERE %I IS NOT NULL', CASE raster.type
+    PERFORM streetgen._take_tiles(format('SELECT %s FROM %s WHERE %I IS NOT NULL', CASE raster.type
         WHEN 'raster' THEN format('%I.ST_AsBinary(%I)', raster.schema, raster.name)
         WHEN 'text' THEN format('decode(%I, ''hex'')', raster.name) ELSE quote_ident(raster.name) END, source,
         raster.name));
+    RETURN streetgen._add_tiles(model);
 END $$;
 COMMENT ON FUNCTION streetgen.import_terrain(name, regclass) IS
     'Adds the tiles of a table to the terrain of a model: a column of type raster (postgis_raster), or raster WKB as '
