@@ -61,6 +61,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name) IS
     'Makes the tables, columns, indexes and comments that came after the first models, where they are missing.';
 
+CREATE OR REPLACE FUNCTION streetgen._complete_settings(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    INSERT INTO setting AS s SELECT * FROM streetgen._default_setting() ON CONFLICT (name) DO UPDATE
+        SET (unit, description, minimum, maximum, choice)
+            = (excluded.unit, excluded.description, excluded.minimum, excluded.maximum, excluded.choice)
+        WHERE (s.unit, s.description, s.minimum, s.maximum, s.choice) IS DISTINCT FROM (excluded.unit,
+            excluded.description, excluded.minimum, excluded.maximum, excluded.choice);
+END $$;
+COMMENT ON FUNCTION streetgen._complete_settings(name) IS
+    'Gives a model the settings that came later, with their defaults, and all settings the ranges of this build.';
+
 CREATE OR REPLACE FUNCTION streetgen.create_model(model name, srid integer, dimension integer DEFAULT 2,
     subjects text[] DEFAULT NULL, driving_side text DEFAULT 'auto') RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -195,15 +209,7 @@ BEGIN
     before := streetgen._relations(schema);
     PERFORM streetgen._drop_own_functions(schema);
     caller := streetgen._become_owner(schema);
-    PERFORM streetgen._add_tables(schema);
-    -- Settings that came later have their defaults.
-    PERFORM streetgen._use_model(schema);
-    INSERT INTO setting AS s SELECT * FROM streetgen._default_setting() ON CONFLICT (name) DO UPDATE
-        SET (unit, description, minimum, maximum, choice)
-            = (excluded.unit, excluded.description, excluded.minimum, excluded.maximum, excluded.choice)
-        WHERE (s.unit, s.description, s.minimum, s.maximum, s.choice) IS DISTINCT FROM (excluded.unit,
-            excluded.description, excluded.minimum, excluded.maximum, excluded.choice);
-    PERFORM streetgen._make_dependents(schema);
+    PERFORM streetgen._add_tables(schema), streetgen._complete_settings(schema), streetgen._make_dependents(schema);
     -- Also on views that a restore brought back without their readers.
     PERFORM streetgen._grant_like_axes(schema, ARRAY(
         SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(schema))
