@@ -33,5 +33,22 @@ SELECT 'the map beside it is the same', strpos(with_legend, regexp_replace(witho
 SELECT 'a picture with a legend is XML, and as much wider as the legend is', xml_is_well_formed_document(svg) AND svg LIKE '<svg xmlns="http://www.w3.org/2000/svg" width="750" %' FROM streetgen.svg('drawn', width => 600, legend => true) svg;
 SELECT 'a map of a town has the roadway alone in its legend', svg LIKE '%>roadway<%' AND (SELECT count(*) = 1 FROM regexp_matches(svg, '<text x="44"', 'g')) FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154), legend => true, theme => 'construction') svg;
 SELECT 'the bar of the scale is as long as it says', abs(bar[1]::float8 * 200 / 1200 - bar[2]::float8) < 0.01 AND bar[2]::float8 IN (10, 20) FROM regexp_match(streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859900, 650200, 6860000), legend => true), 'M0 0v8h([\d.]+)v-8.*>(\d+) m</text>') bar;
+-- The model's own rules.
+CREATE TEMPORARY TABLE before AS SELECT streetgen.svg('drawn', scale => 300) AS svg;
+INSERT INTO drawn.symbol_rule SELECT theme, layer, kind, from_scale, to_scale, place, '#123456', line, width, unit, dash, marker, meaning FROM streetgen.symbol_rule WHERE (theme, layer, kind) = ('street', 'section', '');
+SELECT 'a rule of the model stands for the one that it has the key of', picture LIKE '%{fill:#123456;%' AND b.svg NOT LIKE '%#123456%' AND length(picture) = length(b.svg) FROM before b, LATERAL (SELECT streetgen.svg('drawn', scale => 300) AS picture) p;
+SELECT 'and another model has that of all', streetgen.svg('drawn', theme => 'dark') NOT LIKE '%#123456%';
+UPDATE drawn.symbol_rule SET fill = NULL, line = NULL;
+SELECT 'one without a colour draws nothing', svg NOT LIKE '%class="section %' AND svg LIKE '%class="intersection %' FROM streetgen.svg('drawn', scale => 300) svg;
+INSERT INTO drawn.symbol_rule (theme, layer, kind, place, line, width, unit) VALUES ('street', 'axis', '', 9, '#ff0000', 1, 'pixel');
+SELECT 'a layer that the theme leaves out can be added', svg LIKE '%class="axis %' AND svg LIKE '%stroke:#ff0000%' FROM streetgen.svg('drawn', scale => 300) svg;
+INSERT INTO drawn.symbol_rule (theme, layer, place, fill) VALUES ('dark', 'mud', 0, '#ff0000');
+SELECT 'a layer that is none is refused with its rule', state = '22023' AND said LIKE '%drawn.symbol_rule%"mud"%' AND detail LIKE '%dark%' FROM test.refusal($$SELECT streetgen.svg('drawn')$$);
+DELETE FROM drawn.symbol_rule;
+SELECT 'without them it is drawn as before', before.svg = streetgen.svg('drawn', scale => 300) FROM before;
+CREATE ROLE streetgen_test_drawer;
+DO $$ BEGIN PERFORM streetgen.grant('drawn', 'streetgen_test_drawer', 'editor'); END $$;
+SELECT 'an editor reads rules and writes none', has_table_privilege('streetgen_test_drawer', 'drawn.symbol_rule', 'SELECT') AND NOT has_table_privilege('streetgen_test_drawer', 'drawn.symbol_rule', 'INSERT') AND NOT has_table_privilege('streetgen_test_drawer', 'streetgen.symbol_rule', 'INSERT');
+DROP OWNED BY streetgen_test_drawer; DROP ROLE streetgen_test_drawer;
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without axes has a picture and a legend', xml_is_well_formed_document(streetgen.svg('bare')) AND xml_is_well_formed_document(streetgen.svg('bare', legend => true));

@@ -24,26 +24,26 @@ COMMENT ON FUNCTION streetgen._shapes(name, geometry, text[]) IS
     'What some layers of a model have in a box, from functions _ROOM_drawn (model, box, layers) of the subjects that '
     'it computes; layers that _ROOM_drawn_instead names are left to that room.';
 
-CREATE OR REPLACE FUNCTION streetgen._svg_legend(theme text, scale float8, symbols bigint[])
+CREATE OR REPLACE FUNCTION streetgen._svg_legend(model name, theme text, scale float8, symbols bigint[])
     RETURNS TABLE(turn bigint, swatch text, words text)
-    LANGUAGE sql STABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 12 SET search_path = pg_catalog
     AS $$
     SELECT row_number() OVER (ORDER BY symbol), format(CASE WHEN fill IS NULL
             THEN '<path class="s%s" style="stroke-width:2.5;stroke-dasharray:none" d="M0 8h32"/>'
             ELSE '<rect class="s%s" style="stroke-width:1" width="32" height="16"/><path fill="none" '
                 'stroke="currentColor" stroke-opacity=".3" d="M0 0h32v16h-32z"/>' END, symbol), meaning
-    FROM (SELECT DISTINCT ON (meaning) * FROM streetgen._symbols(theme, scale)
+    FROM (SELECT DISTINCT ON (meaning) * FROM streetgen._symbols(model, theme, scale)
         WHERE symbol = ANY (symbols) AND meaning IS NOT NULL ORDER BY meaning, symbol) s
     $$;
-COMMENT ON FUNCTION streetgen._svg_legend(text, float8, bigint[]) IS
+COMMENT ON FUNCTION streetgen._svg_legend(name, text, float8, bigint[]) IS
     'What the symbols of a drawing mean, in their order from below, each with a swatch (SVG) of 32 by 16.';
 
-CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(map text, width integer, height numeric, pixel float8,
-    theme text, scale float8, symbols bigint[]) RETURNS text
-    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(model name, map text, width integer, height numeric,
+    pixel float8, theme text, scale float8, symbols bigint[]) RETURNS text
+    LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
     -- The legend is drawn in units of a 1200th of the width, the scale bar up to 180 of them.
-    WITH legend AS MATERIALIZED (SELECT * FROM streetgen._svg_legend(theme, scale, symbols))
+    WITH legend AS MATERIALIZED (SELECT * FROM streetgen._svg_legend(model, theme, scale, symbols))
     SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width + ceil(300 * unit),
         greatest(height, ceil(tall * unit))) || E'\n<rect width="100%" height="100%" fill="' || paper || E'"/>\n' || map
         || format('<svg x="%s" width="%s" height="%s" viewBox="0 0 300 %s" font-family="sans-serif" font-size="14" '
@@ -58,9 +58,9 @@ CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(map text, width integer,
         LATERAL (SELECT 10 ^ floor(log(longest)) AS power) p, LATERAL (SELECT power * CASE WHEN longest >= 5 * power
             THEN 5 WHEN longest >= 2 * power THEN 2 ELSE 1 END AS metres) s,
         (SELECT max(fill) FILTER (WHERE layer = 'paper') AS paper, max(fill) FILTER (WHERE layer = 'ink') AS ink
-            FROM streetgen._symbols(theme, scale)) page
+            FROM streetgen._symbols(model, theme, scale)) page
     $$;
-COMMENT ON FUNCTION streetgen._svg_beside_legend(text, integer, numeric, float8, text, float8, bigint[]) IS
+COMMENT ON FUNCTION streetgen._svg_beside_legend(name, text, integer, numeric, float8, text, float8, bigint[]) IS
     'A map (SVG of width by height, in pixels of so many metres) with the legend of its symbols and a scale beside it.';
 
 CREATE OR REPLACE FUNCTION streetgen._curve_as_svg(curve geometry, x float8, y float8) RETURNS text
@@ -104,7 +104,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel fl
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    WITH symbol AS MATERIALIZED (SELECT * FROM streetgen._symbols(theme, scale)),
+    WITH symbol AS MATERIALIZED (SELECT * FROM streetgen._symbols(model, theme, scale)),
     shape AS MATERIALIZED (
         SELECT h.layer, CASE WHEN (h.layer, h.kind) IN (SELECT s.layer, s.kind FROM symbol s) THEN h.kind ELSE '' END
             AS kind, h.level, h.id, streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path
@@ -185,8 +185,8 @@ BEGIN
     IF NOT legend THEN
         RETURN format(E'<svg xmlns="http://www.w3.org/2000/svg" %s>\n%s</svg>\n', frame, map.drawing);
     END IF;
-    RETURN streetgen._svg_beside_legend(format(E'<svg %s>\n%s</svg>\n', frame, map.drawing), width, height, pixel,
-        theme, scale, map.symbols);
+    RETURN streetgen._svg_beside_legend(model, format(E'<svg %s>\n%s</svg>\n', frame, map.drawing), width, height,
+        pixel, theme, scale, map.symbols);
 END $$;
 COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean, text, float8) IS
     'One picture (SVG) of a model, or of an extent of it (geometry in the model''s SRID), drawn as table symbol_rule '

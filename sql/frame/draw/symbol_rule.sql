@@ -40,15 +40,33 @@ INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
     ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#1d2127'), ('construction', 'paper', 0, '#ffffff'),
     ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('construction', 'ink', 0, '#1f2937');
 
-CREATE OR REPLACE FUNCTION streetgen._symbols(theme text, scale float8)
+CREATE OR REPLACE FUNCTION streetgen._symbols(model name, theme text, scale float8)
     RETURNS TABLE(symbol bigint, layer text, kind text, place float8, fill text, line text, width float8, unit text,
         dash text, marker text, meaning text)
-    LANGUAGE sql STABLE PARALLEL SAFE ROWS 60 SET search_path = pg_catalog
-    AS $$ SELECT row_number() OVER (ORDER BY r.place, r.layer, r.kind), r.layer, r.kind, r.place, r.fill, r.line,
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog
+    AS $$
+#variable_conflict use_column
+DECLARE
+    wrong record;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT * FROM symbol_rule o WHERE layer NOT IN (SELECT d.layer FROM streetgen.symbol_rule d) LIMIT 1 INTO wrong;
+    IF FOUND THEN
+        RAISE EXCEPTION 'a rule of %.symbol_rule draws layer "%", which is none', quote_ident(model), wrong.layer
+            USING ERRCODE = '22023', DETAIL = format('Its theme is %s, its place %s.', wrong.theme, wrong.place),
+            HINT = 'SELECT DISTINCT layer FROM streetgen.symbol_rule lists them.';
+    END IF;
+    RETURN QUERY SELECT row_number() OVER (ORDER BY r.place, r.layer, r.kind), r.layer, r.kind, r.place, r.fill, r.line,
             r.width, r.unit, r.dash, r.marker, r.meaning
-        FROM streetgen.symbol_rule r WHERE r.theme = _symbols.theme AND scale >= from_scale AND scale < to_scale $$;
-COMMENT ON FUNCTION streetgen._symbols(text, float8) IS
-    'The rules of a theme at a scale (the number below the line), each with a number.';
+        FROM (SELECT * FROM symbol_rule UNION ALL SELECT * FROM streetgen.symbol_rule d
+            WHERE (d.theme, d.layer, d.kind, d.from_scale, d.place) NOT IN (
+                SELECT o.theme, o.layer, o.kind, o.from_scale, o.place FROM symbol_rule o)) r
+        WHERE r.theme = _symbols.theme AND scale >= r.from_scale AND scale < r.to_scale
+            AND num_nonnulls(r.fill, r.line) > 0;
+END $$;
+COMMENT ON FUNCTION streetgen._symbols(name, text, float8) IS
+    'The rules of a theme at a scale (the number below the line) for a model, each with a number: its own, and the '
+    'others of streetgen.symbol_rule. A rule of its own for a layer that is none: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._as_css(fill text, line text, width float8, unit text, dash text, pixel float8)
     RETURNS text
