@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 QUOTE = re.compile(r"--[^\n]*|'|\$[A-Za-z_]*\$")
-BODY = re.compile(r"(?:FUNCTION|PROCEDURE|DO)\b[^;]*?(?:\bAS\s*|\bDO\s*)$", re.S)
+BODY = re.compile(r"(?:(?:FUNCTION|PROCEDURE)\b[^;]*?\bAS|\bDO)\s*$", re.S)
 
 
 def quoted_texts(text, start=0, end=None):

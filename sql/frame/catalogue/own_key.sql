@@ -46,20 +46,20 @@ DECLARE
     relation name;
     key name;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- With the rights of the model's owner, as an editor may not set the sequence.
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._pass_own_key() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-DECLARE
-    keys constant text := pg_get_serial_sequence(TG_RELID::regclass::text, TG_ARGV[0]);
-BEGIN
-    IF keys IS NOT NULL THEN
-        EXECUTE streetgen._passing_key(keys, format('($1).%%I', TG_ARGV[0]))
-            USING NEW, streetgen._last_passed_key();
-    END IF;
-    RETURN NEW;
-END $body$ $sql$, model);
+    CREATE OR REPLACE FUNCTION _pass_own_key() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        keys constant text := pg_get_serial_sequence(TG_RELID::regclass::text, TG_ARGV[0]);
+    BEGIN
+        IF keys IS NOT NULL THEN
+            EXECUTE streetgen._passing_key(keys, format('($1).%I', TG_ARGV[0]))
+                USING NEW, streetgen._last_passed_key();
+        END IF;
+        RETURN NEW;
+    END $body$;
     PERFORM streetgen._own_function(model, '_pass_own_key()',
         'Before a row: where somebody wrote its key himself, generated keys go on after it');
     FOR relation, key IN SELECT r, streetgen._generated_key(model, r) FROM unnest(streetgen._edited_tables(model)) r

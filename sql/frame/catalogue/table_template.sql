@@ -48,7 +48,7 @@ COMMENT ON FUNCTION streetgen._fill_table(text, text[]) IS
 
 CREATE OR REPLACE FUNCTION streetgen._make_tables(model name, parts text[], rooms text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE
-        -- PostGIS is found there; what an index of a table of another subject is there already, says nothing.
+        -- PostGIS is found there. An index of a table of another subject may be there already: no word of it.
         SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 DECLARE

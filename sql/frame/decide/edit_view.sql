@@ -6,12 +6,13 @@ CREATE OR REPLACE FUNCTION streetgen._edit_view(model name, srid integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE format('SELECT v.name, v.description, v.columns, format(v.query, $1, $2), v.subject '
-        'FROM (%s) v', streetgen._rows_of_rooms('edit_view')) USING model, srid;
+    RETURN QUERY EXECUTE format('SELECT v.name, v.description, v.columns, streetgen._fill_template(v.query, $1), '
+        'v.subject FROM (%s) v', streetgen._rows_of_rooms('edit_view'))
+        USING jsonb_build_object('model', quote_ident(model), 'name', quote_literal(model), 'srid', srid);
 END $$;
 COMMENT ON FUNCTION streetgen._edit_view(name, integer) IS
     'The edit views of a model, from functions _ROOM_edit_view: their comments, those of their columns, and their '
-    'queries.';
+    'queries, in which {model} is the schema, {name} its name as text and {srid} the reference.';
 
 CREATE OR REPLACE FUNCTION streetgen._direction_from(line geometry, which text) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

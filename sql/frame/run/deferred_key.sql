@@ -16,29 +16,29 @@ DECLARE
     taken_off integer;
     writer oid;
 BEGIN
-    EXECUTE format($sql$
-CREATE TABLE %1$I.deferred_key (turn integer NOT NULL, relation name, statement text NOT NULL);
-COMMENT ON TABLE %1$I.deferred_key IS
-    'Foreign keys, indexes and statistics that the first run by clusters makes at its end, or the first edit before; '
-    'the table is there as long as any is missing';
-COMMENT ON COLUMN %1$I.deferred_key.turn IS 'what is made first, from 0';
-COMMENT ON COLUMN %1$I.deferred_key.relation IS
-    'table whose indexes and statistics they are, and whose foreign keys they validate; NULL: the foreign keys, not '
-    'valid';
-COMMENT ON COLUMN %1$I.deferred_key.statement IS 'makes them';
-ALTER TABLE %1$I.deferred_key OWNER TO %2$s
-$sql$, model, (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
+    PERFORM streetgen._use_model(model);
+    CREATE TABLE deferred_key (turn integer NOT NULL, relation name, statement text NOT NULL);
+    COMMENT ON TABLE deferred_key IS
+        'Foreign keys, indexes and statistics that the first run by clusters makes at its end, or the first edit '
+        'before; the table is there as long as any is missing';
+    COMMENT ON COLUMN deferred_key.turn IS 'what is made first, from 0';
+    COMMENT ON COLUMN deferred_key.relation IS
+        'table whose indexes and statistics they are, and whose foreign keys they validate; NULL: the foreign keys, '
+        'not valid';
+    COMMENT ON COLUMN deferred_key.statement IS 'makes them';
+    EXECUTE format('ALTER TABLE deferred_key OWNER TO %s', (SELECT nspowner::regrole FROM pg_namespace
+        WHERE nspname = model));
     -- Its statements are done with the owner's rights, whoever may write new tables by default.
     FOR writer IN SELECT DISTINCT grantee FROM pg_class, aclexplode(relacl)
         WHERE oid = format('%I.deferred_key', model)::regclass AND grantee <> relowner LOOP
         EXECUTE format('REVOKE INSERT, UPDATE, DELETE, TRUNCATE, TRIGGER ON %I.deferred_key FROM %s', model, CASE writer
             WHEN 0 THEN 'PUBLIC' ELSE writer::regrole::text END);
     END LOOP;
-    EXECUTE format('INSERT INTO %I.deferred_key SELECT * FROM streetgen._drop_keys($1, $2, by_cluster => true)', model)
-        USING model, streetgen._computed_tables(model);
+    INSERT INTO deferred_key SELECT * FROM streetgen._drop_keys(model, streetgen._computed_tables(model),
+        by_cluster => true);
     GET DIAGNOSTICS taken_off = ROW_COUNT;
     IF taken_off = 0 THEN
-        EXECUTE format('DROP TABLE %I.deferred_key', model);
+        DROP TABLE deferred_key;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._defer_keys(name) IS

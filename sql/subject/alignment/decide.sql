@@ -19,23 +19,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._sharp_bends(name) IS
     'The bends of a model that are sharp by hand, at their vertices; at its own place a decision without its bend.';
 
-CREATE OR REPLACE FUNCTION streetgen._road_arc_handles() RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    -- A bend at a node is of no axis. One that is sharp by hand has no arc: its handle is its vertex.
-    AS $f$ SELECT $sql$
-        SELECT streetgen._bend_key(b.axis_id, b.vertex) AS road_arc_id, b.axis_id, b.abscissa, a.radius,
-            EXISTS (SELECT FROM %1$I.road_override o WHERE o.axis_id = b.axis_id
-            AND abs((streetgen._bend_at(b.axis, o.abscissa)).abscissa - b.abscissa) < 1e-6) AS by_hand, a.centre AS geom
-        FROM %1$I.road_arc a, LATERAL (
-            SELECT e.axis_id, x.geom AS axis, v.abscissa, v.vertex
-            FROM %1$I.road_edge m JOIN %1$I.edge e USING (edge_id) JOIN %1$I.axis x USING (axis_id),
-                LATERAL streetgen._bend_of(x.geom, a.corner, e.start_abscissa, e.end_abscissa) v
-            WHERE m.road_id = a.road_id AND ST_DWithin(x.geom, a.corner, 1) AND ST_DWithin(v.vertex, a.corner, 0.001)
-            ORDER BY ST_Distance(v.vertex, a.corner), e.axis_id LIMIT 1) b
-        UNION ALL SELECT streetgen._bend_key(axis_id, place), axis_id, abscissa, 0, true, place::geometry(Point, %2$s)
-        FROM streetgen._sharp_bends(%1$L)$sql$ $f$;
-COMMENT ON FUNCTION streetgen._road_arc_handles() IS 'The query of road_arc_editing, over a model %1$I.';
-
 CREATE OR REPLACE FUNCTION streetgen._edit_road_arc() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -97,7 +80,7 @@ COMMENT ON FUNCTION streetgen._edit_road_arc() IS
 
 CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     ('road_arc_editing', 'Edit layer: drag the centre of a bend or type its radius; DELETE takes back what was '
         'decided by hand',
@@ -105,7 +88,7 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_edit_view()
             'where it bends, metres along the axis',
             'radius of the bend, metres, 0: it is sharp; NULL takes it back',
             'decided by hand; false takes it back', 'centre of the arc; of a sharp bend its place'],
-        streetgen._road_arc_handles(), 'alignment') $$;
+        streetgen._part('road_arc_editing'), 'alignment') $$;
 COMMENT ON FUNCTION streetgen._alignment_edit_view() IS 'The views in which roads are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._alignment_decision()

@@ -65,3 +65,17 @@ SELECT r.road_id * 1000000 + b.ordinality AS road_arc_id, r.road_id, b.start_abs
     b.centre::geometry(Point, {srid}) AS centre, b.corner::geometry(Point, {srid}) AS corner,
     b.arc::geometry(CircularString, {srid}) AS arc
 FROM road r, LATERAL streetgen._arc_road_bends(r.geom) WITH ORDINALITY b
+
+--{road_arc_editing
+-- A bend at a node is of no axis. One that is sharp by hand has no arc: its handle is its vertex.
+SELECT streetgen._bend_key(b.axis_id, b.vertex) AS road_arc_id, b.axis_id, b.abscissa, a.radius,
+    EXISTS (SELECT FROM {model}.road_override o WHERE o.axis_id = b.axis_id
+    AND abs((streetgen._bend_at(b.axis, o.abscissa)).abscissa - b.abscissa) < 1e-6) AS by_hand, a.centre AS geom
+FROM {model}.road_arc a, LATERAL (
+    SELECT e.axis_id, x.geom AS axis, v.abscissa, v.vertex
+    FROM {model}.road_edge m JOIN {model}.edge e USING (edge_id) JOIN {model}.axis x USING (axis_id),
+        LATERAL streetgen._bend_of(x.geom, a.corner, e.start_abscissa, e.end_abscissa) v
+    WHERE m.road_id = a.road_id AND ST_DWithin(x.geom, a.corner, 1) AND ST_DWithin(v.vertex, a.corner, 0.001)
+    ORDER BY ST_Distance(v.vertex, a.corner), e.axis_id LIMIT 1) b
+UNION ALL SELECT streetgen._bend_key(axis_id, place), axis_id, abscissa, 0, true, place::geometry(Point, {srid})
+FROM streetgen._sharp_bends({name})

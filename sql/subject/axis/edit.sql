@@ -191,11 +191,11 @@ CREATE OR REPLACE FUNCTION streetgen._axis_edit_view()
               'km/h; NULL: estimated', 'importance, 1 the highest; NULL: that of the class', 'name of the street',
                   'level above the ground'],
         $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level
-            FROM %1$I.axis$sql$, 'network'),
+            FROM {model}.axis$sql$, 'network'),
     ('node_editing', 'Edit layer: drag a node, and all axes that meet there follow',
         ARRAY['key', 'place'],
-        $sql$SELECT node_id, geom FROM %1$I.node$sql$, 'network'),
+        $sql$SELECT node_id, geom FROM {model}.node$sql$, 'network'),
     ('edge_editing', 'Edit layer: redraw a piece of an axis between two nodes',
         ARRAY['key', 'the axis that it is a piece of', 'the piece; where its ends move, the axis follows'],
-        $sql$SELECT edge_id, axis_id, geom FROM %1$I.edge$sql$, 'network') $$;
+        $sql$SELECT edge_id, axis_id, geom FROM {model}.edge$sql$, 'network') $$;
 COMMENT ON FUNCTION streetgen._axis_edit_view() IS 'The views in which axes are edited.';

@@ -68,9 +68,9 @@ CREATE OR REPLACE FUNCTION streetgen._block_edit_view()
         'hand',
         ARRAY['key', 'block, island or strip; NULL takes it back', 'decided by hand; false takes it back',
             'the ground'],
-        $sql$SELECT b.block_id, b.kind, EXISTS (SELECT FROM %1$I.block_override o WHERE o.geom && b.surface
+        $sql$SELECT b.block_id, b.kind, EXISTS (SELECT FROM {model}.block_override o WHERE o.geom && b.surface
                 AND ST_Intersects(o.geom, b.surface)) AS by_hand, b.surface AS geom
-            FROM %1$I.block b$sql$, 'block') $$;
+            FROM {model}.block b$sql$, 'block') $$;
 COMMENT ON FUNCTION streetgen._block_edit_view() IS 'The views in which blocks are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._block_decision()

@@ -66,7 +66,8 @@ CREATE OR REPLACE FUNCTION streetgen._height_edit_view()
     ('height_editing', 'Edit layer: drop a point on a road and type how high it lies there at least; DELETE takes it '
         'back',
         ARRAY['key', 'the axis: the nearest one where left out', 'height, metres', 'the place on the axis'],
-        $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM %1$I.height_override$sql$, 'height') $$;
+        $sql$SELECT height_override_id AS height_id, axis_id, height, geom FROM {model}.height_override$sql$,
+        'height') $$;
 COMMENT ON FUNCTION streetgen._height_edit_view() IS 'The views in which heights are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._height_decision()

@@ -100,8 +100,8 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_edit_view()
         $sql$SELECT c.interconnection_id, c.node_id, c.lane_in, c.lane_out, c.turn, c.connecting, c.plausible,
             c.method = 'by_hand' AS by_hand,
             ST_MakeLine(ARRAY[ST_StartPoint(c.geom), coalesce(c.control, ST_LineInterpolatePoint(c.geom, 0.5)),
-                ST_EndPoint(c.geom)])::geometry(LineString, %2$s) AS geom
-        FROM %1$I.interconnection c$sql$, 'interconnection') $$;
+                ST_EndPoint(c.geom)])::geometry(LineString, {srid}) AS geom
+        FROM {model}.interconnection c$sql$, 'interconnection') $$;
 COMMENT ON FUNCTION streetgen._interconnection_edit_view() IS 'The views in which interconnections are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._ordinality_at(ordinality integer, axis bigint, place geometry, turned boolean)

@@ -212,23 +212,18 @@ COMMENT ON FUNCTION streetgen._edit_junction_edge() IS
 
 CREATE OR REPLACE FUNCTION streetgen._junction_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES
     ('junction_editing', 'Edit layer: say what kind of junction a place is; DELETE takes back what was decided by hand',
         ARRAY['key', 'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end; '
             'NULL takes it back', 'decided by hand; false takes it back', 'the middle of its nodes'],
         $sql$SELECT j.junction_id, j.kind, j.method = 'by_hand' AS by_hand, j.geom
-        FROM %1$I.junction j$sql$, 'junction'),
+        FROM {model}.junction j$sql$, 'junction'),
     ('junction_edge_editing', 'Edit layer: say whether an edge lies inside a junction: what is at its ends is one '
         'junction, or two; DELETE takes back what was decided by hand',
         ARRAY['key', 'does it lie inside a junction; NULL takes it back',
             'decided by hand; false takes it back', 'the edge'],
-        $sql$SELECT e.edge_id, EXISTS (SELECT FROM %1$I.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
-            EXISTS (SELECT FROM %1$I.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
-                -- As streetgen._edge_at, but by no name, which may change before the model is adopted.
-                AND e.edge_id = (SELECT n.edge_id FROM %1$I.edge n WHERE n.axis_id = o.axis_id
-                    ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)) AS by_hand, e.geom
-        FROM %1$I.edge e$sql$, 'junction') $$;
+        streetgen._part('junction_edge_editing'), 'junction') $$;
 COMMENT ON FUNCTION streetgen._junction_edit_view() IS 'The views in which junctions are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._junction_decision()

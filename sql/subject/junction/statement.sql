@@ -6,3 +6,11 @@ SELECT e.axis_id, j.junction_id AS chain FROM {model}.edge e, LATERAL (
     WHERE j.node_id IN (e.from_node, e.to_node) OFFSET 0) j
 WHERE e.axis_id = ANY (written) AND (SELECT true FROM {model}.junction_node o
     WHERE o.junction_id = j.junction_id AND o.node_id <> j.node_id LIMIT 1)
+
+--{junction_edge_editing
+SELECT e.edge_id, EXISTS (SELECT FROM {model}.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
+    EXISTS (SELECT FROM {model}.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
+        -- As streetgen._edge_at, but by no name, which may change before the model is adopted.
+        AND e.edge_id = (SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = o.axis_id
+            ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)) AS by_hand, e.geom
+FROM {model}.edge e

@@ -184,16 +184,16 @@ CREATE OR REPLACE FUNCTION streetgen._lane_edit_view()
             'decided by hand; false takes it back',
             'centre line, in the direction of the axis'],
         $sql$SELECT l.lane_id, l.edge_id, l.ordinality, l.along_axis, l.both_ways, l.width,
-            EXISTS (SELECT FROM %1$I.lane_override o WHERE (o.axis_id, o.ordinality) = (e.axis_id, l.ordinality)
+            EXISTS (SELECT FROM {model}.lane_override o WHERE (o.axis_id, o.ordinality) = (e.axis_id, l.ordinality)
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, l.geom
-        FROM %1$I.lane l JOIN %1$I.edge e USING (edge_id)$sql$, 'lane'),
+        FROM {model}.lane l JOIN {model}.edge e USING (edge_id)$sql$, 'lane'),
     ('lane_adjacency_editing', 'Edit layer: say whether traffic may change from a lane to the one beside it; DELETE '
         'takes back what was decided by hand',
         ARRAY['key', 'the lane that one leaves', 'the lane beside it', 'on which side of lane_a, left or right along '
             'the axis', 'allowed or forbidden; opposite where traffic comes against one; NULL takes it back',
             'decided by hand; false takes it back', 'the line between them'],
         $sql$SELECT lane_adjacency_id, lane_a, lane_b, side, change, by_hand, geom
-        FROM %1$I.lane_adjacency$sql$, 'lane') $$;
+        FROM {model}.lane_adjacency$sql$, 'lane') $$;
 COMMENT ON FUNCTION streetgen._lane_edit_view() IS 'The views in which lanes are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_at(model name, axis bigint, abscissa float8) RETURNS bigint

@@ -91,11 +91,10 @@ BEGIN
             WHERE b.street_object_id = ANY (objects))
         UPDATE parking_bay b SET surface = n.ground FROM new n
         WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
-    PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew'),
-        streetgen._make_redraw(model, 'parking_bay', 'bays');
+    PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew');
 END $$;
 COMMENT ON FUNCTION streetgen._make_bay_functions(name) IS
-    'Makes the functions and triggers of a model by which parking bays follow their objects.';
+    'Makes the function of a model by which parking bays follow their objects.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_parking_bay() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -66,11 +66,10 @@ BEGIN
         UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
         WHERE n.street_object_id = c.street_object_id
             AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
-    PERFORM streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew'),
-        streetgen._make_redraw(model, 'pedestrian_crossing', 'crossings');
+    PERFORM streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew');
 END $$;
 COMMENT ON FUNCTION streetgen._make_crossing_functions(name) IS
-    'Makes the functions and triggers of a model by which crossings follow their objects.';
+    'Makes the function of a model by which crossings follow their objects.';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_pedestrian_crossing() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -231,20 +231,20 @@ CREATE OR REPLACE FUNCTION streetgen._object_edit_view()
             'from the border', 'degrees clockwise from the axis, or from the north', 'axis or absolute',
             'direction, degrees clockwise from the north; type orientation to turn it',
             'computed: absolute, relative or orphaned'],
-        $sql$SELECT street_object_id, type, geom::geometry(Point, %2$s) AS geom, placement, axis_id, abscissa, side,
+        $sql$SELECT street_object_id, type, geom::geometry(Point, {srid}) AS geom, placement, axis_id, abscissa, side,
             axis_offset, orientation, orientation_kind, angle, method
-        FROM %1$I.street_object WHERE abscissa_end IS NULL AND ST_Dimension(geom) = 0$sql$, 'object'),
+        FROM {model}.street_object WHERE abscissa_end IS NULL AND ST_Dimension(geom) = 0$sql$, 'object'),
     ('pedestrian_crossing_editing', 'Edit layer: drop or drag a pedestrian crossing; type its width and its angle',
         ARRAY['key; NULL for a new crossing', 'its middle on the axis', 'the axis; NULL: the nearest',
             'metres along the axis', 'metres along the street; NULL: 4',
             'degrees counter-clockwise from the axis to the way across; NULL: 90'],
-        $sql$SELECT c.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, c.width, c.angle
-        FROM %1$I.pedestrian_crossing c JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object'),
+        $sql$SELECT c.street_object_id, o.geom::geometry(Point, {srid}) AS geom, o.axis_id, o.abscissa, c.width, c.angle
+        FROM {model}.pedestrian_crossing c JOIN {model}.street_object o USING (street_object_id)$sql$, 'object'),
     ('parking_bay_editing', 'Edit layer: drop or drag a parking bay; type its size and its angle',
         ARRAY['key; NULL for a new bay', 'the middle of its end at the border', 'the axis; NULL: the nearest',
             'metres along the axis', 'left or right', 'metres away from the border; negative on the roadway',
             'metres; NULL: 5', 'metres; NULL: 2.3', 'degrees: 0 or NULL parallel to the border, 90 perpendicular'],
-        $sql$SELECT b.street_object_id, o.geom::geometry(Point, %2$s) AS geom, o.axis_id, o.abscissa, o.side,
+        $sql$SELECT b.street_object_id, o.geom::geometry(Point, {srid}) AS geom, o.axis_id, o.abscissa, o.side,
             o.axis_offset, b.length, b.width, b.angle
-        FROM %1$I.parking_bay b JOIN %1$I.street_object o USING (street_object_id)$sql$, 'object') $$;
+        FROM {model}.parking_bay b JOIN {model}.street_object o USING (street_object_id)$sql$, 'object') $$;
 COMMENT ON FUNCTION streetgen._object_edit_view() IS 'The views in which objects are edited.';

@@ -19,12 +19,13 @@ BEGIN
             'carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,_renew_crossings,_renew_bays,'
             '_types_below,_has_rules,_arms_at,_take_from_rules,_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
             'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
-            '_hold_borders,redraw_crossings,redraw_bays}');
+            '_hold_borders,redraw_ground}');
         RETURN;
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
         streetgen._make_rule_functions(model),
-        streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model);
+        streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model),
+        streetgen._make_redraw(model);
     CREATE OR REPLACE FUNCTION _place_objects(axes bigint[])
         RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
             bigint)

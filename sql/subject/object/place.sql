@@ -2,20 +2,23 @@
 
 CREATE OR REPLACE FUNCTION streetgen._axis_borders(model name, axes bigint[])
     RETURNS TABLE(axis_id bigint, borders float8[])
-    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+        -- One plan for all axes would not reach some by their keys.
+        SET plan_cache_mode = force_custom_plan
     AS $$
+#variable_conflict use_column
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH section AS MATERIALIZED (
-    SELECT e.axis_id, e.start_abscissa, e.end_abscissa, e.width, e.width_end, e.roadway_offset, s.borders
-    FROM %1$I.edge e LEFT JOIN %1$I.section s USING (edge_id) WHERE %2$s)
-SELECT axis_id, array_agg(value ORDER BY start_abscissa, place)
-FROM section, LATERAL (
-    SELECT CASE mod(place, 3) WHEN 1 THEN start_abscissa + number ELSE number END AS value, place
-    FROM unnest(coalesce(borders, streetgen._even_borders(width, width_end, end_abscissa - start_abscissa,
-        roadway_offset))) WITH ORDINALITY b(number, place)) b
-WHERE axis_id IN (SELECT s.axis_id FROM section s WHERE s.borders IS NOT NULL) GROUP BY axis_id$sql$, model,
-        CASE WHEN axes IS NULL THEN 'true' ELSE 'e.axis_id = ANY ($1)' END) USING axes;
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    WITH piece AS MATERIALIZED (
+        SELECT e.axis_id, e.start_abscissa, e.end_abscissa, e.width, e.width_end, e.roadway_offset, s.borders
+        FROM edge e LEFT JOIN section s USING (edge_id) WHERE axes IS NULL OR e.axis_id = ANY (axes))
+    SELECT axis_id, array_agg(value ORDER BY start_abscissa, place)
+    FROM piece, LATERAL (
+        SELECT CASE mod(place, 3) WHEN 1 THEN start_abscissa + number ELSE number END AS value, place
+        FROM unnest(coalesce(borders, streetgen._even_borders(width, width_end, end_abscissa - start_abscissa,
+            roadway_offset))) WITH ORDINALITY b(number, place)) b
+    WHERE axis_id IN (SELECT p.axis_id FROM piece p WHERE p.borders IS NOT NULL) GROUP BY axis_id;
 END $$;
 COMMENT ON FUNCTION streetgen._axis_borders(name, bigint[]) IS
     'Column borders of the sections of axes (NULL: of all), put together for each axis along which a roadway is '

@@ -217,39 +217,37 @@ CREATE OR REPLACE FUNCTION streetgen._tie_specialised(model name) RETURNS void
         SET client_min_messages = warning
     AS $$
 DECLARE
-    special record;
+    tied record;
 BEGIN
-    FOR special IN EXECUTE format('SELECT s.type, s.relation, EXISTS (SELECT FROM pg_attribute
-        WHERE attrelid = c.oid AND attname = ''geom'' AND NOT attisdropped) AS has_geom
-        FROM %I.specialised_type s JOIN pg_class c ON c.relnamespace = %L::regnamespace AND c.relname = s.relation
-        ORDER BY s.type', model, quote_ident(model))
+    PERFORM streetgen._use_model(model);
+    FOR tied IN
+        WITH special AS (SELECT s.relation, format('_write_specialised(%L, %L)', s.type, EXISTS (SELECT FROM
+                pg_attribute WHERE attrelid = c.oid AND attname = 'geom' AND NOT attisdropped)) AS write
+            FROM specialised_type s JOIN pg_class c ON c.relnamespace = quote_ident(model)::regnamespace
+                AND c.relname = s.relation)
+        SELECT s.relation, v.* FROM special s, LATERAL (VALUES
+            ('hold_specialised', 'BEFORE INSERT OR UPDATE OR DELETE', 'FOR EACH STATEMENT', '_hold_specialised(true)'),
+            ('write_before', 'BEFORE INSERT OR UPDATE', 'FOR EACH ROW', s.write),
+            ('write_after', 'AFTER UPDATE OR DELETE', 'FOR EACH ROW', s.write),
+            ('compute_insert', 'AFTER INSERT', 'REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT',
+                '_compute_specialised()'),
+            ('compute_update', 'AFTER UPDATE', 'REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT',
+                '_compute_specialised()')) v(name, event, each, called) ORDER BY s.relation
     LOOP
-        EXECUTE format($sql$
-CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.street_object FOR EACH STATEMENT
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._hold_specialised(true);
-CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.axis FOR EACH STATEMENT
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._hold_specialised(false);
-CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH STATEMENT
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._hold_specialised(true);
-CREATE OR REPLACE TRIGGER write_before BEFORE INSERT OR UPDATE ON %1$I.%2$I FOR EACH ROW
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._write_specialised(%3$L, %4$L);
-CREATE OR REPLACE TRIGGER write_after AFTER UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._write_specialised(%3$L, %4$L);
-CREATE OR REPLACE TRIGGER compute_insert AFTER INSERT ON %1$I.%2$I REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._compute_specialised();
-CREATE OR REPLACE TRIGGER compute_update AFTER UPDATE ON %1$I.%2$I REFERENCING NEW TABLE AS new_row FOR EACH STATEMENT
-    WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
-    EXECUTE FUNCTION streetgen._compute_specialised();
-COMMENT ON TRIGGER hold_specialised ON %1$I.street_object IS 'Waits for who edits specialised objects';
-COMMENT ON TRIGGER hold_specialised ON %1$I.axis IS 'Waits for who edits specialised objects'$sql$,
-            model, special.relation, special.type, special.has_geom);
+        EXECUTE format('CREATE OR REPLACE TRIGGER %I %s ON %I.%I %s WHEN (current_setting(''streetgen.computes'', '
+            'true) IS DISTINCT FROM ''on'') EXECUTE FUNCTION streetgen.%s', tied.name, tied.event, model,
+            tied.relation, tied.each, tied.called);
     END LOOP;
+    IF FOUND THEN
+        CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON street_object
+            FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+            EXECUTE FUNCTION streetgen._hold_specialised(true);
+        CREATE OR REPLACE TRIGGER hold_specialised BEFORE INSERT OR UPDATE OR DELETE ON axis
+            FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+            EXECUTE FUNCTION streetgen._hold_specialised(false);
+        COMMENT ON TRIGGER hold_specialised ON street_object IS 'Waits for who edits specialised objects';
+        COMMENT ON TRIGGER hold_specialised ON axis IS 'Waits for who edits specialised objects';
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._tie_specialised(name) IS
     'Makes the triggers that keep the specialised tables of a model and their objects in step, again and again.';

@@ -75,8 +75,8 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_edit_view()
             'decided by hand; false takes it back', 'the crossing'],
         $sql$SELECT o.overpass_id, a.axis_id AS axis_above, b.axis_id AS axis_below, o.clearance,
             o.method = 'by_hand' AS by_hand, o.geom
-        FROM %1$I.overpass o JOIN %1$I.edge a ON a.edge_id = o.edge_above
-            JOIN %1$I.edge b ON b.edge_id = o.edge_below$sql$, 'overpass') $$;
+        FROM {model}.overpass o JOIN {model}.edge a ON a.edge_id = o.edge_above
+            JOIN {model}.edge b ON b.edge_id = o.edge_below$sql$, 'overpass') $$;
 COMMENT ON FUNCTION streetgen._overpass_edit_view() IS 'The views in which overpasses are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._overpass_decision()

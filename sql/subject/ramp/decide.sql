@@ -82,7 +82,7 @@ COMMENT ON FUNCTION streetgen._edit_ramp() IS
 
 CREATE OR REPLACE FUNCTION streetgen._ramp_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     ('ramp_editing', 'Edit layer: type the tangent of a ramp or the length of its merging lanes; DELETE takes back '
         'what was decided by hand',
@@ -90,14 +90,7 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_edit_view()
             'metres before and behind the bend into its lane; NULL takes it back',
             'metres that merging lanes keep their width, as typed or computed; 0: none; NULL takes it back',
             'decided by hand; false takes it back', 'its node'],
-        -- The length typed, also where an auxiliary lane goes on beyond it or the next junction cuts it.
-        $sql$SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, coalesce(d.length, r.length) AS length,
-            r.method = 'by_hand' AS by_hand, r.geom
-        FROM %1$I.ramp r JOIN %1$I.edge e USING (edge_id) LEFT JOIN LATERAL (
-            SELECT o.length FROM %1$I.ramp_override o WHERE o.axis_id = e.axis_id AND o.length IS NOT NULL
-                AND o.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
-                AND (2 * o.abscissa <= e.start_abscissa + e.end_abscissa) = (e.from_node = r.node_id)
-            ORDER BY o.ramp_override_id DESC LIMIT 1) d ON r.method = 'by_hand'$sql$, 'ramp') $$;
+        streetgen._part('ramp_editing'), 'ramp') $$;
 COMMENT ON FUNCTION streetgen._ramp_edit_view() IS 'The views in which ramps are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._ramp_decision()

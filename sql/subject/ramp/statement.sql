@@ -17,3 +17,13 @@ ramp_edge AS MATERIALIZED (
         WHERE (e.axis_id, e.start_abscissa, e.end_abscissa) = (c.axis_id, c.start_abscissa, c.end_abscissa) {by_key}) e
     WHERE NOT {whole} AND c.number NOT IN (SELECT number FROM written_edge)),
 ramp_edge_ids AS MATERIALIZED (SELECT streetgen._ids(number, edge_id) AS ids FROM ramp_edge)
+
+--{ramp_editing
+-- The length typed, also where an auxiliary lane goes on beyond it or the next junction cuts it.
+SELECT r.ramp_id, e.axis_id, r.kind, r.tangent, coalesce(d.length, r.length) AS length,
+    r.method = 'by_hand' AS by_hand, r.geom
+FROM {model}.ramp r JOIN {model}.edge e USING (edge_id) LEFT JOIN LATERAL (
+    SELECT o.length FROM {model}.ramp_override o WHERE o.axis_id = e.axis_id AND o.length IS NOT NULL
+        AND o.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+        AND (2 * o.abscissa <= e.start_abscissa + e.end_abscissa) = (e.from_node = r.node_id)
+    ORDER BY o.ramp_override_id DESC LIMIT 1) d ON r.method = 'by_hand'

@@ -49,9 +49,9 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_edit_view()
             'score, 0 to 1', 'how far its score is from setting roundabout_accept', 'does traffic go round',
             'the ring'],
         $sql$SELECT r.roundabout_id, r.confirmed, r.kind, r.radius, r.score,
-            abs(r.score - (SELECT value::float8 FROM %1$I.setting WHERE name = 'roundabout_accept')) AS nearness,
+            abs(r.score - (SELECT value::float8 FROM {model}.setting WHERE name = 'roundabout_accept')) AS nearness,
             r.accepted, r.geom
-        FROM %1$I.roundabout r ORDER BY nearness, r.roundabout_id$sql$, 'roundabout') $$;
+        FROM {model}.roundabout r ORDER BY nearness, r.roundabout_id$sql$, 'roundabout') $$;
 COMMENT ON FUNCTION streetgen._roundabout_edit_view() IS 'The views in which roundabouts are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._roundabout_decision()

@@ -22,17 +22,9 @@ COMMENT ON FUNCTION streetgen._sidewalks(bytea[], integer[], float8[], boolean[]
 
 -- What is known of the kerbs of a query with the columns of table kerb and `wanted`, as the core asks for it.
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs(kerbs text, edges text) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format($part$
-    SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_id, k.node_id, k.side, k.part,
-        k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
-        k.side IN ('start', 'end') AS across, o.width IS NOT NULL AS by_hand,
-        CASE k.side WHEN 'left' THEN coalesce(o.width, e.sidewalk_left)
-            WHEN 'right' THEN coalesce(o.width, e.sidewalk_right) END AS width
-    FROM (%s) k JOIN (%s) e USING (edge_id) LEFT JOIN LATERAL (
-        SELECT width FROM {model}.sidewalk_override o WHERE o.axis_id = e.axis_id AND o.side = k.side
-            AND k.node_id IS NULL AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
-        ORDER BY sidewalk_override_id DESC LIMIT 1) o ON true$part$, kerbs, edges) $$;
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part('sidewalk_kerbs'), jsonb_build_object('kerbs', kerbs,
+        'edges', edges, 'model', '{model}')) $$;
 COMMENT ON FUNCTION streetgen._sidewalk_kerbs(text, text) IS
     'A query of kerbs with the widths of their sidewalks, from queries of kerbs and of their edges.';
 
@@ -45,25 +37,9 @@ COMMENT ON FUNCTION streetgen._sidewalk_rows() IS 'The query of the rows of side
 -- Along kerbs without a width of their own a width leads from one to the other, however many there are. What is found
 -- goes on as an array: no row count that the planner guesses grows from look to look.
 CREATE OR REPLACE FUNCTION streetgen._kerbs_near(name text, places text, known text) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format($part$
-%1$s AS MATERIALIZED (
-    WITH RECURSIVE known AS MATERIALIZED (SELECT %3$s AS kerbs),
-    reached AS (
-        SELECT k.kerb_id, k.leads FROM (%2$s) p, sidewalk_reach r, LATERAL (
-            SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
-            WHERE k.geom && ST_Expand(p.geom, r.metres) AND ST_DWithin(k.geom, p.geom, r.metres) OFFSET 0) k
-        WHERE k.kerb_id NOT IN (SELECT unnest(kerbs) FROM known)
-        UNION SELECT k.kerb_id, k.leads FROM reached n, LATERAL (
-            SELECT geom FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) p, LATERAL (
-            SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
-            WHERE k.geom && ST_Expand(p.geom, 2e-6) AND ST_DWithin(k.geom, p.geom, 2e-6) OFFSET 0) k
-        WHERE n.leads AND k.kerb_id NOT IN (SELECT unnest(kerbs) FROM known))
-    SELECT r.kerbs, known.kerbs || r.kerbs AS known
-    FROM known, (SELECT ARRAY(SELECT kerb_id FROM reached) AS kerbs) r),
-%1$s_row AS MATERIALIZED (
-    SELECT k.* FROM %1$s n, unnest(n.kerbs) u(kerb_id), LATERAL (
-        SELECT * FROM {model}.kerb k WHERE k.kerb_id = u.kerb_id OFFSET 0) k)$part$, name, places, known) $$;
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part('kerbs_near'), jsonb_build_object('name', name,
+        'places', places, 'known', known, 'model', '{model}')) $$;
 COMMENT ON FUNCTION streetgen._kerbs_near(text, text, text) IS
     'A query of the kerbs of a model before a run that lie as near to places (a query of geom) as two sidewalks reach, '
     'and of those that these lead on to, but for those known before (an array): kerbs, and known with them. Their '

@@ -57,9 +57,10 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_edit_view()
             'decided by hand; false takes it back',
             'its ground'],
         $sql$SELECT s.sidewalk_id, s.edge_id, s.side, s.width,
-            EXISTS (SELECT FROM %1$I.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
+            EXISTS (SELECT FROM {model}.sidewalk_override o WHERE (o.axis_id, o.side) = (e.axis_id, s.side)
                 AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) AS by_hand, s.surface AS geom
-        FROM %1$I.sidewalk s JOIN %1$I.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$, 'sidewalk') $$;
+        FROM {model}.sidewalk s JOIN {model}.edge e USING (edge_id) WHERE s.side IN ('left', 'right')$sql$,
+        'sidewalk') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_edit_view() IS 'The views in which sidewalks are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_decision()

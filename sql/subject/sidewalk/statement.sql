@@ -48,3 +48,33 @@ standing_kerb AS MATERIALIZED (
     UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, false
     FROM (TABLE beside_kerb_row UNION ALL TABLE outer_kerb_row) k),
 sidewalk_kerb AS MATERIALIZED (
+
+--{sidewalk_kerbs
+SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_id, k.node_id, k.side, k.part,
+    k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
+    k.side IN ('start', 'end') AS across, o.width IS NOT NULL AS by_hand,
+    CASE k.side WHEN 'left' THEN coalesce(o.width, e.sidewalk_left)
+        WHEN 'right' THEN coalesce(o.width, e.sidewalk_right) END AS width
+FROM ({kerbs}) k JOIN ({edges}) e USING (edge_id) LEFT JOIN LATERAL (
+    SELECT width FROM {model}.sidewalk_override o WHERE o.axis_id = e.axis_id AND o.side = k.side
+        AND k.node_id IS NULL AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
+    ORDER BY sidewalk_override_id DESC LIMIT 1) o ON true
+
+--{kerbs_near
+{name} AS MATERIALIZED (
+    WITH RECURSIVE known AS MATERIALIZED (SELECT {known} AS kerbs),
+    reached AS (
+        SELECT k.kerb_id, k.leads FROM ({places}) p, sidewalk_reach r, LATERAL (
+            SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
+            WHERE k.geom && ST_Expand(p.geom, r.metres) AND ST_DWithin(k.geom, p.geom, r.metres) OFFSET 0) k
+        WHERE k.kerb_id NOT IN (SELECT unnest(kerbs) FROM known)
+        UNION SELECT k.kerb_id, k.leads FROM reached n, LATERAL (
+            SELECT geom FROM {model}.kerb k WHERE k.kerb_id = n.kerb_id OFFSET 0) p, LATERAL (
+            SELECT kerb_id, side NOT IN ('left', 'right') AS leads FROM {model}.kerb k
+            WHERE k.geom && ST_Expand(p.geom, 2e-6) AND ST_DWithin(k.geom, p.geom, 2e-6) OFFSET 0) k
+        WHERE n.leads AND k.kerb_id NOT IN (SELECT unnest(kerbs) FROM known))
+    SELECT r.kerbs, known.kerbs || r.kerbs AS known
+    FROM known, (SELECT ARRAY(SELECT kerb_id FROM reached) AS kerbs) r),
+{name}_row AS MATERIALIZED (
+    SELECT k.* FROM {name} n, unnest(n.kerbs) u(kerb_id), LATERAL (
+        SELECT * FROM {model}.kerb k WHERE k.kerb_id = u.kerb_id OFFSET 0) k)

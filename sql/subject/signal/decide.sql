@@ -188,9 +188,9 @@ CREATE OR REPLACE FUNCTION streetgen._signal_edit_view()
             'seconds after which a cycle begins; NULL takes it back', 'seconds of each state; NULL takes them back',
             'decided by hand; false takes it back', 'the junction'],
         $sql$SELECT c.controller_id, c.program, c.cycle, c.start_offset,
-            ARRAY(SELECT s.duration FROM %1$I.signal_state s WHERE s.controller_id = c.controller_id
+            ARRAY(SELECT s.duration FROM {model}.signal_state s WHERE s.controller_id = c.controller_id
                 ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
-        FROM %1$I.controller c$sql$, 'signal') $$;
+        FROM {model}.controller c$sql$, 'signal') $$;
 COMMENT ON FUNCTION streetgen._signal_edit_view() IS 'The views in which signals are edited.';
 
 CREATE OR REPLACE FUNCTION streetgen._signal_decision()

@@ -255,7 +255,7 @@ COMMENT ON FUNCTION streetgen._fill_width() IS
 
 CREATE OR REPLACE FUNCTION streetgen._surface_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
     AS $$ VALUES
     ('section_limit_editing',
         'Edit layer: drag the place where an intersection ends along the axis, or type it; DELETE takes back what '
@@ -263,37 +263,21 @@ CREATE OR REPLACE FUNCTION streetgen._surface_edit_view()
         ARRAY['key', 'the edge', 'start or end of the edge', 'metres along the edge; NULL takes it back',
             'decided by hand; false takes it back', 'the place on the edge'],
         $sql$SELECT l.section_limit_id, l.edge_id, l.which, l.abscissa,
-            EXISTS (SELECT FROM %1$I.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which)
+            EXISTS (SELECT FROM {model}.section_limit_override o WHERE (o.axis_id, o.which) = (e.axis_id, l.which)
                 AND CASE o.which WHEN 'start' THEN o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
                 ELSE o.abscissa > e.start_abscissa AND o.abscissa <= e.end_abscissa END) AS by_hand, l.geom
-        FROM %1$I.section_limit l JOIN %1$I.edge e USING (edge_id)$sql$, 'surface'),
+        FROM {model}.section_limit l JOIN {model}.edge e USING (edge_id)$sql$, 'surface'),
     ('corner_editing', 'Edit layer: drag the centre of a corner''s arc or type its radius; DELETE takes back what '
         'was decided by hand',
         ARRAY['key', 'the node', 'radius of the kerb, metres, 0: no arc; NULL takes it back',
             'decided by hand; false takes it back',
             'centre of the arc; where there is none, the place on the kerb where the corner begins'],
-        $sql$SELECT c.corner_id, c.node_id, c.radius,
-            EXISTS (SELECT FROM %1$I.corner_override o WHERE (o.axis_a, o.axis_b) = (a.axis_id, b.axis_id)
-                AND ST_DWithin(o.geom, n.geom, 3 * (SELECT value::float8 FROM %1$I.setting WHERE name = 'tolerance'))
-                AND (streetgen._on_side(o.geom, n.geom, of_a, of_b) OR NOT EXISTS (SELECT FROM %1$I.corner t
-                    JOIN %1$I.edge u ON u.edge_id = t.edge_a JOIN %1$I.edge v ON v.edge_id = t.edge_b
-                    WHERE t.node_id = c.node_id AND t.corner_id <> c.corner_id
-                        AND (u.axis_id, v.axis_id) = (a.axis_id, b.axis_id)))) AS by_hand,
-            c.geom
-        FROM (SELECT *, centre AS geom FROM %1$I.corner WHERE centre IS NOT NULL
-              UNION ALL SELECT k.*, CASE l.which WHEN 'start' THEN ST_StartPoint(l.border_line)
-                  ELSE ST_EndPoint(l.border_line) END::geometry(Point, %2$s)
-              FROM %1$I.corner k JOIN %1$I.section_limit l ON (l.edge_id, l.which) = (k.edge_a, k.end_a)
-                  WHERE k.centre IS NULL) c
-        JOIN %1$I.node n USING (node_id) JOIN %1$I.edge a ON a.edge_id = c.edge_a
-            JOIN %1$I.edge b ON b.edge_id = c.edge_b
-        CROSS JOIN LATERAL (SELECT streetgen._direction_from(a.geom, c.end_a) AS of_a,
-            streetgen._direction_from(b.geom, c.end_b) AS of_b) d$sql$, 'surface'),
+        streetgen._part('corner_editing'), 'surface'),
     ('kerb_point_editing', 'Edit layer: drop a point on a kerb, and the width of the nearest axis follows; DELETE '
         'takes it back',
         ARRAY['key; NULL for a new point', 'the axis; NULL: the nearest',
             'width of the axis that the point means, metres', 'the place on the kerb'],
-        $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM %1$I.kerb_point_override$sql$,
+        $sql$SELECT kerb_point_override_id AS kerb_point_id, axis_id, width, geom FROM {model}.kerb_point_override$sql$,
             'surface') $$;
 COMMENT ON FUNCTION streetgen._surface_edit_view() IS 'The views in which the roadway is edited.';
 
