@@ -1,71 +1,95 @@
 -- Axes of which it was not kept what their source said: those of older builds, and those that somebody put there.
 
-CREATE OR REPLACE FUNCTION streetgen._source_hash(alias text, relation text) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+CREATE OR REPLACE FUNCTION streetgen._source_hash(width float8, width_end float8, roadway_offset float8,
+    lane_count integer, direction text, speed float8, importance integer, name text, level integer, kind text,
+    radius float8, lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text,
+    kind_backward text, lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
+    change_forward text, change_backward text, sidewalk_left float8, sidewalk_right float8, flow float8,
+    roundabout_tag text)
+    RETURNS bigint
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
     -- What came later is the seed of the hash, so that it stays the same where a source says nothing of it.
-    AS $$ SELECT format(
-        'hash_record_extended(ROW(%2$s, %3$s, %1$s.lane_count, coalesce(%1$s.direction, ''both''), %1$s.speed,
-            %1$s.importance, %1$s.name, coalesce(%1$s.level, 0), %4$s, %1$s.radius, %1$s.lanes_forward,
-            %1$s.lanes_backward, %1$s.kind_forward, %1$s.kind_backward, %1$s.lane_width_forward,
-            %1$s.lane_width_backward, %1$s.turn_forward, %1$s.turn_backward),
-            coalesce(%1$s.lanes_both, 0) + coalesce(hashtextextended(%1$s.roundabout_tag, 1), 0)
-            # CASE WHEN coalesce(%1$s.sidewalk_left, %1$s.sidewalk_right) IS NULL THEN 0
-                ELSE hash_record_extended(ROW(%1$s.sidewalk_left, %1$s.sidewalk_right), 0) END
-            # CASE WHEN %1$s.flow IS NULL THEN 0 ELSE hashfloat8extended(%1$s.flow, 1) END
-            # CASE WHEN coalesce(%1$s.roadway_offset, 0) = 0 THEN 0
-                ELSE hashfloat8extended(%1$s.roadway_offset, 2) END
-            # CASE WHEN coalesce(%1$s.change_forward, %1$s.change_backward) IS NULL THEN 0
-                ELSE hash_record_extended(ROW(%1$s.change_forward, %1$s.change_backward), 3) END)', alias,
-        CASE relation WHEN 'axis' THEN format('CASE WHEN %1$s.width_by_hand THEN %1$s.source_width ELSE %1$s.width END',
-            alias) ELSE alias || '.width' END,
-        CASE relation WHEN 'axis' THEN format('CASE WHEN %1$s.width_by_hand THEN %1$s.source_width_end ELSE '
-            '%1$s.width_end END', alias) ELSE alias || '.width_end' END,
-        alias || CASE relation WHEN 'axis' THEN '.kind' ELSE '.class' END) $$;
-COMMENT ON FUNCTION streetgen._source_hash(text, text) IS
-    'SQL of the hash of the values of a row of axis, or of _import: column source_hash of an axis as it was delivered.';
+    RETURN hash_record_extended(ROW(width, width_end, lane_count, coalesce(direction, 'both'), speed, importance, name,
+            coalesce(level, 0), kind, radius, lanes_forward, lanes_backward, kind_forward, kind_backward,
+            lane_width_forward, lane_width_backward, turn_forward, turn_backward),
+        coalesce(lanes_both, 0) + coalesce(hashtextextended(roundabout_tag, 1), 0)
+            # CASE WHEN coalesce(sidewalk_left, sidewalk_right) IS NULL THEN 0
+                ELSE hash_record_extended(ROW(sidewalk_left, sidewalk_right), 0) END
+            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
+            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
+            # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
+                ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END);
+COMMENT ON FUNCTION streetgen._source_hash(float8, float8, float8, integer, text, float8, integer, text, integer,
+    text, float8, integer, integer, integer, text, text, text, text, text, text, text, text, float8, float8, float8,
+    text) IS
+    'The hash of the values that a source gives an axis, in the order of streetgen._axis_input: column source_hash of '
+    'the axis as it was delivered.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_hash(a anyelement) RETURNS bigint
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._source_hash(
+        CASE WHEN a.width_by_hand THEN a.source_width ELSE a.width END,
+        CASE WHEN a.width_by_hand THEN a.source_width_end ELSE a.width_end END, a.roadway_offset, a.lane_count,
+        a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward,
+        a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward,
+        a.turn_backward, a.change_forward, a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow,
+        a.roundabout_tag) $$;
+COMMENT ON FUNCTION streetgen._axis_hash(anyelement) IS
+    'The hash of the values of a row of axis: its source_hash where nobody edited it since.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_values(a anyelement) RETURNS jsonb
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT to_jsonb((SELECT r FROM (SELECT
+        a.width, a.width_end, a.roadway_offset, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level,
+        a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.lanes_both, a.kind_forward, a.kind_backward,
+        a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward, a.change_forward,
+        a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow, a.roundabout_tag) r)) $$;
+COMMENT ON FUNCTION streetgen._axis_values(anyelement) IS
+    'What a row of axis has in the columns that a source may fill besides geom: those of streetgen._axis_input.';
 
 CREATE OR REPLACE FUNCTION streetgen._adopt_axes(model name, source text, clean boolean, among text[] DEFAULT NULL)
     RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
+    origin constant text COLLATE "default" := source;
+    wanted constant text[] COLLATE "default" := among;
     adopted bigint;
 BEGIN
-    EXECUTE format($sql$
-WITH unknown AS MATERIALIZED (
-    SELECT a.*, %2$s AS hash FROM %1$I.axis a WHERE a.source = $1 AND a.source_ref IS NOT NULL %4$s
-        AND NOT EXISTS (SELECT FROM %1$I.delivered d WHERE (d.relation, d.source, d.source_ref)
-            = ('axis', $1, a.source_ref))),
--- A piece that was cut off by hand goes with the axis that it was cut off.
-piece AS (
-    SELECT a.axis_id FROM unknown a JOIN %1$I.delivered w ON w.relation = 'axis' AND w.source = $1
-        AND w.source_geom::bytea = a.source_geom::bytea AND streetgen._is_piece(a.source_ref, w.source_ref)
-    UNION ALL SELECT a.axis_id FROM unknown a JOIN unknown w ON w.source_geom::bytea = a.source_geom::bytea
-        AND streetgen._is_piece(a.source_ref, w.source_ref)),
-whole AS (SELECT a.*, p.said, p.hash AS hash_now FROM unknown a LEFT JOIN pg_temp._import_said p USING (source_ref)
-    WHERE p.source_ref IS NOT NULL OR a.axis_id NOT IN (SELECT axis_id FROM piece)),
-setting AS (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting),
-cleaned AS (
-    SELECT unnest(ids) AS axis_id, unnest(streetgen._clean_network(lines, '{}', (v ->> 'tolerance')::float8,
-        (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8))::geometry AS cleaned
-    FROM (SELECT array_agg(axis_id) AS ids, array_agg(source_geom::bytea) AS lines FROM whole
-        WHERE GeometryType(source_geom) = 'LINESTRING' AND ST_SRID(source_geom) = ST_SRID(geom)
-            AND ST_NDims(source_geom) = ST_NDims(geom) AND $3 HAVING count(*) > 0) l, setting)
-INSERT INTO %1$I.delivered (relation, source, source_ref, row_id, said, source_geom, cleaned)
-SELECT 'axis', $1, a.source_ref, a.axis_id, jsonb_strip_nulls(CASE
-        -- Nobody edited it since, or its source says what it said, or what stands there.
-        WHEN a.hash = a.source_hash THEN %3$s || CASE WHEN a.width_by_hand THEN jsonb_build_object('width',
-            a.source_width, 'width_end', a.source_width_end) ELSE '{}' END
-        WHEN a.hash_now = a.source_hash OR jsonb_strip_nulls(%3$s || a.said) = jsonb_strip_nulls(%3$s)
-            THEN '{"level": 0, "direction": "both"}' || a.said END), a.source_geom,
-    c.cleaned
-FROM whole a LEFT JOIN cleaned c USING (axis_id) $sql$, model, streetgen._source_hash('a', 'axis'),
-        streetgen._row_json(format('%I.axis', model)::regclass, 'a',
-            array_remove(streetgen._delivered_columns('axis'), 'geom')),
-        CASE WHEN among IS NOT NULL THEN 'AND a.source_ref = ANY ($2)' END) USING source, among, clean;
+    PERFORM streetgen._use_model(model);
+    WITH unknown AS MATERIALIZED (
+        SELECT a.*, streetgen._axis_hash(a) AS hash, streetgen._axis_values(a) AS there FROM axis a
+        WHERE a.source = origin AND a.source_ref IS NOT NULL
+            AND (wanted IS NULL OR a.source_ref = ANY (wanted)) AND NOT EXISTS (SELECT FROM delivered d
+                WHERE (d.relation, d.source, d.source_ref) = ('axis', a.source, a.source_ref))),
+    -- A piece that was cut off by hand goes with the axis that it was cut off.
+    piece AS (
+        SELECT a.axis_id FROM unknown a JOIN delivered w ON w.relation = 'axis' AND w.source = origin
+            AND w.source_geom::bytea = a.source_geom::bytea AND streetgen._is_piece(a.source_ref, w.source_ref)
+        UNION ALL SELECT a.axis_id FROM unknown a JOIN unknown w ON w.source_geom::bytea = a.source_geom::bytea
+            AND streetgen._is_piece(a.source_ref, w.source_ref)),
+    whole AS (
+        SELECT a.*, p.said, p.hash AS hash_now FROM unknown a LEFT JOIN pg_temp._import_said p USING (source_ref)
+        WHERE p.source_ref IS NOT NULL OR a.axis_id NOT IN (SELECT axis_id FROM piece)),
+    cleaning AS (SELECT jsonb_object_agg(name, value) AS v FROM setting),
+    cleaned AS (
+        SELECT unnest(ids) AS axis_id, unnest(streetgen._clean_network(lines, '{}', (v ->> 'tolerance')::float8,
+            (v ->> 'clean_epsilon')::float8, (v ->> 'clean_r_min')::float8))::geometry AS cleaned
+        FROM (SELECT array_agg(axis_id) AS ids, array_agg(source_geom::bytea) AS lines FROM whole
+            WHERE GeometryType(source_geom) = 'LINESTRING' AND ST_SRID(source_geom) = ST_SRID(geom)
+                AND ST_NDims(source_geom) = ST_NDims(geom) AND clean HAVING count(*) > 0) l, cleaning)
+    INSERT INTO delivered (relation, source, source_ref, row_id, said, source_geom, cleaned)
+    SELECT 'axis', origin, a.source_ref, a.axis_id, jsonb_strip_nulls(CASE
+            -- Nobody edited it since, or its source says what it said, or what stands there.
+            WHEN a.hash = a.source_hash THEN a.there || CASE WHEN a.width_by_hand THEN jsonb_build_object('width',
+                a.source_width, 'width_end', a.source_width_end) ELSE '{}' END
+            WHEN a.hash_now = a.source_hash OR jsonb_strip_nulls(a.there || a.said) = jsonb_strip_nulls(a.there)
+                THEN '{"level": 0, "direction": "both"}' || a.said END), a.source_geom, c.cleaned
+    FROM whole a LEFT JOIN cleaned c USING (axis_id);
     GET DIAGNOSTICS adopted = ROW_COUNT;
     IF adopted > 0 OR (SELECT reltuples < 0 FROM pg_class WHERE oid = format('%I.delivered', model)::regclass) THEN
-        EXECUTE format('ANALYZE %I.delivered (relation, source, source_ref)', model);
+        ANALYZE delivered (relation, source, source_ref);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._adopt_axes(name, text, boolean, text[]) IS

@@ -114,13 +114,17 @@ BEGIN
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
-SELECT i.*, CASE WHEN $1 THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS source_geom,
-    NULL::geometry AS cleaned, (d.path)[1] AS nth, %s AS hash
-FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN $2 THEN i.geom
-    ELSE streetgen._transformed('source row ' || i.label, i.geom, $2) END) d $sql$,
-        streetgen._source_hash('i', '_import')) USING flat, target_srid;
+    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
+        SELECT i.*, CASE WHEN flat THEN ST_Force2D(d.geom) ELSE ST_Force3DZ(d.geom) END AS source_geom,
+            NULL::geometry AS cleaned, (d.path)[1] AS nth,
+            streetgen._source_hash(i.width, i.width_end, i.roadway_offset, i.lane_count, i.direction, i.speed,
+                i.importance, i.name, i.level, i.class, i.radius, i.lanes_forward, i.lanes_backward,
+                i.lanes_both, i.kind_forward, i.kind_backward, i.lane_width_forward,
+                i.lane_width_backward, i.turn_forward, i.turn_backward, i.change_forward,
+                i.change_backward, i.sidewalk_left, i.sidewalk_right, i.flow,
+                i.roundabout_tag) AS hash
+        FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
+            ELSE streetgen._transformed('source row ' || i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
     RETURN QUERY SELECT 'line without length, left out', NULL::text, count(*), array_agg(p.source_ref
         ORDER BY p.source_ref) FROM pg_temp._import_part p WHERE NOT ST_Length(p.source_geom) > 0 HAVING count(*) > 0;
@@ -153,27 +157,36 @@ CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean 
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
-    columns constant text := (SELECT string_agg(name, ', ') FROM streetgen._axis_input());
+    origin constant text COLLATE "default" := source;
     number bigint;
 BEGIN
-    PERFORM streetgen._drop_unchanged(model, 'axis', source), streetgen._bring_back(model, 'axis', source),
-        streetgen._forget_gone(model, 'axis', source);
+    PERFORM streetgen._use_model(model), streetgen._drop_unchanged(model, 'axis', source),
+        streetgen._bring_back(model, 'axis', source), streetgen._forget_gone(model, 'axis', source);
     IF clean THEN
         number := streetgen._clean_parts(model, source);
     END IF;
     PERFORM streetgen._merge_delivery(model, 'axis', source);
     -- A column that a mapping does not mention is at its default.
-    EXECUTE format($sql$
-WITH written AS (
-INSERT INTO %1$I.axis (geom, %2$s, source, source_ref, source_geom, source_hash)
-SELECT coalesce(p.cleaned, p.source_geom), %3$s, $1, p.source_ref, p.source_geom, p.hash FROM pg_temp._import_part p
-WHERE NOT EXISTS (SELECT FROM %1$I.delivered d WHERE (d.relation, d.source, d.source_ref) = ('axis', $1, p.source_ref))
-ORDER BY p.source_ref RETURNING axis_id, source_ref)
-INSERT INTO %1$I.delivered (relation, source, source_ref, row_id, said, source_geom, cleaned)
-SELECT 'axis', $1, s.source_ref, w.axis_id, jsonb_strip_nulls('{"level": 0, "direction": "both"}' || s.said),
-    s.source_geom, s.cleaned FROM written w JOIN pg_temp._import_said s USING (source_ref) $sql$, model, columns,
-        (SELECT string_agg(streetgen._taken_value(name, 'p'), ', ') FROM streetgen._axis_input())) USING source;
+    WITH written AS (
+        INSERT INTO axis (geom, width, width_end, roadway_offset, lane_count, direction, speed, importance, name, level,
+            kind, radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
+            lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, sidewalk_left,
+            sidewalk_right, flow, roundabout_tag, source, source_ref, source_geom, source_hash)
+        SELECT coalesce(p.cleaned, p.source_geom), p.width, p.width_end, p.roadway_offset, p.lane_count,
+            coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius,
+            p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward,
+            p.lane_width_backward, p.turn_forward, p.turn_backward, p.change_forward, p.change_backward,
+            p.sidewalk_left, p.sidewalk_right, p.flow, p.roundabout_tag, origin, p.source_ref,
+            p.source_geom, p.hash
+        FROM pg_temp._import_part p WHERE NOT EXISTS (SELECT FROM delivered d
+            WHERE (d.relation, d.source, d.source_ref) = ('axis', origin, p.source_ref))
+        ORDER BY p.source_ref RETURNING axis_id, source_ref)
+    INSERT INTO delivered (relation, source, source_ref, row_id, said, source_geom, cleaned)
+        SELECT 'axis', origin, s.source_ref, w.axis_id,
+            jsonb_strip_nulls('{"level": 0, "direction": "both"}' || s.said), s.source_geom, s.cleaned
+        FROM written w JOIN pg_temp._import_said s USING (source_ref);
     RETURN QUERY SELECT 'new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part;
     RETURN QUERY SELECT 'cleaned, original in source_geom', NULL::text, number, NULL::text[] WHERE number > 0;
 END $$;

@@ -11,29 +11,30 @@ COMMENT ON FUNCTION streetgen._clean_network(bytea[], bytea[], float8, float8, f
 CREATE OR REPLACE FUNCTION streetgen._clean_parts(model name, source text) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
+    origin constant text COLLATE "default" := source;
     cleaned bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- A line that its source drew as before stays as it is.
-    EXECUTE format($sql$
-WITH setting AS MATERIALIZED (
-    SELECT (v ->> 'tolerance')::float8 AS tolerance, (v ->> 'clean_epsilon')::float8 AS epsilon,
-        (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM %1$I.setting) s),
-drawn AS MATERIALIZED (
-    SELECT p.ctid AS id, p.source_ref, p.source_geom FROM pg_temp._import_part p LEFT JOIN %1$I.delivered d
-        ON (d.relation, d.source, d.source_ref) = ('axis', $1, p.source_ref)
-    WHERE d.source_geom::bytea IS DISTINCT FROM p.source_geom::bytea),
-neighbour AS (
-    SELECT DISTINCT ON (a.axis_id) a.geom FROM drawn p CROSS JOIN LATERAL (
-        SELECT * FROM %1$I.axis WHERE geom && ST_Expand(p.source_geom, (SELECT tolerance FROM setting)) OFFSET 0) a
-    WHERE NOT EXISTS (SELECT FROM drawn r WHERE a.source = $1 AND r.source_ref = a.source_ref)),
-part AS (SELECT array_agg(id) AS ids, array_agg(source_geom::bytea) AS lines FROM drawn)
-UPDATE pg_temp._import_part p SET cleaned = c.geom::geometry
-FROM (SELECT unnest(ids) AS id,
-    unnest(streetgen._clean_network(lines, coalesce((SELECT array_agg(geom::bytea) FROM neighbour), '{}'), tolerance,
-    epsilon, r_min)) AS geom FROM part, setting) c
-WHERE p.ctid = c.id AND c.geom IS NOT NULL
-$sql$, model) USING source;
+    WITH filter AS MATERIALIZED (
+        SELECT (v ->> 'tolerance')::float8 AS tolerance, (v ->> 'clean_epsilon')::float8 AS epsilon,
+            (v ->> 'clean_r_min')::float8 AS r_min FROM (SELECT jsonb_object_agg(name, value) AS v FROM setting) s),
+    drawn AS MATERIALIZED (
+        SELECT p.ctid AS id, p.source_ref, p.source_geom FROM pg_temp._import_part p LEFT JOIN delivered d
+            ON (d.relation, d.source, d.source_ref) = ('axis', origin, p.source_ref)
+        WHERE d.source_geom::bytea IS DISTINCT FROM p.source_geom::bytea),
+    neighbour AS (
+        SELECT DISTINCT ON (a.axis_id) a.geom FROM drawn p CROSS JOIN LATERAL (
+            SELECT * FROM axis WHERE geom && ST_Expand(p.source_geom, (SELECT tolerance FROM filter)) OFFSET 0) a
+        WHERE NOT EXISTS (SELECT FROM drawn r WHERE a.source = origin AND r.source_ref = a.source_ref)),
+    part AS (SELECT array_agg(id) AS ids, array_agg(source_geom::bytea) AS lines FROM drawn)
+    UPDATE pg_temp._import_part p SET cleaned = c.geom::geometry
+    FROM (SELECT unnest(ids) AS id, unnest(streetgen._clean_network(lines,
+            coalesce((SELECT array_agg(geom::bytea) FROM neighbour), '{}'), tolerance, epsilon, r_min)) AS geom
+        FROM part, filter) c
+    WHERE p.ctid = c.id AND c.geom IS NOT NULL;
     GET DIAGNOSTICS cleaned = ROW_COUNT;
     RETURN cleaned;
 END $$;
@@ -85,24 +86,25 @@ CREATE OR REPLACE FUNCTION streetgen._suspects(model name)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     SET jit = off SET enable_nestloop = off
     AS $$
+#variable_conflict use_column
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH doubled AS (
-    SELECT unnest(ids) AS axis_id,
-        unnest(streetgen._doubled(lines, levels, (SELECT value::float8 FROM %1$I.setting
-        WHERE name = 'clean_epsilon'))) AS metres
-    FROM (SELECT array_agg(axis_id) AS ids, array_agg(geom::bytea) AS lines, array_agg(level) AS levels
-        FROM %1$I.axis) a)
-SELECT attribute || ' not believed', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
-    FROM streetgen._unbelieved(%1$L) GROUP BY attribute
-UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text)
-    ORDER BY a.source_ref) FROM %1$I.axis a
-WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0
-UNION ALL (SELECT CASE WHEN metres > 0.99 * ST_Length(geom) THEN 'lies on another axis'
-    ELSE 'lies on another axis in part' END, NULL, count(*),
-    array_agg(coalesce(source_ref, axis_id::text) ORDER BY source_ref)
-FROM doubled JOIN %1$I.axis USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(geom)) GROUP BY 1
-    ORDER BY 1) $sql$, model);
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH doubled AS (
+        SELECT unnest(ids) AS axis_id,
+            unnest(streetgen._doubled(lines, levels, (SELECT value::float8 FROM setting
+            WHERE name = 'clean_epsilon'))) AS metres
+        FROM (SELECT array_agg(axis_id) AS ids, array_agg(geom::bytea) AS lines, array_agg(level) AS levels
+            FROM axis) a)
+    SELECT attribute || ' not believed', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
+        FROM streetgen._unbelieved(model) GROUP BY attribute
+    UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text)
+        ORDER BY a.source_ref) FROM axis a
+    WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0
+    UNION ALL (SELECT CASE WHEN metres > 0.99 * ST_Length(geom) THEN 'lies on another axis'
+        ELSE 'lies on another axis in part' END, NULL, count(*),
+        array_agg(coalesce(source_ref, axis_id::text) ORDER BY source_ref)
+    FROM doubled JOIN axis USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(geom)) GROUP BY 1
+        ORDER BY 1);
 EXCEPTION WHEN internal_error THEN
     -- PostGIS' name for a computation that was interrupted. The interrupt still waits, and is taken before RAISE: the
     -- call ends as 57014.

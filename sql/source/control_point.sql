@@ -40,9 +40,11 @@ CREATE OR REPLACE FUNCTION streetgen._import_control_points(model name, source t
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := source;
 BEGIN
-    EXECUTE format('CREATE TEMPORARY TABLE _import_control_point ON COMMIT DROP AS SELECT *, coalesce(source_ref, '
-        '''number '' || row_number() OVER ()) AS label FROM (%s) q', query);
+    PERFORM streetgen._use_model(model), streetgen._take_points('_import_control_point', query);
     PERFORM streetgen._check_control_points();
     RETURN QUERY SELECT 'control point without geometry, left out', c.kind, count(*), array_agg(c.label)
         FROM pg_temp._import_control_point c WHERE c.geom IS NULL OR ST_IsEmpty(c.geom) GROUP BY c.kind;
@@ -61,11 +63,10 @@ BEGIN
         FROM pg_temp._import_control_point c ORDER BY c.source_ref, c.label;
     RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'control_point', source);
     -- Of what did not change the axis may be another one.
-    EXECUTE format($sql$
-UPDATE %1$I.control_point p SET axis_id = c.axis_id FROM pg_temp._import_control_point c
-WHERE p.source = $1 AND p.source_ref = c.source_ref AND p.geom::bytea = c.geom::bytea
-    AND p.axis_id IS DISTINCT FROM c.axis_id
-    AND NOT EXISTS (SELECT FROM %1$I.axis a WHERE a.axis_id = p.axis_id) $sql$, model) USING source;
+    UPDATE control_point p SET axis_id = c.axis_id FROM pg_temp._import_control_point c
+        WHERE p.source = origin AND p.source_ref = c.source_ref
+            AND p.geom::bytea = c.geom::bytea AND p.axis_id IS DISTINCT FROM c.axis_id
+            AND NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = p.axis_id);
     RETURN QUERY SELECT 'control points', c.kind, count(*), NULL::text[] FROM pg_temp._import_control_point c
         GROUP BY c.kind ORDER BY c.kind;
     DROP TABLE pg_temp._import_control_point;
@@ -95,6 +96,19 @@ COMMENT ON FUNCTION streetgen.import_control_points(name, regclass, jsonb) IS
     'source. Reports counts by kind, and points off all axes, which are kept and change nothing. A missing column: '
     '42703; a bad row or mapping: 22023; then the model stays as it was. Needs the rights of the owner (42501).';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_control(class text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE class WHEN 'traffic_signals' THEN 'signals' WHEN 'stop' THEN 'stop' WHEN 'give_way' THEN 'yield'
+        WHEN 'mini_roundabout' THEN 'mini_roundabout' WHEN 'crossing' THEN 'pedestrian_crossing' END;
+COMMENT ON FUNCTION streetgen._osm_control(text) IS
+    'The kind of control point that an OSM node of a class is; NULL where it is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_direction(direction text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE direction WHEN 'forward' THEN 'direct' WHEN 'backward' THEN 'reverse' WHEN 'both' THEN 'both' END;
+COMMENT ON FUNCTION streetgen._osm_direction(text) IS
+    'The way along the axis that an OSM direction of a node speaks of; NULL: unknown.';
+
 CREATE OR REPLACE FUNCTION streetgen._import_osm_controls(model name, control regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -104,13 +118,10 @@ BEGIN
         RETURN QUERY SELECT 'no table of control points, those of the model stay', NULL::text, 0::bigint, NULL::text[];
         RETURN;
     END IF;
-    RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format($sql$
-SELECT geom, CASE class WHEN 'traffic_signals' THEN 'signals' WHEN 'stop' THEN 'stop' WHEN 'give_way' THEN 'yield'
-           WHEN 'mini_roundabout' THEN 'mini_roundabout' ELSE 'pedestrian_crossing' END AS kind,
-       CASE coalesce(traffic_signals_direction, direction) WHEN 'forward' THEN 'direct' WHEN 'backward' THEN 'reverse'
-           WHEN 'both' THEN 'both' END AS direction, node_id::text AS source_ref
-FROM %s WHERE class IN ('traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing')$sql$, control),
-        only_on_axes => true);
+    RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format('SELECT geom, kind, '
+        'streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
+        'node_id::text AS source_ref FROM (SELECT *, streetgen._osm_control(class) AS kind FROM %s) c '
+        'WHERE kind IS NOT NULL', control), only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes; importing again follows the '

@@ -53,44 +53,65 @@ CREATE OR REPLACE FUNCTION streetgen._make_source_functions(model name) RETURNS 
     AS $$
 DECLARE
     relation name;
-    settler name;
 BEGIN
+    PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _settle_conflicts() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    #variable_conflict use_column
+    DECLARE
+        gone bigint[];
+        said jsonb;
+    BEGIN
+        IF TG_OP = 'TRUNCATE' THEN
+            DELETE FROM open_conflict WHERE relation = TG_TABLE_NAME;
+            DELETE FROM delivered WHERE relation = TG_TABLE_NAME;
+            RETURN NULL;
+        ELSIF NOT EXISTS (SELECT FROM open_conflict) THEN
+            RETURN NULL;
+        ELSIF TG_OP = 'DELETE' THEN
+            IF TG_TABLE_NAME = 'axis' THEN
+                gone := ARRAY(SELECT axis_id FROM before);
+            ELSIF TG_TABLE_NAME = 'control_point' THEN
+                gone := ARRAY(SELECT control_point_id FROM before);
+            ELSIF TG_TABLE_NAME = 'turn_restriction' THEN
+                gone := ARRAY(SELECT turn_restriction_id FROM before);
+            ELSE
+                gone := ARRAY(SELECT street_object_id FROM before);
+            END IF;
+            DELETE FROM open_conflict WHERE relation = TG_TABLE_NAME AND row_id = ANY (gone);
+            RETURN NULL;
+        ELSIF TG_TABLE_NAME = 'axis' THEN
+            said := (SELECT jsonb_object_agg(axis_id, streetgen._axis_values(a)
+                || jsonb_build_object('geom', a.geom::text)) FROM axis a
+                WHERE axis_id IN (SELECT axis_id FROM after)
+                    AND axis_id IN (SELECT row_id FROM open_conflict WHERE relation = 'axis'));
+        ELSIF TG_TABLE_NAME = 'control_point' THEN
+            said := (SELECT jsonb_object_agg(control_point_id, jsonb_build_object('kind', kind, 'direction', direction,
+                'geom', geom::text)) FROM after);
+        ELSE
+            said := (SELECT jsonb_object_agg(turn_restriction_id, jsonb_build_object('from_axis', from_axis, 'to_axis',
+                to_axis, 'kind', kind, 'turn', turn, 'except_kinds', except_kinds, 'via_axes', via_axes, 'via_geom',
+                via_geom::text, 'to_geom', to_geom::text, 'geom', geom::text)) FROM after);
+        END IF;
+        WITH now AS (SELECT row_id, column_name, said -> row_id::text ->> column_name AS value FROM open_conflict
+            WHERE relation = TG_TABLE_NAME AND said ? row_id::text AND column_name <> '*'),
+        settled AS (DELETE FROM open_conflict c USING now n
+            WHERE c.relation = TG_TABLE_NAME AND (c.row_id, c.column_name) = (n.row_id, n.column_name)
+                AND n.value IS NOT DISTINCT FROM CASE c.stands WHEN 'hand' THEN c.source_new ELSE c.by_hand END)
+        UPDATE open_conflict c SET by_hand = n.value, stands = 'hand' FROM now n
+            WHERE c.relation = TG_TABLE_NAME AND (c.row_id, c.column_name) = (n.row_id, n.column_name)
+                AND n.value IS DISTINCT FROM c.by_hand AND n.value IS DISTINCT FROM c.source_new;
+        RETURN NULL;
+    END $body$;
+    PERFORM streetgen._own_function(model, '_settle_conflicts()',
+        'After an edit: conflicts with a delivery that it settles end');
     FOREACH relation IN ARRAY '{axis,control_point,turn_restriction,street_object}'::name[] LOOP
         CONTINUE WHEN to_regclass(format('%I.%I', model, relation)) IS NULL;
-        settler := '_settle_' || relation;
-        EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF TG_OP = 'TRUNCATE' THEN
-        DELETE FROM %1$I.open_conflict WHERE relation = %3$L;
-        DELETE FROM %1$I.delivered WHERE relation = %3$L;
-    ELSIF NOT EXISTS (SELECT FROM %1$I.open_conflict) THEN
-        RETURN NULL;
-    ELSIF TG_OP = 'DELETE' THEN
-        DELETE FROM %1$I.open_conflict c USING before b WHERE c.relation = %3$L AND c.row_id = b.%4$I;
-    ELSE
-        WITH now AS (SELECT c.row_id, c.column_name, %5$s ->> c.column_name AS value
-            FROM %1$I.open_conflict c JOIN after a ON c.relation = %3$L AND c.row_id = a.%4$I
-            WHERE c.column_name <> '*'),
-        settled AS (DELETE FROM %1$I.open_conflict c USING now n
-            WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name
-                AND n.value IS NOT DISTINCT FROM CASE c.stands WHEN 'hand' THEN c.source_new ELSE c.by_hand END)
-        UPDATE %1$I.open_conflict c SET by_hand = n.value, stands = 'hand' FROM now n
-            WHERE c.relation = %3$L AND c.row_id = n.row_id AND c.column_name = n.column_name
-                AND n.value IS DISTINCT FROM c.by_hand AND n.value IS DISTINCT FROM c.source_new;
-    END IF;
-    RETURN NULL;
-END $body$ $sql$, model, settler, relation, relation || '_id',
-            streetgen._row_json(format('%I.%I', model, relation)::regclass, 'a',
-                streetgen._delivered_columns(relation)));
         -- Streets that change write their objects: of these streetgen.settle_conflict alone says whose holds.
         PERFORM streetgen._make_statement_triggers(model, relation, 'settle', CASE relation WHEN 'street_object'
-            THEN '{delete,truncate}'::text[] ELSE '{update,delete,truncate}' END, settler || '()', 'before', 'after',
-            'After an edit: conflicts with a delivery that it settles end');
-        PERFORM streetgen._own_function(model, format('%I()', settler),
-            'After an edit: conflicts with a delivery that it settles end');
+            THEN '{delete,truncate}'::text[] ELSE '{update,delete,truncate}' END, '_settle_conflicts()', 'before',
+            'after', 'After an edit: conflicts with a delivery that it settles end');
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_source_functions(name) IS

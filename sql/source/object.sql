@@ -6,23 +6,19 @@ CREATE OR REPLACE FUNCTION streetgen._check_objects(model name) RETURNS void
 DECLARE
     bad record;
 BEGIN
-    EXECUTE format($sql$
-SELECT label, CASE WHEN type IS NULL THEN 'no type'
-        WHEN NOT EXISTS (SELECT FROM %1$I.object_type t WHERE t.type = o.type) THEN format('type "%%s"', type)
-        WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %%s as geom', GeometryType(geom))
-        WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %%s', ST_SRID(geom))
-        WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
-            THEN 'a coordinate that is not finite'
-        WHEN orientation IS NOT NULL AND NOT (orientation ~ '^-?\d{1,3}(\.\d+)?$'
-            AND orientation::numeric BETWEEN -360 AND 360) THEN format('orientation "%%s"', orientation) END AS has
-FROM pg_temp._import_object o WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom)$sql$, model)
-        || $sql$ AND NOT coalesce(EXISTS (SELECT FROM $sql$ || format('%I', model) || $sql$.object_type t
-            WHERE t.type = o.type) AND GeometryType(geom) IN ('POINT', 'POINTM')
-        AND ST_SRID(geom) IN (SELECT srid FROM spatial_ref_sys)
-        AND ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12
-        AND (orientation IS NULL OR orientation ~ '^-?\d{1,3}(\.\d+)?$'
-            AND orientation::numeric BETWEEN -360 AND 360), false) LIMIT 1$sql$ INTO bad;
-    IF bad.label IS NOT NULL THEN
+    PERFORM streetgen._use_model(model);
+    SELECT label, has INTO bad FROM (
+        SELECT label, CASE WHEN type IS NULL THEN 'no type'
+            WHEN NOT EXISTS (SELECT FROM object_type t WHERE t.type = o.type) THEN format('type "%s"', type)
+            WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %s as geom', GeometryType(geom))
+            WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
+            WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
+                THEN 'a coordinate that is not finite'
+            WHEN orientation IS NOT NULL AND NOT (orientation ~ '^-?\d{1,3}(\.\d+)?$'
+                AND orientation::numeric BETWEEN -360 AND 360) THEN format('orientation "%s"', orientation) END AS has
+        FROM pg_temp._import_object o WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom)) o
+        WHERE has IS NOT NULL LIMIT 1;
+    IF FOUND THEN
         RAISE EXCEPTION 'source row % has %', bad.label, bad.has USING ERRCODE = '22023',
             HINT = format('type is one of %I.object_type; geom is a point with a known SRID; orientation is in '
                 'degrees, -360 to 360.', model);
@@ -42,18 +38,18 @@ CREATE OR REPLACE FUNCTION streetgen._import_objects(model name, source text, qu
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
+#variable_conflict use_column
 DECLARE
+    origin constant text COLLATE "default" := source;
     touched bigint[];
     alike text := 'CASE WHEN lower(a.name) = lower(o.name) THEN 1 ELSE 0 END';
-    folding text;
 BEGIN
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''object_names''', model) INTO folding;
-    IF folding = 'fuzzy' THEN
+    PERFORM streetgen._use_model(model);
+    IF (SELECT value = 'fuzzy' FROM setting WHERE name = 'object_names') THEN
         alike := format('coalesce(%I.similarity(lower(a.name), lower(o.name)), 0)',
             streetgen._require_extension('pg_trgm', 'object_names'));
     END IF;
-    EXECUTE format('CREATE TEMPORARY TABLE _import_object ON COMMIT DROP AS SELECT *, coalesce(source_ref, '
-        '''number '' || row_number() OVER ()) AS label FROM (%s) q', query);
+    PERFORM streetgen._take_points('_import_object', query);
     PERFORM streetgen._check_objects(model);
     RETURN QUERY SELECT 'object without geometry, left out', o.type, count(*), array_agg(o.label)
         FROM pg_temp._import_object o WHERE o.geom IS NULL OR ST_IsEmpty(o.geom) GROUP BY o.type;
@@ -64,10 +60,9 @@ BEGIN
         source_hash = hash_record_extended(ROW(o.type, o.geom::bytea, o.orientation, o.name), 0)
         FROM streetgen.model m WHERE m.name = model;
     -- The nearest axis; one of its own name counts as half as far, and one of a name nearly alike as that much nearer.
-    EXECUTE format($sql$
-UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM %1$I.axis a WHERE ST_DWithin(a.geom, o.geom,
-        (SELECT value::float8 FROM %1$I.setting WHERE name = 'object_snap'))
-    ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %2$s), a.axis_id LIMIT 1)$sql$, model, alike);
+    EXECUTE format('UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM axis a WHERE ST_DWithin('
+        'a.geom, o.geom, (SELECT value::float8 FROM setting WHERE name = ''object_snap'')) '
+        'ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %s), a.axis_id LIMIT 1)', alike);
     RETURN QUERY SELECT 'object off all axes, kept where it lies', o.type, count(*), (array_agg(o.label ORDER BY
         o.label))[:1000] FROM pg_temp._import_object o WHERE o.axis_id IS NULL GROUP BY o.type ORDER BY o.type;
     PERFORM streetgen._place_import(model);
@@ -75,23 +70,22 @@ UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM %1$I.axis a
         NULL::geometry AS cleaned, r.type, o.orientation::float8, r.source_hash
         FROM pg_temp._import_row r JOIN pg_temp._import_object o USING (source_ref);
     RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'street_object', source);
-    EXECUTE format('INSERT INTO %1$I.street_object (%2$s, source) SELECT %2$s, $1 FROM pg_temp._import_row '
-        'WHERE source_ref IS NULL ORDER BY label', model, 'type, geom, angle, placement, axis_id, abscissa, side, '
-        'axis_offset, orientation, orientation_kind, placed_by, source_hash, method') USING source;
+    INSERT INTO street_object (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
+            orientation_kind, placed_by, source_hash, method, source)
+        SELECT type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation, orientation_kind,
+            placed_by, source_hash, method, origin
+        FROM pg_temp._import_row WHERE source_ref IS NULL ORDER BY label;
     DROP TABLE pg_temp._import_row;
-    EXECUTE format('INSERT INTO %1$I.pedestrian_crossing (street_object_id) SELECT street_object_id '
-        'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._types_below(''crossing'')) '
-        'ON CONFLICT DO NOTHING', model) USING source;
-    EXECUTE format('INSERT INTO %1$I.parking_bay (street_object_id) SELECT street_object_id '
-        'FROM %1$I.street_object WHERE source = $1 AND type = ANY (%1$I._types_below(''parking_bay'')) '
-        'ON CONFLICT DO NOTHING', model) USING source;
-    EXECUTE format('SELECT array_agg(DISTINCT axis_id) FROM %I.street_object WHERE source = $1', model) INTO touched
-        USING source;
+    INSERT INTO pedestrian_crossing (street_object_id) SELECT o.street_object_id FROM street_object o
+        WHERE o.source = origin AND o.type = ANY (_types_below('crossing')) ON CONFLICT DO NOTHING;
+    INSERT INTO parking_bay (street_object_id) SELECT o.street_object_id FROM street_object o
+        WHERE o.source = origin AND o.type = ANY (_types_below('parking_bay')) ON CONFLICT DO NOTHING;
+    SELECT array_agg(DISTINCT o.axis_id) INTO touched FROM street_object o WHERE o.source = origin;
     PERFORM streetgen._find_control_points(model, source), streetgen._update_object(model, touched);
     RETURN QUERY SELECT 'object nearer to another one than distance_least, kept', o.type, count(*),
         (array_agg(coalesce(o.source_ref, 'object ' || o.street_object_id) ORDER BY o.source_ref,
             o.street_object_id))[:1000]
-        FROM streetgen._crowding_objects(model) o WHERE o.source = _import_objects.source GROUP BY o.type
+        FROM streetgen._crowding_objects(model) o WHERE o.source = origin GROUP BY o.type
         ORDER BY o.type;
     RETURN QUERY SELECT 'objects', o.type, count(*), NULL::text[] FROM pg_temp._import_object o GROUP BY o.type
         ORDER BY o.type;

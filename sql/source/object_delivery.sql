@@ -3,31 +3,32 @@
 CREATE OR REPLACE FUNCTION streetgen._place_import(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 BEGIN
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _import_row ON COMMIT DROP AS
-WITH placed AS (
-    SELECT o.*, a.line, a.width, a.width_end, a.roadway_offset, b.borders, p.abscissa, p.side AS at_side,
-        p.axis_offset AS axis_aside, p.border_offset
-    FROM pg_temp._import_object o LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
-            roadway_offset FROM %1$I.axis_used OFFSET 0) a USING (axis_id)
-        LEFT JOIN streetgen._axis_borders(%1$L, NULL) b USING (axis_id)
-        LEFT JOIN LATERAL streetgen._located(a.line, a.width, a.width_end, a.roadway_offset, b.borders, o.geom) p
-            ON axis_id IS NOT NULL),
-stood AS (
-    SELECT p.*, CASE WHEN axis_id IS NULL THEN 'absolute' WHEN border_offset > 0 THEN 'border' ELSE 'axis' END
-            AS placement,
-        CASE WHEN border_offset > 0 THEN at_side END AS side,
-        CASE WHEN border_offset > 0 THEN border_offset ELSE axis_aside END AS axis_offset,
-        CASE WHEN orientation IS NULL AND axis_id IS NOT NULL THEN 'axis' ELSE 'absolute' END AS orientation_kind
-    FROM placed p)
-SELECT type, CASE WHEN axis_id IS NULL THEN geom ELSE streetgen._object_geometry(line, width, width_end, roadway_offset,
-        borders, abscissa, NULL, side, axis_offset) END AS geom,
-    streetgen._object_angle(line, abscissa, NULL, coalesce(orientation::float8, 0), orientation_kind) AS angle,
-    placement, axis_id, abscissa, side, axis_offset, coalesce(orientation::float8, 0) AS orientation, orientation_kind,
-    'import'::text AS placed_by, source_ref, label, source_hash,
-    CASE WHEN axis_id IS NULL THEN 'absolute' ELSE 'relative' END AS method
-FROM stood $sql$, model);
+    PERFORM streetgen._use_model(model);
+    CREATE TEMPORARY TABLE _import_row ON COMMIT DROP AS
+    WITH placed AS (
+        SELECT o.*, a.line, a.width, a.width_end, a.roadway_offset, b.borders, p.abscissa, p.side AS at_side,
+            p.axis_offset AS axis_aside, p.border_offset
+        FROM pg_temp._import_object o LEFT JOIN (SELECT axis_id, ST_Force2D(geom) AS line, width, width_end,
+                roadway_offset FROM axis_used OFFSET 0) a USING (axis_id)
+            LEFT JOIN streetgen._axis_borders(model, NULL) b USING (axis_id)
+            LEFT JOIN LATERAL streetgen._located(a.line, a.width, a.width_end, a.roadway_offset, b.borders, o.geom) p
+                ON axis_id IS NOT NULL),
+    stood AS (
+        SELECT p.*, CASE WHEN axis_id IS NULL THEN 'absolute' WHEN border_offset > 0 THEN 'border' ELSE 'axis' END
+                AS placement,
+            CASE WHEN border_offset > 0 THEN at_side END AS side,
+            CASE WHEN border_offset > 0 THEN border_offset ELSE axis_aside END AS axis_offset,
+            CASE WHEN orientation IS NULL AND axis_id IS NOT NULL THEN 'axis' ELSE 'absolute' END AS orientation_kind
+        FROM placed p)
+    SELECT type, CASE WHEN axis_id IS NULL THEN geom ELSE streetgen._object_geometry(line, width, width_end,
+            roadway_offset, borders, abscissa, NULL, side, axis_offset) END AS geom,
+        streetgen._object_angle(line, abscissa, NULL, coalesce(orientation::float8, 0), orientation_kind) AS angle,
+        placement, axis_id, abscissa, side, axis_offset, coalesce(orientation::float8, 0) AS orientation,
+        orientation_kind, 'import'::text AS placed_by, source_ref, label, source_hash,
+        CASE WHEN axis_id IS NULL THEN 'absolute' ELSE 'relative' END AS method
+    FROM stood;
 END $$;
 COMMENT ON FUNCTION streetgen._place_import(name) IS
     'Makes the rows of street_object that the objects of the import become at the axes that were found for them.';
@@ -35,16 +36,20 @@ COMMENT ON FUNCTION streetgen._place_import(name) IS
 CREATE OR REPLACE FUNCTION streetgen._adopt_objects(model name, source text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := source;
 BEGIN
-    EXECUTE format($sql$
-UPDATE %1$I.street_object o SET by_hand = CASE WHEN r.source_hash IS DISTINCT FROM o.source_hash
-        THEN '{type,orientation,geom}'::text[] ELSE array_remove(ARRAY[CASE WHEN o.type <> r.type THEN 'type' END,
-            CASE WHEN (o.orientation, o.orientation_kind) <> (r.orientation, r.orientation_kind) THEN 'orientation' END,
-            CASE WHEN NOT ST_DWithin(o.geom, r.geom, 0.01) THEN 'geom' END], NULL) END
-FROM %1$I.street_object s LEFT JOIN pg_temp._import_row r USING (source_ref)
-WHERE o.street_object_id = s.street_object_id AND s.source = $1 AND s.source_ref IS NOT NULL
-    AND NOT EXISTS (SELECT FROM %1$I.delivered d WHERE (d.relation, d.source, d.source_ref)
-        = ('street_object', $1, s.source_ref)) $sql$, model) USING source;
+    PERFORM streetgen._use_model(model);
+    UPDATE street_object o SET by_hand = CASE WHEN r.source_hash IS DISTINCT FROM o.source_hash
+            THEN '{type,orientation,geom}'::text[] ELSE array_remove(ARRAY[CASE WHEN o.type <> r.type THEN 'type' END,
+                CASE WHEN (o.orientation, o.orientation_kind) <> (r.orientation, r.orientation_kind)
+                    THEN 'orientation' END,
+                CASE WHEN NOT ST_DWithin(o.geom, r.geom, 0.01) THEN 'geom' END], NULL) END
+    FROM street_object s LEFT JOIN pg_temp._import_row r USING (source_ref)
+    WHERE o.street_object_id = s.street_object_id AND s.source = origin AND s.source_ref IS NOT NULL
+        AND NOT EXISTS (SELECT FROM delivered d WHERE (d.relation, d.source, d.source_ref)
+            = ('street_object', origin, s.source_ref));
 END $$;
 COMMENT ON FUNCTION streetgen._adopt_objects(name, text) IS
     'Finds what is by hand of objects of an older build: what differs from their source, or where that says another '
@@ -53,36 +58,40 @@ COMMENT ON FUNCTION streetgen._adopt_objects(name, text) IS
 CREATE OR REPLACE FUNCTION streetgen._write_merged_objects(model name, source text, wins text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := source;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- An object that is not by hand follows its source, also to the axis of another name.
-    EXECUTE format($sql$
-WITH taken AS (
-    SELECT id, array_agg(column_name) AS columns FROM pg_temp._import_merge
-    WHERE fate IN ('taken', 'alike') OR fate = 'in conflict' AND $2 = 'source' GROUP BY id),
-merged AS (
-    SELECT o.street_object_id, ARRAY(SELECT c FROM unnest(o.by_hand) c WHERE t.id IS NULL OR c <> ALL (t.columns))
-        AS by_hand, o AS stood, r AS said
-    FROM pg_temp._import_row r JOIN %1$I.street_object o ON o.source = $1 AND o.source_ref = r.source_ref
-        LEFT JOIN taken t ON t.id = o.street_object_id
-    WHERE t.id IS NOT NULL OR o.source_hash IS DISTINCT FROM r.source_hash),
-now AS (
-    SELECT m.street_object_id, m.by_hand, (m.said).source_hash,
-        CASE WHEN 'type' = ANY (m.by_hand) THEN (m.stood).type ELSE (m.said).type END AS type, turned.*, placed.*
-    FROM merged m CROSS JOIN LATERAL (
-        SELECT (m.stood).orientation, (m.stood).orientation_kind WHERE 'orientation' = ANY (m.by_hand)
-        UNION ALL SELECT (m.said).orientation, (m.said).orientation_kind WHERE 'orientation' <> ALL (m.by_hand)) turned
-    CROSS JOIN LATERAL (
-        SELECT (m.stood).geom, (m.stood).placement, (m.stood).axis_id, (m.stood).abscissa, (m.stood).abscissa_end,
-            (m.stood).side, (m.stood).axis_offset, (m.stood).method WHERE 'geom' = ANY (m.by_hand)
-        UNION ALL SELECT (m.said).geom, (m.said).placement, (m.said).axis_id, (m.said).abscissa, NULL,
-            (m.said).side, (m.said).axis_offset, (m.said).method WHERE 'geom' <> ALL (m.by_hand)) placed)
-UPDATE %1$I.street_object o SET (type, geom, angle, placement, axis_id, abscissa, abscissa_end, side, axis_offset,
-        orientation, orientation_kind, source_hash, method, by_hand) = (n.type, n.geom, streetgen._object_angle(
-        ST_Force2D(a.geom), n.abscissa, n.abscissa_end, n.orientation, n.orientation_kind), n.placement, n.axis_id,
-        n.abscissa, n.abscissa_end, n.side, n.axis_offset, n.orientation, n.orientation_kind, n.source_hash, n.method,
-        n.by_hand)
-FROM now n LEFT JOIN %1$I.axis a ON a.axis_id = n.axis_id WHERE o.street_object_id = n.street_object_id $sql$,
-        model) USING source, wins;
+    WITH taken AS (
+        SELECT id, array_agg(column_name) AS columns FROM pg_temp._import_merge
+        WHERE fate IN ('taken', 'alike') OR fate = 'in conflict' AND wins = 'source' GROUP BY id),
+    merged AS (
+        SELECT o.street_object_id, ARRAY(SELECT c FROM unnest(o.by_hand) c WHERE t.id IS NULL OR c <> ALL (t.columns))
+            AS by_hand, o AS stood, r AS said
+        FROM pg_temp._import_row r
+            JOIN street_object o ON o.source = origin AND o.source_ref = r.source_ref
+            LEFT JOIN taken t ON t.id = o.street_object_id
+        WHERE t.id IS NOT NULL OR o.source_hash IS DISTINCT FROM r.source_hash),
+    now AS (
+        SELECT m.street_object_id, m.by_hand, (m.said).source_hash,
+            CASE WHEN 'type' = ANY (m.by_hand) THEN (m.stood).type ELSE (m.said).type END AS type, turned.*, placed.*
+        FROM merged m CROSS JOIN LATERAL (
+            SELECT (m.stood).orientation, (m.stood).orientation_kind WHERE 'orientation' = ANY (m.by_hand)
+            UNION ALL SELECT (m.said).orientation, (m.said).orientation_kind
+            WHERE 'orientation' <> ALL (m.by_hand)) turned
+        CROSS JOIN LATERAL (
+            SELECT (m.stood).geom, (m.stood).placement, (m.stood).axis_id, (m.stood).abscissa, (m.stood).abscissa_end,
+                (m.stood).side, (m.stood).axis_offset, (m.stood).method WHERE 'geom' = ANY (m.by_hand)
+            UNION ALL SELECT (m.said).geom, (m.said).placement, (m.said).axis_id, (m.said).abscissa, NULL,
+                (m.said).side, (m.said).axis_offset, (m.said).method WHERE 'geom' <> ALL (m.by_hand)) placed)
+    UPDATE street_object o SET (type, geom, angle, placement, axis_id, abscissa, abscissa_end, side, axis_offset,
+            orientation, orientation_kind, source_hash, method, by_hand) = (n.type, n.geom, streetgen._object_angle(
+            ST_Force2D(a.geom), n.abscissa, n.abscissa_end, n.orientation, n.orientation_kind), n.placement, n.axis_id,
+            n.abscissa, n.abscissa_end, n.side, n.axis_offset, n.orientation, n.orientation_kind, n.source_hash,
+            n.method, n.by_hand)
+    FROM now n LEFT JOIN axis a ON a.axis_id = n.axis_id WHERE o.street_object_id = n.street_object_id;
 END $$;
 COMMENT ON FUNCTION streetgen._write_merged_objects(name, text, text) IS
     'Writes the objects that the source changed: what is not by hand as the source has it, of the rest what the '
@@ -95,12 +104,14 @@ CREATE OR REPLACE FUNCTION streetgen._insert_object(model name, said jsonb) RETU
 DECLARE
     row_id bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- Its view of edits finds the street at which it stands.
-    EXECUTE format('INSERT INTO %I.street_object_editing (type, geom, orientation, orientation_kind) VALUES ($1 ->> '
-        '''type'', ($1 ->> ''geom'')::geometry, ($1 ->> ''orientation'')::float8, CASE WHEN $1 ->> ''orientation'' '
-        'IS NULL THEN ''axis'' ELSE ''absolute'' END) RETURNING street_object_id', model) INTO row_id USING said;
-    EXECUTE format('UPDATE %I.street_object SET source = $2, source_ref = $3, placed_by = ''import''
-        WHERE street_object_id = $1', model) USING row_id, said ->> 'source', said ->> 'source_ref';
+    INSERT INTO street_object_editing (type, geom, orientation, orientation_kind)
+        VALUES (said ->> 'type', (said ->> 'geom')::geometry, (said ->> 'orientation')::float8,
+            CASE WHEN said ->> 'orientation' IS NULL THEN 'axis' ELSE 'absolute' END)
+        RETURNING street_object_id INTO row_id;
+    UPDATE street_object SET source = said ->> 'source', source_ref = said ->> 'source_ref', placed_by = 'import'
+        WHERE street_object_id = row_id;
     RETURN row_id;
 END $$;
 COMMENT ON FUNCTION streetgen._insert_object(name, jsonb) IS
@@ -112,32 +123,28 @@ CREATE OR REPLACE FUNCTION streetgen._settle_object(model name, object bigint, c
     AS $$
 DECLARE
     value constant text := CASE holds WHEN 'hand' THEN conflict.by_hand ELSE conflict.source_new END;
-    now_by_hand boolean;
 BEGIN
-    EXECUTE format('SELECT $2 = ANY (by_hand) FROM %I.street_object WHERE street_object_id = $1', model)
-        INTO now_by_hand USING object, column_name;
-    IF holds = 'hand' AND now_by_hand THEN
+    PERFORM streetgen._use_model(model);
+    IF holds = 'hand' AND (SELECT column_name = ANY (by_hand) FROM street_object WHERE street_object_id = object) THEN
         -- The object stands, or was edited once more since.
         RETURN;
     ELSIF column_name = 'type' THEN
-        EXECUTE format('UPDATE %I.street_object SET type = $2 WHERE street_object_id = $1', model) USING object, value;
+        UPDATE street_object SET type = value WHERE street_object_id = object;
     ELSIF column_name = 'orientation' THEN
-        EXECUTE format('UPDATE %I.street_object SET orientation = coalesce(split_part($2, '' '', 1)::float8, 0),
-            orientation_kind = CASE WHEN $2 IS NULL OR $2 LIKE ''%% axis'' THEN ''axis'' ELSE ''absolute'' END
-            WHERE street_object_id = $1', model) USING object, value;
+        UPDATE street_object SET orientation = coalesce(split_part(value, ' ', 1)::float8, 0),
+            orientation_kind = CASE WHEN value IS NULL OR value LIKE '% axis' THEN 'axis' ELSE 'absolute' END
+            WHERE street_object_id = object;
     ELSIF ST_Dimension(value::geometry) > 0 THEN
         RAISE EXCEPTION 'object % was a stretch by hand', object USING ERRCODE = '22023',
             HINT = 'Give it abscissa and abscissa_end again, or let hold what the source says.';
     ELSE
         -- The view of edits puts it at the nearest axis; it shows no stretches.
-        EXECUTE format('UPDATE %I.street_object SET abscissa_end = NULL, geom = ST_StartPoint(geom)
-            WHERE street_object_id = $1 AND abscissa_end IS NOT NULL', model) USING object;
-        EXECUTE format('UPDATE %I.street_object_editing SET geom = $2::geometry WHERE street_object_id = $1', model)
-            USING object, value;
+        UPDATE street_object SET abscissa_end = NULL, geom = ST_StartPoint(geom)
+            WHERE street_object_id = object AND abscissa_end IS NOT NULL;
+        UPDATE street_object_editing SET geom = value::geometry WHERE street_object_id = object;
     END IF;
-    EXECUTE format('UPDATE %I.street_object SET by_hand = CASE $3 WHEN ''hand'' THEN array_append(array_remove(by_hand,
-        $2), $2) ELSE array_remove(by_hand, $2) END WHERE street_object_id = $1', model)
-        USING object, column_name, holds;
+    UPDATE street_object SET by_hand = array_remove(by_hand, column_name)
+        || CASE holds WHEN 'hand' THEN ARRAY[column_name] END WHERE street_object_id = object;
 END $$;
 COMMENT ON FUNCTION streetgen._settle_object(name, bigint, text, text, record) IS
     'Ends a conflict about a column of an object: it gets the value of the source, and is by hand no more, or that by '

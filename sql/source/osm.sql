@@ -98,36 +98,45 @@ COMMENT ON FUNCTION streetgen._osm_table(text, text, name[]) IS
     'The table PREFIX followed by the suffix, in the first of the schemas that has it or in the schema that the '
     'prefix names; NULL where there is none.';
 
-CREATE OR REPLACE FUNCTION streetgen._osm_query(source regclass, driving_side text, lane_width float8)
-    RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._take_osm_lines(source regclass) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    named constant text[] := ARRAY['lanes_both_ways', 'lanes_reversible', 'turn_lanes', 'turn_lanes_forward',
-        'turn_lanes_backward',
-        'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward',
-            'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward',
-        'lanes_bus', 'lanes_psv', 'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right',
-            'busway_both', 'cycleway', 'cycleway_left', 'cycleway_right', 'cycleway_both',
-        'cycleway_left_oneway', 'cycleway_right_oneway', 'parking_left', 'parking_right', 'parking_both',
-            'parking_lane_left', 'parking_lane_right', 'parking_lane_both', 'sidewalk', 'sidewalk_left',
-        'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width', 'sidewalk_right_width', 'sidewalk_both_width',
-        'placement', 'placement_forward', 'placement_backward',
-        'change_lanes', 'change_lanes_forward', 'change_lanes_backward'];
+    certain constant text := 'class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, '
+        'tunnel, maxspeed';
     -- Tables written by an older flex file lack some.
-    tags constant text := (
-        SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
-            FROM unnest(named) tag
-        LEFT JOIN pg_attribute ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
+    possible constant text[] :=
+        ARRAY['lanes_both_ways', 'lanes_reversible', 'turn_lanes', 'turn_lanes_forward', 'turn_lanes_backward',
+        'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward',
+        'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward', 'lanes_bus', 'lanes_psv',
+        'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right', 'busway_both', 'cycleway',
+        'cycleway_left', 'cycleway_right', 'cycleway_both', 'cycleway_left_oneway', 'cycleway_right_oneway',
+        'parking_left', 'parking_right', 'parking_both', 'parking_lane_left', 'parking_lane_right',
+        'parking_lane_both', 'sidewalk', 'sidewalk_left', 'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width',
+        'sidewalk_right_width', 'sidewalk_both_width', 'placement', 'placement_forward', 'placement_backward',
+        'change_lanes', 'change_lanes_forward', 'change_lanes_backward'];
+    there constant text := (SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
+        FROM unnest(possible) tag LEFT JOIN pg_attribute
+            ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
 BEGIN
-    RETURN format($sql$
+    EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS
+        SELECT *, ROW(%1$s, %2$s)::text COLLATE "C" AS wording
+        FROM (SELECT geom, way_id, name::text, %3$s, %4$s FROM %5$s) l',
+        certain, array_to_string(possible, ', '), replace(certain, 'class', 'class::text'), there, source);
+END $$;
+COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
+    'Copies the lines of an OSM table to where import_osm reads them, each with the wording of all of its tags.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_rows(driving_side text, lane_width float8)
+    RETURNS TABLE(geom geometry, name text, source_ref text, label text, width float8, roadway_offset float8,
+        lane_count integer, direction text, roundabout_tag text, speed float8, level integer, class text,
+        lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
+        lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
+        change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text)
+    LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
 -- A city's ways have few wordings of tags, and each is read once.
-WITH line AS MATERIALIZED (
-    SELECT *, ROW(class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, tunnel,
-        maxspeed, %5$s)::text COLLATE "C" AS wording
-    FROM (SELECT geom, way_id, name::text, class::text, lanes, lanes_forward, lanes_backward, width, oneway, junction,
-        layer, bridge, tunnel, maxspeed, %2$s FROM %1$s) l),
-meaning AS MATERIALIZED (
+WITH meaning AS MATERIALIZED (
 SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
     coalesce(offset_forward, -offset_backward) AS roadway_offset,
     coalesce(lanes_total, lanes_sum) AS lane_count,
@@ -140,13 +149,13 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
        class, stated_forward AS lanes_forward, stated_backward AS lanes_backward,
            nullif(centre, 0) AS lanes_both,
        streetgen.lane_kinds(coalesce(stated_forward, usual_forward), buses_forward, bus_forward
-           OR streetgen._osm_beside('near', 'direct', direction, bus_near, bus_far), '%3$s',
+           OR streetgen._osm_beside('near', 'direct', direction, bus_near, bus_far), driving_side,
            streetgen._osm_beside('near', 'direct', direction, cycle_near, cycle_far),
                streetgen._osm_beside('far', 'direct', direction, cycle_near, cycle_far),
            streetgen._osm_beside('near', 'direct', direction, parking_near, parking_far),
                streetgen._osm_beside('far', 'direct', direction, parking_near, parking_far)) AS kind_forward,
        streetgen.lane_kinds(coalesce(stated_backward, usual_backward), buses_backward, bus_backward
-           OR streetgen._osm_beside('near', 'reverse', direction, bus_far, bus_near), '%3$s',
+           OR streetgen._osm_beside('near', 'reverse', direction, bus_far, bus_near), driving_side,
            streetgen._osm_beside('near', 'reverse', direction, cycle_far, cycle_near),
                streetgen._osm_beside('far', 'reverse', direction, cycle_far, cycle_near),
            streetgen._osm_beside('near', 'reverse', direction, parking_far, parking_near),
@@ -183,7 +192,7 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
                           CASE WHEN coalesce(placement_forward, placement_backward, placement) NOT IN ('transition')
                               AND coalesce(offset_forward, offset_backward) IS NULL THEN 'placement' END],
                               NULL) AS unread
-FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
+FROM (SELECT DISTINCT ON (wording) * FROM pg_temp._import_line ORDER BY wording) tagged,
      streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse')
          THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
@@ -234,18 +243,26 @@ FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
                      coalesce(counted_backward, CASE direction WHEN 'reverse' THEN lanes_total WHEN 'both'
                          THEN nullif(greatest(lanes_total - coalesce(centre, 0) - counted_forward, 0), 0) END,
                               streetgen._osm_length(turn_backward)) AS stated_backward) n,
-     LATERAL (SELECT streetgen._osm_kerb(cycleway_%3$s, cycleway_both, cycleway, cycleway_%3$s_oneway, direction,
-         '%3$s', '%3$s') AS cycle_near, streetgen._osm_kerb(cycleway_%4$s, cycleway_both, cycleway,
-         cycleway_%4$s_oneway, direction, '%4$s', '%3$s') AS cycle_far,
-                     streetgen._osm_kerb(busway_%3$s, busway_both, busway, NULL, direction, '%3$s',
-                         '%3$s') AS bus_near, streetgen._osm_kerb(busway_%4$s, busway_both, busway, NULL, direction,
-                         '%4$s', '%3$s') AS bus_far,
-                     CASE WHEN coalesce(parking_%3$s, parking_both) = 'lane'
-                         OR coalesce(parking_lane_%3$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular',
-                         'marked') THEN 'lane' END AS parking_near,
-                     CASE WHEN coalesce(parking_%4$s, parking_both) = 'lane'
-                         OR coalesce(parking_lane_%4$s, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular',
-                         'marked') THEN 'lane' END AS parking_far) kerb,
+     LATERAL (SELECT streetgen._osm_kerb(cycleway_near, cycleway_both, cycleway, cycleway_near_oneway, direction, near,
+             near) AS cycle_near,
+         streetgen._osm_kerb(cycleway_far, cycleway_both, cycleway, cycleway_far_oneway, direction, far,
+             near) AS cycle_far,
+         streetgen._osm_kerb(busway_near, busway_both, busway, NULL, direction, near, near) AS bus_near,
+         streetgen._osm_kerb(busway_far, busway_both, busway, NULL, direction, far, near) AS bus_far,
+         CASE WHEN coalesce(parked_near, parking_both) = 'lane'
+             OR coalesce(parking_lane_near, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked')
+             THEN 'lane' END AS parking_near,
+         CASE WHEN coalesce(parked_far, parking_both) = 'lane'
+             OR coalesce(parking_lane_far, parking_lane_both) IN ('parallel', 'diagonal', 'perpendicular', 'marked')
+             THEN 'lane' END AS parking_far
+         FROM (SELECT 'right' AS near, 'left' AS far, cycleway_right AS cycleway_near, cycleway_left AS cycleway_far,
+                 cycleway_right_oneway AS cycleway_near_oneway, cycleway_left_oneway AS cycleway_far_oneway,
+                 busway_right AS busway_near, busway_left AS busway_far, parking_right AS parked_near,
+                 parking_left AS parked_far, parking_lane_right AS parking_lane_near,
+                 parking_lane_left AS parking_lane_far WHERE driving_side = 'right'
+             UNION ALL SELECT 'left', 'right', cycleway_left, cycleway_right, cycleway_left_oneway,
+                 cycleway_right_oneway, busway_left, busway_right, parking_left, parking_right, parking_lane_left,
+                 parking_lane_right WHERE driving_side = 'left') side) kerb,
      -- One lane in all, unless buses have one of their own, is of both directions.
      LATERAL (SELECT CASE WHEN direction <> 'both' OR bus_forward OR bus_backward
          OR coalesce(bus_near, bus_far) IS NOT NULL THEN 1 ELSE 0 END AS fewest,
@@ -259,22 +276,25 @@ FROM (SELECT DISTINCT ON (wording) * FROM line ORDER BY wording) tagged,
          usual_backward) AS back,
          coalesce(centre, 0) AS shared) k,
      LATERAL (SELECT coalesce(CASE WHEN metres <= 200 THEN metres / nullif(ahead + back + shared, 0) END,
-         %6$s) AS lane_each) i,
+         lane_width) AS lane_each) i,
      LATERAL (SELECT streetgen._osm_roadway_offset(coalesce(placement_forward, CASE direction WHEN 'direct'
-             THEN placement END), CASE '%3$s' WHEN 'right' THEN back + shared ELSE 0 END, ahead,
+             THEN placement END), CASE driving_side WHEN 'right' THEN back + shared ELSE 0 END, ahead,
                  ahead + back + shared,
              lane_each) AS offset_forward,
          streetgen._osm_roadway_offset(coalesce(placement_backward, CASE direction WHEN 'reverse'
-             THEN placement END), CASE '%3$s' WHEN 'right' THEN ahead + shared ELSE 0 END, back,
+             THEN placement END), CASE driving_side WHEN 'right' THEN ahead + shared ELSE 0 END, back,
                  ahead + back + shared,
              lane_each) AS offset_backward) placed)
-SELECT geom, name, way_id::text AS source_ref, way_id::text AS label, meaning.*, NULL::text AS left_out FROM line
-    JOIN meaning USING (wording)$sql$,
-        source, tags, driving_side, CASE driving_side WHEN 'right' THEN 'left' ELSE 'right' END,
-            array_to_string(named, ', '), lane_width);
-END $$;
-COMMENT ON FUNCTION streetgen._osm_query(regclass, text, float8) IS
-    'The query of the rows that import_osm takes of a table of lines, where one drives on a side, left or right, and '
+SELECT geom, name, way_id::text, way_id::text, meaning.width, meaning.roadway_offset, meaning.lane_count,
+    meaning.direction, meaning.roundabout_tag, meaning.speed, meaning.level, meaning.class, meaning.lanes_forward,
+    meaning.lanes_backward, meaning.lanes_both, meaning.kind_forward, meaning.kind_backward,
+    meaning.lane_width_forward, meaning.lane_width_backward, meaning.turn_forward, meaning.turn_backward,
+    meaning.change_forward, meaning.change_backward, meaning.sidewalk_left, meaning.sidewalk_right, meaning.unread,
+    NULL
+FROM pg_temp._import_line JOIN meaning USING (wording)
+$$;
+COMMENT ON FUNCTION streetgen._osm_rows(text, float8) IS
+    'The rows of the import that the lines of an OSM table become, where one drives on a side, left or right, and '
     'lanes of unknown width have this one, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm',
@@ -295,14 +315,16 @@ BEGIN
     END IF;
     driving_side := streetgen._driving_side(model);
     EXECUTE format('SELECT value FROM %I.setting WHERE name = ''lane_width''', model) INTO lane_width;
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, streetgen._osm_query(source, driving_side,
-        lane_width));
+    PERFORM streetgen._take_osm_lines(source);
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text,
+        format('SELECT * FROM streetgen._osm_rows(%L, %L)', driving_side, lane_width));
     IF streetgen._driving_side(model) <> driving_side THEN
         -- The tags of kerbs mean other lanes where one drives on the other side.
         PERFORM streetgen._take_classes(model);
-        PERFORM FROM streetgen._import(model, source::text, streetgen._osm_query(source,
-            streetgen._driving_side(model), lane_width));
+        PERFORM FROM streetgen._import(model, source::text,
+            format('SELECT * FROM streetgen._osm_rows(%L, %L)', streetgen._driving_side(model), lane_width));
     END IF;
+    DROP TABLE pg_temp._import_line;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model, streetgen._osm_table('_control', prefix, schemas));

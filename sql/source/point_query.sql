@@ -43,3 +43,13 @@ END $$;
 COMMENT ON FUNCTION streetgen._point_query(text, text[], text[], regclass, jsonb) IS
     'The points of a source by a checked mapping, as SQL: the targets, columns of a relation, of which those assumed '
     'have columns of their names where the mapping says nothing.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_points(taken name, query text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE %I ON COMMIT DROP AS SELECT *, coalesce(source_ref, ''number '' '
+        '|| row_number() OVER ()) AS label FROM (%s) q', taken, query);
+END $$;
+COMMENT ON FUNCTION streetgen._take_points(name, text) IS
+    'Makes a temporary table of the points of a prepared query, each with a label: its source_ref or its place.';

@@ -29,27 +29,30 @@ CREATE OR REPLACE FUNCTION streetgen._insert_delivered(model name, relation name
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    origin constant text COLLATE "default" := source;
+    ref constant text COLLATE "default" := source_ref;
     said jsonb;
     former bigint;
-    row_id bigint;
+    key bigint;
 BEGIN
-    EXECUTE format($sql$
-SELECT d.row_id, d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.source_geom)::text, 'source', d.source,
-        'source_ref', d.source_ref, %2$L, d.row_id) || CASE d.relation WHEN 'axis'
-        THEN jsonb_build_object('source_geom', d.source_geom::text) ELSE '{}' END
-FROM %1$I.delivered d WHERE d.relation = $1 AND d.source = $2 AND d.source_ref = $3 $sql$, model, relation || '_id')
-        INTO former, said USING relation, source, source_ref;
-    row_id := CASE relation WHEN 'street_object' THEN streetgen._insert_object(model, said)
+    PERFORM streetgen._use_model(model);
+    SELECT d.row_id, d.said || jsonb_build_object('geom', coalesce(d.cleaned, d.source_geom)::text, 'source', d.source,
+            'source_ref', d.source_ref, d.relation || '_id', d.row_id) || CASE d.relation WHEN 'axis'
+            THEN jsonb_build_object('source_geom', d.source_geom::text) ELSE '{}' END INTO former, said
+        FROM delivered d WHERE (d.relation, d.source, d.source_ref)
+            = (_insert_delivered.relation, origin, ref);
+    key := CASE relation WHEN 'street_object' THEN streetgen._insert_object(model, said)
         ELSE streetgen._insert_json(model, relation, said) END;
-    IF row_id <> former THEN
-        EXECUTE format('UPDATE %I.delivered d SET row_id = $4
-            WHERE (d.relation, d.source, d.source_ref) = ($1, $2, $3)', model)
-            USING relation, source, source_ref, row_id;
-        EXECUTE format('UPDATE %I.open_conflict c SET row_id = $4
-            WHERE (c.relation, c.source, c.source_ref) = ($1, $2, $3) AND c.column_name = ''*''', model)
-            USING relation, source, source_ref, row_id;
+    IF key <> former THEN
+        UPDATE delivered d SET row_id = key
+            WHERE (d.relation, d.source, d.source_ref)
+                = (_insert_delivered.relation, origin, ref);
+        UPDATE open_conflict c SET row_id = key
+            WHERE (c.relation, c.source, c.source_ref)
+                = (_insert_delivered.relation, origin, ref)
+                AND c.column_name = '*';
     END IF;
-    RETURN row_id;
+    RETURN key;
 END $$;
 COMMENT ON FUNCTION streetgen._insert_delivered(name, name, text, text) IS
     'Inserts the row that a source delivered last and returns its key; delivered and a conflict about the whole row '
@@ -96,19 +99,20 @@ DECLARE
     said jsonb;
     as_delivered boolean;
 BEGIN
-    EXECUTE format($sql$
-SELECT d.said, CASE $2 WHEN 'width' THEN a.width_end IS NOT DISTINCT FROM (d.said ->> 'width_end')::float8
-    ELSE a.width IS NOT DISTINCT FROM (d.said ->> 'width')::float8 END
-FROM %1$I.axis a JOIN %1$I.open_conflict c ON (c.relation, c.row_id, c.column_name) = ('axis', a.axis_id, $2)
-    JOIN %1$I.delivered d ON (d.relation, d.source, d.source_ref) = ('axis', c.source, c.source_ref)
-WHERE a.axis_id = $1 $sql$, model) INTO said, as_delivered USING axis, column_name;
+    PERFORM streetgen._use_model(model);
+    SELECT d.said, CASE _give_width.column_name
+            WHEN 'width' THEN a.width_end IS NOT DISTINCT FROM (d.said ->> 'width_end')::float8
+            ELSE a.width IS NOT DISTINCT FROM (d.said ->> 'width')::float8 END INTO said, as_delivered
+        FROM axis a JOIN open_conflict c ON (c.relation, c.row_id, c.column_name)
+                = ('axis', a.axis_id, _give_width.column_name)
+            JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', c.source, c.source_ref)
+        WHERE a.axis_id = axis;
     IF as_delivered THEN
         -- Both are the source's again, and so is the word for it.
-        EXECUTE format('UPDATE %I.axis SET width_by_hand = true WHERE axis_id = $1 AND NOT width_by_hand', model)
-            USING axis;
-        EXECUTE format('UPDATE %I.axis SET source_width = $2, source_width_end = $3 WHERE axis_id = $1', model)
-            USING axis, (said ->> 'width')::float8, (said ->> 'width_end')::float8;
-        EXECUTE format('UPDATE %I.axis SET width_by_hand = false WHERE axis_id = $1', model) USING axis;
+        UPDATE axis a SET width_by_hand = true WHERE a.axis_id = axis AND NOT a.width_by_hand;
+        UPDATE axis a SET source_width = (said ->> 'width')::float8, source_width_end = (said ->> 'width_end')::float8
+            WHERE a.axis_id = axis;
+        UPDATE axis a SET width_by_hand = false WHERE a.axis_id = axis;
     ELSE
         PERFORM streetgen._give_column(model, 'axis', axis, column_name, said ->> column_name);
     END IF;

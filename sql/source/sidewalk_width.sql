@@ -42,66 +42,80 @@ END $$;
 COMMENT ON FUNCTION streetgen._sidewalk_width_query(regclass, jsonb) IS
     'The query of a table of widths by a checked mapping: source_ref, side (left or right) and what is said.';
 
-CREATE OR REPLACE FUNCTION streetgen.import_sidewalk_widths(model name, source regclass, mapping jsonb)
-    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._take_sidewalk_widths(source regclass, mapping jsonb) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     twin text;
 BEGIN
-    PERFORM streetgen._require_model(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     EXECUTE 'CREATE TEMPORARY TABLE _sidewalk_width ON COMMIT DROP AS SELECT s.*, NULL::text AS fate, CASE
         WHEN said ~* ''^\s*[-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?\s*$'' THEN said::float8 END AS width FROM ('
         || streetgen._sidewalk_width_query(source, mapping) || ') s WHERE said IS NOT NULL';
     SELECT source_ref INTO twin FROM pg_temp._sidewalk_width GROUP BY source_ref, side
-        HAVING pg_catalog.count(*) > 1 ORDER BY 1 LIMIT 1;
+        HAVING count(*) > 1 ORDER BY 1 LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'table % has several rows with source_ref %', source, coalesce(quote_literal(twin), 'NULL')
             USING ERRCODE = '22023', HINT = 'Leave one row for each axis, or import from a view that does.';
     END IF;
-    EXECUTE format($sql$
-WITH bound AS (SELECT max(value::float8) FILTER (WHERE name = 'sidewalk_width_minimal') AS low,
-    max(value::float8) FILTER (WHERE name = 'sidewalk_width_maximal') AS high FROM %1$I.setting)
-UPDATE pg_temp._sidewalk_width w SET fate = CASE
-    WHEN width IS NULL OR width < 0 THEN 'no width, left out'
-    WHEN NOT EXISTS (SELECT FROM %1$I.axis a WHERE split_part(a.source_ref, '/', 1) = w.source_ref)
-        THEN 'no axis of this source_ref, left out'
-    WHEN width > 0 AND width < low THEN 'narrower than sidewalk_width_minimal, left out'
-    WHEN width > high THEN 'wider than sidewalk_width_maximal, left out'
-    WHEN width = 0 THEN 'of zero: no sidewalk' ELSE 'taken' END FROM bound $sql$, model);
+END $$;
+COMMENT ON FUNCTION streetgen._take_sidewalk_widths(regclass, jsonb) IS
+    'Copies the widths of a table, by a checked mapping, to where the import reads them: a row for each side that it '
+    'speaks of. Several rows of one source_ref: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen.import_sidewalk_widths(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    wins text;
+BEGIN
+    PERFORM streetgen._use_model(model), streetgen._require_model(model),
+        streetgen._check_given('source', source::text, 'mapping', mapping::text),
+        streetgen._take_sidewalk_widths(source, mapping);
+    wins := streetgen._delivery_wins(model);
+    WITH bound AS (SELECT max(value::float8) FILTER (WHERE name = 'sidewalk_width_minimal') AS low,
+        max(value::float8) FILTER (WHERE name = 'sidewalk_width_maximal') AS high FROM setting)
+    UPDATE pg_temp._sidewalk_width w SET fate = CASE
+        WHEN width IS NULL OR width < 0 THEN 'no width, left out'
+        WHEN NOT EXISTS (SELECT FROM axis a WHERE split_part(a.source_ref, '/', 1) = w.source_ref)
+            THEN 'no axis of this source_ref, left out'
+        WHEN width > 0 AND width < low THEN 'narrower than sidewalk_width_minimal, left out'
+        WHEN width > high THEN 'wider than sidewalk_width_maximal, left out'
+        WHEN width = 0 THEN 'of zero: no sidewalk' ELSE 'taken' END FROM bound;
     -- As any delivery: what is by hand stays where this table says as before, or where setting delivery_wins is hand.
-    EXECUTE format($sql$
-WITH side AS MATERIALIZED (
-    SELECT a.axis_id, a.source, a.source_ref, 'sidewalk_' || w.side AS name, w.width AS wanted,
-        d.said IS NOT NULL AS known,
-        CASE w.side WHEN 'left' THEN a.sidewalk_left ELSE a.sidewalk_right END AS there,
-        (d.said ->> ('sidewalk_' || w.side))::float8 AS before
-    FROM pg_temp._sidewalk_width w JOIN %1$I.axis a ON split_part(a.source_ref, '/', 1) = w.source_ref
-    LEFT JOIN %1$I.delivered d ON (d.relation, d.source, d.source_ref) = ('axis', a.source, a.source_ref)
-    WHERE w.fate IN ('taken', 'of zero: no sidewalk')),
-judged AS MATERIALIZED (
-    SELECT *, known AND there IS DISTINCT FROM before AND there IS DISTINCT FROM wanted AS by_hand FROM side),
-conflict AS (
-    INSERT INTO %1$I.open_conflict (relation, row_id, column_name, source, source_ref, by_hand, source_old, source_new,
-        stands)
-    SELECT 'axis', axis_id, name, source, source_ref, there, before, wanted, $1 FROM judged
-    WHERE by_hand AND before IS DISTINCT FROM wanted
-    ON CONFLICT (relation, row_id, column_name) DO UPDATE SET source_new = excluded.source_new),
-noted AS (
-    UPDATE %1$I.delivered d SET said = d.said || s.said
-    FROM (SELECT source, source_ref, jsonb_object_agg(name, wanted) AS said FROM judged GROUP BY source, source_ref) s
-    WHERE (d.relation, d.source, d.source_ref) = ('axis', s.source, s.source_ref))
-UPDATE %1$I.axis a SET sidewalk_left = coalesce(w.on_left, a.sidewalk_left),
-    sidewalk_right = coalesce(w.on_right, a.sidewalk_right)
-FROM (SELECT axis_id, max(wanted) FILTER (WHERE name = 'sidewalk_left') AS on_left,
-          max(wanted) FILTER (WHERE name = 'sidewalk_right') AS on_right
-      FROM judged WHERE by_hand IS NOT TRUE OR $1 = 'source' AND before IS DISTINCT FROM wanted GROUP BY axis_id) w
-WHERE a.axis_id = w.axis_id AND (a.sidewalk_left, a.sidewalk_right)
-    IS DISTINCT FROM (coalesce(w.on_left, a.sidewalk_left), coalesce(w.on_right, a.sidewalk_right)) $sql$, model)
-        USING streetgen._delivery_wins(model);
-    RETURN QUERY EXECUTE format($sql$
-SELECT 'in conflict', column_name, count(*), array_agg(source_ref ORDER BY source_ref) FROM %I.open_conflict
-WHERE relation = 'axis' AND column_name LIKE 'sidewalk%%' GROUP BY column_name ORDER BY column_name $sql$, model);
+    WITH side AS MATERIALIZED (
+        SELECT a.axis_id, a.source, a.source_ref, 'sidewalk_' || w.side AS name, w.width AS wanted,
+            d.said IS NOT NULL AS known,
+            CASE w.side WHEN 'left' THEN a.sidewalk_left ELSE a.sidewalk_right END AS there,
+            (d.said ->> ('sidewalk_' || w.side))::float8 AS before
+        FROM pg_temp._sidewalk_width w JOIN axis a ON split_part(a.source_ref, '/', 1) = w.source_ref
+        LEFT JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', a.source, a.source_ref)
+        WHERE w.fate IN ('taken', 'of zero: no sidewalk')),
+    judged AS MATERIALIZED (
+        SELECT *, known AND there IS DISTINCT FROM before AND there IS DISTINCT FROM wanted AS by_hand FROM side),
+    conflict AS (
+        INSERT INTO open_conflict (relation, row_id, column_name, source, source_ref, by_hand, source_old, source_new,
+            stands)
+        SELECT 'axis', axis_id, name, source, source_ref, there, before, wanted, wins FROM judged
+        WHERE by_hand AND before IS DISTINCT FROM wanted
+        ON CONFLICT (relation, row_id, column_name) DO UPDATE SET source_new = excluded.source_new),
+    noted AS (
+        UPDATE delivered d SET said = d.said || s.said
+        FROM (SELECT source, source_ref, jsonb_object_agg(name, wanted) AS said FROM judged
+            GROUP BY source, source_ref) s
+        WHERE (d.relation, d.source, d.source_ref) = ('axis', s.source, s.source_ref))
+    UPDATE axis a SET sidewalk_left = coalesce(w.on_left, a.sidewalk_left),
+        sidewalk_right = coalesce(w.on_right, a.sidewalk_right)
+    FROM (SELECT axis_id, max(wanted) FILTER (WHERE name = 'sidewalk_left') AS on_left,
+            max(wanted) FILTER (WHERE name = 'sidewalk_right') AS on_right
+        FROM judged WHERE by_hand IS NOT TRUE OR wins = 'source' AND before IS DISTINCT FROM wanted
+        GROUP BY axis_id) w
+    WHERE a.axis_id = w.axis_id AND (a.sidewalk_left, a.sidewalk_right)
+        IS DISTINCT FROM (coalesce(w.on_left, a.sidewalk_left), coalesce(w.on_right, a.sidewalk_right));
+    RETURN QUERY SELECT 'in conflict', column_name, count(*), array_agg(source_ref ORDER BY source_ref)
+        FROM open_conflict WHERE relation = 'axis' AND column_name LIKE 'sidewalk%'
+        GROUP BY column_name ORDER BY column_name;
     RETURN QUERY SELECT w.fate, w.side, pg_catalog.count(*), CASE WHEN w.fate LIKE '%left out'
         THEN array_agg(w.source_ref ORDER BY w.source_ref) END
         FROM pg_temp._sidewalk_width w GROUP BY w.fate, w.side ORDER BY w.fate DESC, w.side;

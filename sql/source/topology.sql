@@ -15,6 +15,8 @@ CREATE OR REPLACE FUNCTION streetgen.import_topology(model name, topology name, 
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    near text[];
 BEGIN
     PERFORM streetgen._take_classes(model), streetgen._check_given('topology', topology, 'level', level::text),
         streetgen._check_topology();
@@ -27,14 +29,11 @@ BEGIN
 SELECT geom, %s AS level, edge_id::text AS source_ref, edge_id::text AS label, NULL::text AS left_out,
     NULL::text[] AS unread
 FROM %I.edge_data$sql$, level, topology), clean => false);
-    RETURN QUERY EXECUTE format($sql$
-SELECT 'node within the tolerance of an edge that does not end there, generate joins them', NULL::text, count(*),
-    array_agg(node_id::text ORDER BY node_id) FROM (
-    SELECT DISTINCT n.node_id FROM (SELECT value::float8 AS tolerance FROM %1$I.setting WHERE name = 'tolerance') s,
-        %2$I.node n
-    JOIN %2$I.edge_data e ON n.node_id NOT IN (e.start_node, e.end_node)
-        WHERE ST_DWithin(n.geom, e.geom, s.tolerance)) near
-HAVING count(*) > 0 $sql$, model, topology);
+    EXECUTE format('SELECT array_agg(n.node_id::text ORDER BY n.node_id) FROM %1$I.node n WHERE EXISTS (SELECT FROM '
+        '%1$I.edge_data e WHERE n.node_id NOT IN (e.start_node, e.end_node) AND ST_DWithin(n.geom, e.geom, $1))',
+        topology) INTO near USING streetgen._tolerance(model);
+    RETURN QUERY SELECT 'node within the tolerance of an edge that does not end there, generate joins them', NULL::text,
+        cardinality(near)::bigint, near WHERE near <> '{}';
 END $$;
 COMMENT ON FUNCTION streetgen.import_topology(name, name, integer) IS
     'Imports the edges of a PostGIS topology as axes of the given level, uncleaned; generate makes its nodes (a '

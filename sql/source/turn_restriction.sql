@@ -1,67 +1,82 @@
 -- Turn restrictions of OpenStreetMap, to those of a model.
+
+CREATE OR REPLACE FUNCTION streetgen._take_restrictions(source regclass) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Tables written by an older flex file lack them.
+    excepted constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = source
+        AND attname = 'excepted' AND NOT attisdropped), 'NULL::text');
+    via_ways constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = source
+        AND attname = 'via_ways' AND NOT attisdropped), $q$CASE WHEN via_way THEN '0' END$q$);
+BEGIN
+    EXECUTE format('CREATE TEMPORARY TABLE _import_relation ON COMMIT DROP AS SELECT relation_id, from_way, to_way, '
+        'restriction, geom, %s AS excepted, %s AS via_ways FROM %s', excepted, via_ways, source);
+END $$;
+COMMENT ON FUNCTION streetgen._take_restrictions(regclass) IS
+    'Copies the turn restrictions of an OSM table to where the import reads them; none of NULL.';
+
 CREATE OR REPLACE FUNCTION streetgen._import_restrictions(model name, line regclass, restriction regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
-    -- Tables written by an older flex file lack them.
-    excepted constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = restriction
-        AND attname = 'excepted' AND NOT attisdropped), 'NULL::text');
-    via_ways constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = restriction
-        AND attname = 'via_ways' AND NOT attisdropped), $q$CASE WHEN via_way THEN '0' END$q$);
+    ways constant text COLLATE "default" := line::text;
+    relations constant text := restriction::text;
 BEGIN
+    PERFORM streetgen._use_model(model), streetgen._take_restrictions(restriction);
     IF restriction IS NULL THEN
         RETURN QUERY SELECT 'no table of turn restrictions, those of the model stay', NULL::text, 0::bigint,
             NULL::text[];
         RETURN;
     END IF;
-    EXECUTE format($sql$
-CREATE TEMPORARY TABLE _import_restriction ON COMMIT DROP AS
-SELECT relation_id::text AS relation, concat_ws('/', relation_id, from_way, to_way) AS source_ref, restriction AS class,
-       a.axis_id AS from_axis, b.axis_id AS to_axis, substring(restriction FROM '^(no|only)_') AS kind,
-       CASE substring(restriction FROM '^(?:no|only)_(.*)$') WHEN 'left_turn' THEN 'left' WHEN 'right_turn'
-           THEN 'right' WHEN 'straight_on' THEN 'through' WHEN 'u_turn' THEN 'u_turn' END AS turn,
-       CASE WHEN v.axes IS NULL THEN ST_Transform(ST_Force2D(ST_GeometryN(ST_CollectionExtract(r.geom, 1), 1)),
-               (SELECT srid FROM streetgen.model WHERE name = %4$L))
-           WHEN v.follow THEN ST_ClosestPoint(v.lines[1], ST_Force2D(a.geom)) END AS geom,
-       CASE WHEN v.follow THEN v.axes END AS via_axes,
-       CASE WHEN v.follow THEN (SELECT ST_Multi(ST_Collect(ST_LineInterpolatePoint(line, 0.5) ORDER BY i))
-           FROM unnest(v.lines) WITH ORDINALITY l(line, i)) END AS via_geom,
-       CASE WHEN v.follow THEN ST_ClosestPoint(v.lines[cardinality(v.lines)], ST_Force2D(b.geom)) END AS to_geom,
-       CASE WHEN restriction IS NULL THEN 'not for all traffic'
+    CREATE TEMPORARY TABLE _import_restriction ON COMMIT DROP AS
+    SELECT relation_id::text AS relation, concat_ws('/', relation_id, from_way, to_way) AS source_ref,
+        restriction AS class, a.axis_id AS from_axis, b.axis_id AS to_axis,
+        substring(restriction FROM '^(no|only)_') AS kind,
+        CASE substring(restriction FROM '^(?:no|only)_(.*)$') WHEN 'left_turn' THEN 'left' WHEN 'right_turn'
+            THEN 'right' WHEN 'straight_on' THEN 'through' WHEN 'u_turn' THEN 'u_turn' END AS turn,
+        CASE WHEN v.axes IS NULL THEN ST_Transform(ST_Force2D(ST_GeometryN(ST_CollectionExtract(r.geom, 1), 1)),
+                (SELECT m.srid FROM streetgen.model m WHERE m.name = model))
+            WHEN v.follow THEN ST_ClosestPoint(v.lines[1], ST_Force2D(a.geom)) END AS geom,
+        CASE WHEN v.follow THEN v.axes END AS via_axes,
+        CASE WHEN v.follow THEN (SELECT ST_Multi(ST_Collect(ST_LineInterpolatePoint(line, 0.5) ORDER BY i))
+            FROM unnest(v.lines) WITH ORDINALITY l(line, i)) END AS via_geom,
+        CASE WHEN v.follow THEN ST_ClosestPoint(v.lines[cardinality(v.lines)], ST_Force2D(b.geom)) END AS to_geom,
+        CASE WHEN restriction IS NULL THEN 'not for all traffic'
             WHEN restriction !~ '^(no|only)_(left_turn|right_turn|straight_on|u_turn)$|^no_(entry|exit)$'
                 THEN 'not understood'
             WHEN from_way IS NULL OR to_way IS NULL THEN 'without the way that it leads from or to'
-            WHEN %6$s = '0' THEN 'via ways that its table does not name (import the table anew)'
+            WHEN via_ways = '0' THEN 'via ways that its table does not name (import the table anew)'
             WHEN v.axes IS NULL AND ST_IsEmpty(ST_CollectionExtract(r.geom, 1)) THEN 'without a place'
             WHEN a.axis_id IS NULL OR b.axis_id IS NULL OR array_position(v.axes, NULL) IS NOT NULL
                 THEN 'of ways that are no axes'
             WHEN NOT v.follow THEN 'via ways that do not follow each other' END AS left_out,
-       except_kinds, except_others
-FROM %1$s r LEFT JOIN %2$I.axis a ON (a.source, a.source_ref) = (%3$L, from_way::text)
-    LEFT JOIN %2$I.axis b ON (b.source, b.source_ref) = (%3$L, to_way::text)
-CROSS JOIN LATERAL (
-    -- A relation may have its members from the last to the first.
-    SELECT w.axes, w.lines, f.follow FROM (VALUES (1), (-1)) o(along) CROSS JOIN LATERAL (
-        SELECT array_agg(c.axis_id ORDER BY along * i) AS axes,
-            array_agg(ST_Force2D(c.geom) ORDER BY along * i) AS lines
-        FROM unnest(string_to_array(%6$s, ',')) WITH ORDINALITY u(way, i)
-            LEFT JOIN %2$I.axis c ON (c.source, c.source_ref) = (%3$L, way)) w
-        CROSS JOIN LATERAL (
-        SELECT bool_and(ST_DWithin(line, before, t.value) AND ST_DWithin(line, next, t.value)) AS follow
-        FROM (SELECT 3 * streetgen._tolerance(%4$L) AS value) t CROSS JOIN (
-            SELECT line, lag(line, 1, ST_Force2D(a.geom)) OVER (ORDER BY i) AS before,
-                lead(line, 1, ST_Force2D(b.geom)) OVER (ORDER BY i) AS next
-            FROM unnest(w.lines) WITH ORDINALITY l(line, i)) c) f
-    ORDER BY f.follow IS NOT TRUE, o.along DESC LIMIT 1) v
-CROSS JOIN LATERAL (
-    -- Traffic that has lanes of its own, and traffic that shares those of all.
-    SELECT string_agg(DISTINCT kind, '|') AS except_kinds, coalesce(bool_or(kind IS NULL), false) AS except_others
-    FROM regexp_split_to_table(lower(%5$s), '[;,]') word
-    CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus' WHEN 'bicycle' THEN 'cycle'
-        END AS kind) k
-    WHERE btrim(word) NOT IN ('', 'no', 'none')) excepted
-$sql$, restriction, model, line::text, model, excepted, via_ways);
+        except_kinds, except_others
+    FROM pg_temp._import_relation r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, from_way::text)
+        LEFT JOIN axis b ON (b.source, b.source_ref) = (ways, to_way::text)
+    CROSS JOIN LATERAL (
+        -- A relation may have its members from the last to the first.
+        SELECT w.axes, w.lines, f.follow FROM (VALUES (1), (-1)) o(along) CROSS JOIN LATERAL (
+            SELECT array_agg(c.axis_id ORDER BY along * i) AS axes,
+                array_agg(ST_Force2D(c.geom) ORDER BY along * i) AS lines
+            FROM unnest(string_to_array(via_ways, ',')) WITH ORDINALITY u(way, i)
+                LEFT JOIN axis c ON (c.source, c.source_ref) = (ways, way)) w
+            CROSS JOIN LATERAL (
+            SELECT bool_and(ST_DWithin(line, before, t.value) AND ST_DWithin(line, next, t.value)) AS follow
+            FROM (SELECT 3 * streetgen._tolerance(model) AS value) t CROSS JOIN (
+                SELECT line, lag(line, 1, ST_Force2D(a.geom)) OVER (ORDER BY i) AS before,
+                    lead(line, 1, ST_Force2D(b.geom)) OVER (ORDER BY i) AS next
+                FROM unnest(w.lines) WITH ORDINALITY l(line, i)) c) f
+        ORDER BY f.follow IS NOT TRUE, o.along DESC LIMIT 1) v
+    CROSS JOIN LATERAL (
+        -- Traffic that has lanes of its own, and traffic that shares those of all.
+        SELECT string_agg(DISTINCT kind, '|') AS except_kinds, coalesce(bool_or(kind IS NULL), false) AS except_others
+        FROM regexp_split_to_table(lower(excepted), '[;,]') word
+        CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus'
+            WHEN 'bicycle' THEN 'cycle' END AS kind) k
+        WHERE btrim(word) NOT IN ('', 'no', 'none')) excepted;
     RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
         WHERE r.left_out IS NOT NULL GROUP BY r.left_out, r.class ORDER BY 1, 2;
@@ -70,7 +85,7 @@ $sql$, restriction, model, line::text, model, excepted, via_ways);
         SELECT DISTINCT ON (r.source_ref) r.source_ref, r.geom AS source_geom, NULL::geometry AS cleaned, r.from_axis,
             r.to_axis, r.kind, r.turn, r.except_kinds, r.via_axes, r.via_geom, r.to_geom
         FROM pg_temp._import_restriction r ORDER BY r.source_ref;
-    RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'turn_restriction', restriction::text);
+    RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'turn_restriction', relations);
     RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.except_others GROUP BY r.class
         ORDER BY r.class;
@@ -78,7 +93,7 @@ $sql$, restriction, model, line::text, model, excepted, via_ways);
             ELSE 'turn restrictions' END, r.class, count(*), NULL::text[]
         FROM (SELECT *, via_axes IS NOT NULL AS via FROM pg_temp._import_restriction) r
         GROUP BY via, r.class ORDER BY via, r.class;
-    DROP TABLE pg_temp._import_restriction;
+    DROP TABLE pg_temp._import_restriction, pg_temp._import_relation;
 END $$;
 COMMENT ON FUNCTION streetgen._import_restrictions(name, regclass, regclass) IS
     'Takes the turn restrictions of an OSM table between ways that are axes, at a node or via such ways; importing '

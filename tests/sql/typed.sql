@@ -49,8 +49,6 @@ FROM looked l CROSS JOIN LATERAL public.plpgsql_check_function_tb(l.oid, coalesc
 WHERE c.level = 'error'
     -- Out of its sight are records of an unknown row and tables made on the way.
     AND c.sqlstate <> '55000' AND c.message !~ '^record "|"pg_temp\.|^cached plan'
-    -- The settling of objects is made as that of other tables, and has no update.
-    AND NOT (l.oid = 'town._settle_street_object()'::regprocedure AND c.message = 'relation "after" does not exist')
     -- A newer PostGIS has the one, and QGIS makes the other.
     AND c.message !~ 'postgis_srs|public.layer_styles';
 CREATE TEMPORARY TABLE fault AS
