@@ -38,7 +38,7 @@ BEGIN
         by_cluster => true);
     GET DIAGNOSTICS taken_off = ROW_COUNT;
     IF taken_off = 0 THEN
-        DROP TABLE deferred_key;
+        EXECUTE format('DROP TABLE %I.deferred_key', model);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._defer_keys(name) IS
