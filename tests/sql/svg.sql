@@ -14,7 +14,7 @@ SELECT 'a scale gives the width, a pixel for 0.28 mm', svg LIKE format('%%width=
 SELECT 'half a pixel is not drawn', svg NOT LIKE '%<path%' FROM streetgen.svg('drawn', ST_MakeEnvelope(550000, 6760000, 750000, 6960000, 2154), width => 300) svg;
 SELECT call || ' is refused', state = '22023' AND hint <> '' FROM unnest('{theme => ''night'',scale => 0,scale => ''NaN'',scale => 1e9,width => 15,width => 20001}'::text[]) call, test.refusal('SELECT streetgen.svg(''drawn'', ' || call || ')');
 SELECT 'a theme has colours of its rules alone', count(*) > 3 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.theme = t.theme AND colour IN (r.fill, r.line))) FROM (VALUES ('street'), ('dark'), ('construction')) t(theme), streetgen.svg('drawn', legend => true, theme => t.theme) svg, regexp_matches(svg, '#[0-9a-fA-F]{3,8}', 'g') m, LATERAL (SELECT m[1] AS colour) c;
-SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '^_\w+_drawn$' AND strpos(prosrc, quote_literal(layer)) > 0)) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink')) l;
+SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '^_\w+_drawn$' AND strpos(prosrc, quote_literal(layer)) > 0)) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink', 'name')) l;
 SELECT 'and each layer that a room draws has a rule', count(*) > 20 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.layer = m[1])) FROM pg_proc, regexp_matches(prosrc, '''(\w+)'' = ANY \(layers\)', 'g') m WHERE proname ~ '^_\w+_drawn$';
 SELECT 'a colour that is none is refused: ' || colour, test.state(format('INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES (''street'', ''mud'', 0, %L)', colour)) = '23514' FROM unnest('{red,#fff,#GGGGGG,"#12345678 "}'::text[]) colour;
 SELECT 'so is a rule that is drawn at no scale', test.state('INSERT INTO streetgen.symbol_rule (theme, layer, place, from_scale, to_scale) VALUES (''street'', ''mud'', 0, 10, 10)') = '23514';
@@ -52,3 +52,20 @@ SELECT 'an editor reads rules and writes none', has_table_privilege('streetgen_t
 DROP OWNED BY streetgen_test_drawer; DROP ROLE streetgen_test_drawer;
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without axes has a picture and a legend', xml_is_well_formed_document(streetgen.svg('bare')) AND xml_is_well_formed_document(streetgen.svg('bare', legend => true));
+
+-- Names along streets.
+SELECT streetgen.create_model('named', 2154) \g /dev/null
+INSERT INTO named.axis (geom, width, name) VALUES ('SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 7, 'Rue de l’Étoile'), ('SRID=2154;LINESTRING(650200 6860000,650200 6859800)', 7, '<img onerror="x">&'), ('SRID=2154;LINESTRING(650200 6860000,650380 6860080)', 7, repeat('long ', 60)),
+  ('SRID=2154;LINESTRING(650000 6860000,650000 6860200)', 7, 'شارع الملك'), ('SRID=2154;LINESTRING(650000 6860200,650200 6860200)', 7, '🚲 Straße'), ('SRID=2154;LINESTRING(650200 6860200,650260 6860200)', 7, 'Avenue of the long and winding Street'), ('SRID=2154;LINESTRING(650260 6860200,650260 6860215)', 7, 'Too long for it');
+DO $$ BEGIN PERFORM streetgen.generate('named'); END $$;
+CREATE FUNCTION pg_temp.named(svg text) RETURNS TABLE(words text, turns float8[]) LANGUAGE sql AS $$ SELECT string_agg(t[2], '' ORDER BY k), array_agg(t[1]::float8 ORDER BY k) FROM regexp_matches(svg, '<g class="name s\d+">((?:<text [^>]*>[^<]*</text>)*)</g>', 'g') WITH ORDINALITY m(piece, n), regexp_matches(piece[1], 'rotate\(([-\d.]+)\)">([^<]*)<', 'g') WITH ORDINALITY r(t, k) GROUP BY n $$;
+CREATE TEMPORARY TABLE written AS SELECT * FROM pg_temp.named(streetgen.svg('named', scale => 1000));
+SELECT 'a name stands along its street, letter by letter', count(*) = 1 AND bool_and(cardinality(turns) = 13 AND -0.1 < ALL (turns) AND 0.1 > ALL (turns)) FROM written WHERE words = 'Ruedel’Étoile';
+SELECT 'each is upright', count(*) >= 4 AND bool_and(-90 <= ALL (turns) AND 90 >= ALL (turns)) FROM written;
+SELECT 'what is no letter of XML is written as it is', xml_is_well_formed_document(streetgen.svg('named', scale => 1000)) AND EXISTS (SELECT FROM written WHERE words LIKE '&lt;img%&amp;');
+SELECT 'letters that join each other stand together', count(*) = 1 AND bool_and(cardinality(turns) = 1) FROM written WHERE words = 'شارع الملك';
+SELECT 'so does a name with a picture in it', count(*) = 1 AND bool_and(cardinality(turns) = 1) FROM written WHERE words LIKE '🚲%';
+SELECT 'what does not fit is shortened', count(*) = 1 FROM written WHERE words = 'Av.ofthelongandwindingStreet';
+SELECT 'or left out', NOT EXISTS (SELECT FROM written WHERE words LIKE 'long%' OR words LIKE 'Too%');
+SELECT 'at night they are the same', count(*) = (SELECT count(*) FROM written) FROM pg_temp.named(streetgen.svg('named', scale => 1000, theme => 'dark'));
+SELECT 'a construction has none', streetgen.svg('named', scale => 1000, theme => 'construction') NOT LIKE '%class="name%' AND streetgen.svg('drawn', scale => 300) NOT LIKE '%class="name%';

@@ -103,6 +103,8 @@ CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel fl
     OUT drawing text, OUT symbols bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    names constant text := streetgen._svg_names(model, box, pixel, theme, scale);
 BEGIN
     WITH symbol AS MATERIALIZED (SELECT * FROM streetgen._symbols(model, theme, scale)),
     shape AS MATERIALIZED (
@@ -121,10 +123,16 @@ BEGIN
         GROUP BY s.symbol, s.layer, s.kind, s.place, s.marker, s.width, s.unit, h.level)
     SELECT '<style>path{fill-rule:evenodd}' || (SELECT string_agg(format('.s%s{%s}', s.symbol, streetgen._as_css(s.fill,
             CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel)), '' ORDER BY s.symbol)
-            FROM symbol s WHERE s.symbol IN (SELECT d.symbol FROM drawn d)) || E'</style>\n'
+            FROM symbol s WHERE s.layer <> 'name' AND s.symbol IN (SELECT d.symbol FROM drawn d))
+        || coalesce((SELECT string_agg(format('.s%s{fill:%s;stroke:%s;stroke-width:%s;font-size:%spx}', s.symbol,
+            s.fill, coalesce(s.line, 'none'), round((s.width * pixel / 4)::numeric, 4),
+            round((s.width * pixel)::numeric, 4)), '') || '.name{paint-order:stroke;stroke-linejoin:round;'
+                'font-family:DejaVu Sans,sans-serif}' FROM symbol s WHERE s.layer = 'name' AND names <> ''), '')
+        || E'</style>\n'
         || (SELECT format('<rect width="100%%" height="100%%" fill="%s"/>', s.fill) FROM symbol s
             WHERE s.layer = 'ground') || E'\n'
-        || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n', ''),
+        || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n', '')
+        || names,
         ARRAY(SELECT d.symbol FROM drawn d) INTO drawing, symbols;
 END $$;
 COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8) IS

@@ -20,7 +20,8 @@ COMMENT ON TABLE streetgen.symbol_rule IS
 COMMENT ON COLUMN streetgen.symbol_rule.theme IS
     'street: as one sees it from above; dark: the same at night; construction: how it was computed, for engineers';
 COMMENT ON COLUMN streetgen.symbol_rule.layer IS
-    'name of what is drawn, such as sidewalk; ground lies below all, paper and ink are those of a legend';
+    'name of what is drawn, such as sidewalk; name: those of streets; ground lies below all, paper and ink are those '
+    'of a legend';
 COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN streetgen.symbol_rule.from_scale IS
     'drawn from this scale, as the number below the line: 1500 is 1:1,500';
@@ -28,7 +29,8 @@ COMMENT ON COLUMN streetgen.symbol_rule.to_scale IS 'drawn to a scale below this
 COMMENT ON COLUMN streetgen.symbol_rule.place IS 'order on its level from below, less than 10; or above all levels';
 COMMENT ON COLUMN streetgen.symbol_rule.fill IS 'colour of its ground, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.line IS 'colour of its line or border, #rrggbb or #rrggbbaa; NULL: none';
-COMMENT ON COLUMN streetgen.symbol_rule.width IS 'width of the line; of a shadow, how far it falls to the south-east';
+COMMENT ON COLUMN streetgen.symbol_rule.width IS
+    'width of the line; of a shadow, how far it falls to the south-east; of names, the size of the font';
 COMMENT ON COLUMN streetgen.symbol_rule.unit IS 'unit of width and dash: metre or pixel';
 COMMENT ON COLUMN streetgen.symbol_rule.dash IS 'lengths of dashes and gaps in turn, such as 3 2; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.marker IS 'shadow: the geometry falls to the south-east; NULL: as it is';

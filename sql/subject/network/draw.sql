@@ -17,6 +17,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._network_drawn(name, geometry, text[]) IS
     'What can be drawn of the network in a box: axis; street, the same by importance; and report.';
 
+CREATE OR REPLACE FUNCTION streetgen._network_named(model name, box geometry)
+    RETURNS TABLE(name text, importance integer, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT s.name, s.importance, line.geom FROM (
+        SELECT a.name, min(e.importance) AS importance, ST_LineMerge(ST_Collect(ST_Force2D(e.geom))) AS lines
+        FROM edge e JOIN axis a USING (axis_id) WHERE e.geom && box AND a.name <> '' GROUP BY a.name) s,
+        ST_Dump(s.lines) line;
+END $$;
+COMMENT ON FUNCTION streetgen._network_named(name, geometry) IS
+    'The names of streets in a box, each along the axes that bear it.';
+
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, place, line, width, unit, meaning) VALUES
     ('street', 'street', '1', 15000, 910, '#d9822b', 2.4, 'pixel', 'motorway or main road'),
     ('street', 'street', '2', 15000, 909, '#e0a94b', 1.8, 'pixel', 'primary street'),
@@ -31,3 +45,9 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, u
     ('construction', 'axis', 11000, 3, '#8fa3b8', 1, 'pixel', 'axis');
 INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, meaning) VALUES
     ('construction', 'report', 903, '#dc262666', 'report');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
+    ('street', 'name', 3000, 960, '#20242b', '#ffffffd9', 11, 'pixel'),
+    ('dark', 'name', 3000, 960, '#f1f3f5', '#14171cd9', 11, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit)
+    SELECT theme, layer, street.kind, 3000, 15000, place, fill, line, 10, unit FROM streetgen.symbol_rule,
+        unnest('{1,2,3,4}'::text[]) street(kind) WHERE layer = 'name';
