@@ -12,7 +12,6 @@ DECLARE
     missing text;
     models bigint;
     enough integer;
-    role_before text;
 BEGIN
     CREATE TEMPORARY TABLE known_model ON COMMIT DROP AS SELECT name, srid, dimension FROM streetgen.model WHERE name IN (SELECT nspname FROM pg_namespace);
     FOR known IN SELECT * FROM known_model LOOP
@@ -45,9 +44,8 @@ BEGIN
         PERFORM streetgen.drop_model('streetgen_renewed');
     END LOOP;
     FOR known IN SELECT * FROM known_model LOOP
-        PERFORM streetgen._register_model(known.name, known.srid, known.dimension);
-        role_before := streetgen._become_owner(known.name);
-        PERFORM streetgen._add_tables(known.name), set_config('role', role_before, true);
+        PERFORM streetgen._register_model(known.name, known.srid, known.dimension), streetgen._give_to_owner(known.name, '{}'),
+            streetgen._as_owner(known.name, '_add_tables');
         SELECT string_agg(c, ', ') INTO missing FROM (SELECT description FROM wanted_column WHERE (srid, dimension, subjects) = (known.srid, known.dimension, streetgen._subjects(known.name)) EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         IF missing IS NOT NULL THEN
             RAISE EXCEPTION 'model "%" lacks columns of this build: %', known.name, missing USING ERRCODE = '55000',

@@ -167,12 +167,8 @@ CREATE OR REPLACE FUNCTION streetgen._adopt_source(model name) RETURNS void
     AS $$
 DECLARE
     owner constant name := (SELECT rolname FROM pg_namespace JOIN pg_roles r ON r.oid = nspowner WHERE nspname = model);
-    role_before constant text := current_setting('role');
     kept record;
 BEGIN
-    -- What stands in the table its owner wrote, and may have hung triggers on.
-    PERFORM set_config('role', (SELECT rolname FROM pg_class c JOIN pg_roles r ON r.oid = relowner
-        WHERE c.oid = format('%I.followed', model)::regclass), true);
     FOR kept IN EXECUTE format('SELECT source, mapping, to_regclass(source) AS relation FROM %I.followed ORDER BY '
         'source', model) LOOP
         BEGIN
@@ -191,11 +187,9 @@ BEGIN
                 kept.relation;
         END;
     END LOOP;
-    PERFORM set_config('role', role_before, true);
 END $$;
 COMMENT ON FUNCTION streetgen._adopt_source(name) IS
-    'Makes the triggers by which a model follows its sources anew, with the rights of who owns the table of them; a '
-    'warning for each that cannot be followed now.';
+    'Makes the triggers by which a model follows its sources anew; a warning for each that cannot be followed now.';
 
 CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning

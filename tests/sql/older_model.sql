@@ -86,6 +86,25 @@ RESET ROLE;
 SELECT streetgen.adopt_model('adopted') \g /dev/null
 SELECT 'a trigger of the owner runs as the owner while another role adopts his model', count(*) > 0 AND bool_and(who = 'adopted_owner') FROM adopted_place.seen;
 SELECT 'and the model is whole', to_regclass('adopted.parking_bay') IS NOT NULL AND (SELECT bool_and(relowner = 'adopted_owner'::regrole) FROM pg_class WHERE relnamespace = 'adopted'::regnamespace);
+SET ROLE adopted_owner;
+CREATE FUNCTION adopted_place.rise() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN PERFORM set_config('role', 'none', true); INSERT INTO adopted_place.seen VALUES (current_user); RETURN NEW; END $$;
+CREATE TRIGGER rise BEFORE INSERT OR UPDATE ON adopted.setting FOR EACH ROW EXECUTE FUNCTION adopted_place.rise();
+ALTER TABLE adopted.setting DISABLE TRIGGER rise;
+DELETE FROM adopted.setting WHERE name = 'object_snap';
+ALTER TABLE adopted.setting ENABLE TRIGGER rise;
+RESET ROLE;
+SELECT 'nor can it take the role of who adopts', state = '42501' AND said ~ 'cannot set parameter "role"' FROM test.refusal($$SELECT streetgen.adopt_model('adopted')$$);
+SELECT 'and it ran with no other right', bool_and(who = 'adopted_owner') FROM adopted_place.seen;
+ALTER TABLE adopted.setting DISABLE TRIGGER rise;
+CREATE FUNCTION adopted_place.adopt() RETURNS void LANGUAGE sql SECURITY DEFINER AS $$ SELECT streetgen.adopt_model('adopted') $$;
+ALTER FUNCTION adopted_place.adopt() OWNER TO adopted_owner;
+SELECT 'a function with rights of its owner adopts his model', test.state('SELECT adopted_place.adopt()') = 'none';
+SELECT 'and the setting is there again', EXISTS (SELECT FROM adopted.setting WHERE name = 'object_snap');
+CREATE ROLE adopted_stranger ROLE CURRENT_USER;
+SET ROLE adopted_stranger;
+SELECT 'whoever is no member of the role calls nothing with it', state = '42501' AND hint <> '' FROM test.refusal($$SELECT streetgen._as_owner('adopted', 'drop_model')$$);
+RESET ROLE;
+DROP ROLE adopted_stranger;
 SELECT streetgen.drop_model('adopted') \g /dev/null
 SELECT test.as_administrator(format('REVOKE CREATE ON DATABASE %I FROM adopted_owner', current_database())) \g /dev/null
 DROP OWNED BY adopted_owner CASCADE;

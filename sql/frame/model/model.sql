@@ -34,19 +34,11 @@ END $$;
 COMMENT ON FUNCTION streetgen._give_to_owner(name, oid[]) IS
     'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
 
-CREATE OR REPLACE FUNCTION streetgen._become_owner(model name) RETURNS text
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$
-DECLARE
-    former constant text := current_setting('role');
-BEGIN
-    PERFORM streetgen._give_to_owner(model, '{}'), set_config('role', pg_get_userbyid(nspowner), true)
-        FROM pg_namespace WHERE nspname = model;
-    RETURN former;
-END $$;
-COMMENT ON FUNCTION streetgen._become_owner(name) IS
-    'Gives the tables of a model to the owner of its schema, and takes that role to the end of the transaction: '
-    'triggers that he hung on them run with his rights alone. Returns the setting role as it was, for set_config.';
+CREATE OR REPLACE FUNCTION streetgen._as_owner(model name, called text) RETURNS void
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE AS 'MODULE_PATHNAME', 'streetgen_as_owner';
+COMMENT ON FUNCTION streetgen._as_owner(name, text) IS
+    'Calls a function of streetgen that takes the name of a model with the rights of its owner: triggers that he hung '
+    'on tables run with these alone, and cannot change the role. A caller who is no member of that role: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -176,6 +168,23 @@ CREATE OR REPLACE FUNCTION streetgen._forget_models() RETURNS void
     AS $$ DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name) $$;
 COMMENT ON FUNCTION streetgen._forget_models() IS 'Takes models whose schema is gone out of the registry.';
 
+CREATE OR REPLACE FUNCTION streetgen._renew_model(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    before constant oid[] := streetgen._relations(model);
+BEGIN
+    PERFORM streetgen._add_tables(model), streetgen._complete_settings(model), streetgen._make_dependents(model);
+    -- Also on views that a restore brought back without their readers.
+    PERFORM streetgen._grant_like_axes(model, ARRAY(
+        SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(model))
+            AND (oid <> ALL (before) OR relkind = 'v' AND relname NOT LIKE '%\_editing')));
+    PERFORM streetgen._grant_edit_views(model), streetgen._call_rooms('_grant_%s_views', model, streetgen._rooms());
+    PERFORM streetgen._call_rooms('_adopt_%s', model, streetgen._rooms());
+END $$;
+COMMENT ON FUNCTION streetgen._renew_model(name) IS
+    'Gives a model of another build the tables, settings, views, triggers and rights of this one.';
+
 CREATE OR REPLACE FUNCTION streetgen.adopt_model(schema name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -183,8 +192,6 @@ DECLARE
     srid integer;
     dimension integer;
     missing text[];
-    before oid[];
-    caller text;
 BEGIN
     PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema),
         streetgen._only_own_functions(schema);
@@ -206,18 +213,8 @@ BEGIN
             HINT = 'Its table axis has no column geom with an SRID.';
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
-    before := streetgen._relations(schema);
-    PERFORM streetgen._drop_own_functions(schema);
-    caller := streetgen._become_owner(schema);
-    PERFORM streetgen._add_tables(schema), streetgen._complete_settings(schema), streetgen._make_dependents(schema);
-    -- Also on views that a restore brought back without their readers.
-    PERFORM streetgen._grant_like_axes(schema, ARRAY(
-        SELECT oid FROM pg_class WHERE oid = ANY (streetgen._relations(schema))
-            AND (oid <> ALL (before) OR relkind = 'v' AND relname NOT LIKE '%\_editing')));
-    PERFORM streetgen._grant_edit_views(schema),
-        streetgen._call_rooms('_grant_%s_views', schema, streetgen._rooms());
-    PERFORM streetgen._call_rooms('_adopt_%s', schema, streetgen._rooms());
-    PERFORM set_config('role', caller, true);
+    PERFORM streetgen._drop_own_functions(schema), streetgen._give_to_owner(schema, '{}'),
+        streetgen._as_owner(schema, '_renew_model');
 EXCEPTION WHEN lock_not_available THEN
     PERFORM streetgen._refuse_tables(schema, 'Repeat the call when it has ended, or raise lock_timeout.');
 END $$;

@@ -1,13 +1,11 @@
 // streetgen._only_own_functions: whether functions of others may stand in for those that a model
 // calls.  The rule is SQL, streetgen._check_functions_beside; a session asks it once, and again
 // after the catalogue changed.
-#include "frame/border.hpp"
+#include "frame/owner.hpp"
 
 extern "C" {
-#include <access/htup_details.h>
 #include <access/xact.h>
 #include <catalog/namespace.h>
-#include <catalog/pg_namespace.h>
 #include <catalog/pg_type.h>
 #include <nodes/value.h>
 #include <parser/parse_func.h>
@@ -33,15 +31,6 @@ void watch_catalogue() {
   for (const int cache :
        {PROCOID, OPEROID, TYPEOID, NAMESPACEOID, AUTHOID, AUTHMEMMEMROLE, DATABASEOID})
     CacheRegisterSyscacheCallback(cache, note_change, Datum{0});
-}
-
-// The current role for a model that is still to be made.
-Oid owner_of(const char* model) {
-  HeapTuple schema = SearchSysCache1(NAMESPACENAME, CStringGetDatum(model));
-  if (!HeapTupleIsValid(schema)) return GetUserId();
-  const Oid owner = reinterpret_cast<Form_pg_namespace>(GETSTRUCT(schema))->nspowner;
-  ReleaseSysCache(schema);
-  return owner;
 }
 
 }  // namespace
