@@ -53,8 +53,10 @@ BEGIN
     IF relation = 'street_object' THEN
         PERFORM streetgen._adopt_objects(model, source);
     END IF;
-    PERFORM streetgen._adopt_rows(model, relation, source), streetgen._drop_vanished(model, relation, source),
-        streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
+    PERFORM streetgen._adopt_rows(model, relation, source);
+    -- It gives rows: beside others in one list these would be called once for each, and once more.
+    PERFORM FROM streetgen._drop_vanished(model, relation, source);
+    PERFORM streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
         streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);
     fresh := ARRAY(SELECT p.source_ref FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL AND NOT EXISTS (
         SELECT FROM delivered d WHERE (d.relation, d.source, d.source_ref)
