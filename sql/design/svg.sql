@@ -87,7 +87,7 @@ BEGIN
                 'stroke-width="3" paint-order="stroke">%s</text>',
                 round(((ST_X(geom) - ST_XMin(shown)) / pixel)::numeric + 9, 1),
                 round(((ST_YMax(shown) - ST_Y(geom)) / pixel)::numeric - 7, 1),
-                replace(replace(name, '&', '&amp;'), '<', '&lt;')), '')), '')
+                streetgen._as_xml(name)), '')), '')
             FROM design_node WHERE NOT rejected AND geom && shown INTO drawn;
         svg := svg || E'\n' || coalesce(drawn, '');
     END IF;

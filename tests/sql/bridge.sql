@@ -23,7 +23,7 @@ SELECT 'a deck covers all that the two roads share', bool_and(ST_Area(ST_Differe
         SELECT ST_Union(d.surface) AS surface FROM town.bridge d WHERE d.edge_id = o.edge_above) u ON true WHERE b.level >= 0;
 SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 SELECT 'the summary counts them', count(*) = 5 FROM streetgen.summary('town') WHERE subject ~ '^(bridge|tunnel)s, ';
-SELECT 'a picture has decks, shadows and tunnels', bool_and(drawing ~ class) FROM (SELECT streetgen.svg('town', legend => true) AS drawing) s, unnest(ARRAY['class="bridge s\d+">', 'class="bridge s\d+" transform="translate', 'class="tunnel s\d+">']) class;
+SELECT 'a picture has decks, shadows and tunnels', bool_and(drawing ~ class) FROM (SELECT streetgen.svg('town', legend => true) AS drawing) s, unnest(ARRAY['class="bridge"', 'class="bridge"[^>]* transform="translate', 'class="tunnel"']) class;
 
 -- Any path gives the same bridges.
 CREATE FUNCTION pg_temp.same_from_scratch() RETURNS boolean LANGUAGE plpgsql AS $$

@@ -73,7 +73,7 @@ CREATE OR REPLACE FUNCTION streetgen._letters_as_svg(words text, piece geometry,
     SELECT string_agg(format('<text transform="translate(%s %s)rotate(%s)">%s</text>',
             round((ST_X(a) + 0.36 * size * sin(turn) - x)::numeric, 2),
             round((y - ST_Y(a) + 0.36 * size * cos(turn))::numeric, 2), round(-degrees(turn)::numeric, 1),
-            replace(replace(streetgen._xml_text(letter), '&', '&amp;'), '<', '&lt;')), '' ORDER BY ordinality)
+            streetgen._as_xml(letter)), '' ORDER BY ordinality)
     FROM placed, LATERAL (SELECT atan2(ST_Y(b) - ST_Y(a), ST_X(b) - ST_X(a)) AS turn) t $$;
 COMMENT ON FUNCTION streetgen._letters_as_svg(text, geometry, float8, float8, float8) IS
     'A text along a line, letter by letter, as SVG, its middle on the line; size: of the font, metres; x and y are '
@@ -96,13 +96,15 @@ DECLARE
     svg text := '';
 BEGIN
     FOR named IN WITH rule AS (SELECT * FROM streetgen._symbols(model, theme, scale) r WHERE r.layer = 'name')
-        SELECT n.name, l.geom, ST_Length(l.geom) AS length, s.symbol, s.width * CASE s.unit WHEN 'pixel'
-            THEN pixel ELSE 1 END AS size
+        SELECT n.name, l.geom, ST_Length(l.geom) AS length, size, format('%s;paint-order:stroke;'
+            'stroke-linejoin:round;font:%spx DejaVu Sans,sans-serif', streetgen._as_css(s.fill, s.line, size / 4,
+            'metre', NULL, pixel), round(size::numeric, 4)) AS style
         FROM rule s JOIN streetgen._names(model, box) n ON s.kind = CASE WHEN n.importance::text IN (SELECT r.kind
-            FROM rule r) THEN n.importance::text ELSE '' END, ST_Dump(ST_Intersection(n.geom, box)) l
-        WHERE ST_Length(l.geom) > 3 * s.width * pixel ORDER BY n.importance, length DESC, n.name
+            FROM rule r) THEN n.importance::text ELSE '' END, ST_Dump(ST_Intersection(n.geom, box)) l,
+            LATERAL (SELECT s.width * CASE s.unit WHEN 'pixel' THEN pixel ELSE 1 END AS size) z
+        WHERE ST_Length(l.geom) > 3 * size ORDER BY n.importance, length DESC, n.name
     LOOP
-        words := left(named.name, 200);
+        words := left(btrim(regexp_replace(named.name, '\s+', ' ', 'g')), 200);
         long := (SELECT max(ends) FROM streetgen._letters(words)) * named.size;
         IF long + named.size > named.length THEN
             words := streetgen._short_name(words);
@@ -119,8 +121,8 @@ BEGIN
                 WHERE ST_DWithin(t, along, 0.6 * named.size)) ORDER BY turn LIMIT 1;
             CONTINUE WHEN piece IS NULL;
             taken := taken || ground;
-            svg := svg || format(E'<g class="name s%s">%s</g>\n', named.symbol, streetgen._letters_as_svg(words, piece,
-                named.size, ST_XMin(box), ST_YMax(box)));
+            svg := svg || format(E'<g class="name" style="%s">%s</g>\n', named.style, streetgen._letters_as_svg(words,
+                piece, named.size, ST_XMin(box), ST_YMax(box)));
         END LOOP;
     END LOOP;
     RETURN svg;

@@ -29,9 +29,10 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(model name, theme text, scale f
     LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 12 SET search_path = pg_catalog
     AS $$
     SELECT row_number() OVER (ORDER BY symbol), format(CASE WHEN fill IS NULL
-            THEN '<path class="s%s" style="stroke-width:2.5;stroke-dasharray:none" d="M0 8h32"/>'
-            ELSE '<rect class="s%s" style="stroke-width:1" width="32" height="16"/><path fill="none" '
-                'stroke="currentColor" stroke-opacity=".3" d="M0 0h32v16h-32z"/>' END, symbol), meaning
+            THEN '<path style="%s" d="M0 8h32"/>' ELSE '<rect style="%s" width="32" height="16"/><path fill="none" '
+                'stroke="currentColor" stroke-opacity=".3" d="M0 0h32v16h-32z"/>' END,
+            streetgen._as_css(fill, CASE WHEN marker IS NULL THEN line END, CASE WHEN fill IS NULL THEN 2.5 ELSE 1 END,
+                'metre', NULL, 1)), streetgen._as_xml(meaning)
     FROM (SELECT DISTINCT ON (meaning) * FROM streetgen._symbols(model, theme, scale)
         WHERE symbol = ANY (symbols) AND meaning IS NOT NULL ORDER BY meaning, symbol) s
     $$;
@@ -57,7 +58,8 @@ CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(model name, map text, wi
         180 * pixel * width / 1200.0 AS longest) size,
         LATERAL (SELECT 10 ^ floor(log(longest)) AS power) p, LATERAL (SELECT power * CASE WHEN longest >= 5 * power
             THEN 5 WHEN longest >= 2 * power THEN 2 ELSE 1 END AS metres) s,
-        (SELECT max(fill) FILTER (WHERE layer = 'paper') AS paper, max(fill) FILTER (WHERE layer = 'ink') AS ink
+        (SELECT coalesce((array_agg(fill ORDER BY symbol DESC) FILTER (WHERE layer = 'paper'))[1], 'none') AS paper,
+            coalesce((array_agg(fill ORDER BY symbol DESC) FILTER (WHERE layer = 'ink'))[1], 'none') AS ink
             FROM streetgen._symbols(model, theme, scale)) page
     $$;
 COMMENT ON FUNCTION streetgen._svg_beside_legend(name, text, integer, numeric, float8, text, float8, bigint[]) IS
@@ -93,8 +95,9 @@ COMMENT ON FUNCTION streetgen._curve_as_svg(geometry, float8, float8) IS
 CREATE OR REPLACE FUNCTION streetgen._shape_as_svg(geom geometry, x float8, y float8, pixel float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT CASE GeometryType(geom) WHEN 'COMPOUNDCURVE' THEN streetgen._curve_as_svg(geom, x, y)
-        ELSE ST_AsSVG(ST_Translate(ST_RemoveRepeatedPoints(geom, pixel / 4), -x, -y), 1,
-            greatest(0, least(3, ceil(log(8 / pixel))::integer))) END $$;
+        -- A line of paint is a decimetre wide.
+        ELSE ST_AsSVG(ST_Translate(ST_RemoveRepeatedPoints(geom, CASE WHEN pixel > 1 THEN pixel / 4
+            ELSE least(pixel / 4, 0.03) END), -x, -y), 1, greatest(0, least(3, ceil(log(8 / pixel))::integer))) END $$;
 COMMENT ON FUNCTION streetgen._shape_as_svg(geometry, float8, float8, float8) IS
     'A geometry as a path of SVG, to an eighth of a pixel (metres); x and y are those of the upper left corner of the '
     'picture.';
@@ -103,8 +106,6 @@ CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel fl
     OUT drawing text, OUT symbols bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    names constant text := streetgen._svg_names(model, box, pixel, theme, scale);
 BEGIN
     WITH symbol AS MATERIALIZED (SELECT * FROM streetgen._symbols(model, theme, scale)),
     shape AS MATERIALIZED (
@@ -114,26 +115,20 @@ BEGIN
         -- Half a pixel is not seen.
         WHERE greatest(ST_XMax(h.geom) - ST_XMin(h.geom), ST_YMax(h.geom) - ST_YMin(h.geom)) >= pixel / 2),
     drawn AS (
-        SELECT s.symbol, coalesce(h.level * 10, 1e6) + s.place AS height, format(E'<g class="%s"%s>\n%s\n</g>',
-                concat_ws(' ', s.layer, nullif(s.kind, ''), 's' || s.symbol), CASE s.marker WHEN 'shadow'
-                    THEN format(' transform="translate(%1$s %1$s)"', CASE s.unit WHEN 'pixel' THEN pixel ELSE 1 END
-                        * s.width) END, string_agg(format('<path d="%s"/>', h.path), E'\n' ORDER BY h.id, h.path)) AS
-            part
+        SELECT s.symbol, coalesce(h.level * 10, 1e6) + s.place AS height,
+            format(E'<g class="%s" style="%s"%s>\n%s\n</g>',
+                streetgen._as_xml(concat_ws(' ', s.layer, nullif(s.kind, ''))), streetgen._as_css(s.fill,
+                CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel),
+                CASE s.marker WHEN 'shadow' THEN format(' transform="translate(%1$s %1$s)"', CASE s.unit
+                    WHEN 'pixel' THEN pixel ELSE 1 END * s.width) END,
+                string_agg(format('<path d="%s"/>', h.path), E'\n' ORDER BY h.id, h.path)) AS part
         FROM shape h JOIN symbol s USING (layer, kind) WHERE h.path <> ''
-        GROUP BY s.symbol, s.layer, s.kind, s.place, s.marker, s.width, s.unit, h.level)
-    SELECT '<style>path{fill-rule:evenodd}' || (SELECT string_agg(format('.s%s{%s}', s.symbol, streetgen._as_css(s.fill,
-            CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel)), '' ORDER BY s.symbol)
-            FROM symbol s WHERE s.layer <> 'name' AND s.symbol IN (SELECT d.symbol FROM drawn d))
-        || coalesce((SELECT string_agg(format('.s%s{fill:%s;stroke:%s;stroke-width:%s;font-size:%spx}', s.symbol,
-            s.fill, coalesce(s.line, 'none'), round((s.width * pixel / 4)::numeric, 4),
-            round((s.width * pixel)::numeric, 4)), '') || '.name{paint-order:stroke;stroke-linejoin:round;'
-                'font-family:DejaVu Sans,sans-serif}' FROM symbol s WHERE s.layer = 'name' AND names <> ''), '')
-        || E'</style>\n'
-        || (SELECT format('<rect width="100%%" height="100%%" fill="%s"/>', s.fill) FROM symbol s
-            WHERE s.layer = 'ground') || E'\n'
+        GROUP BY s.symbol, s.layer, s.kind, s.place, s.fill, s.line, s.marker, s.width, s.unit, s.dash, h.level)
+    SELECT coalesce((SELECT string_agg(format(E'<rect width="100%%" height="100%%" fill="%s"/>\n', s.fill), ''
+            ORDER BY s.symbol) FROM symbol s WHERE s.layer = 'ground' AND s.fill IS NOT NULL), '')
         || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n', '')
-        || names,
-        ARRAY(SELECT d.symbol FROM drawn d) INTO drawing, symbols;
+        || streetgen._svg_names(model, box, pixel, theme, scale), ARRAY(SELECT DISTINCT d.symbol FROM drawn d)
+        INTO drawing, symbols;
 END $$;
 COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8) IS
     'What streetgen.svg draws in a box of a model, in metres from its upper left corner, for pixels of so many metres; '

@@ -3,15 +3,17 @@
 CREATE TABLE streetgen.symbol_rule (
     theme text NOT NULL CHECK (theme IN ('street', 'dark', 'construction')),
     layer text NOT NULL, kind text NOT NULL DEFAULT '',
-    from_scale float8 NOT NULL DEFAULT 0 CHECK (from_scale >= 0),
-    to_scale float8 NOT NULL DEFAULT 'Infinity', place float8 NOT NULL,
+    from_scale float8 NOT NULL DEFAULT 0 CHECK (from_scale >= 0 AND from_scale < 'Infinity'),
+    to_scale float8 NOT NULL DEFAULT 'Infinity' CHECK (to_scale <> 'NaN'),
+    place float8 NOT NULL CHECK (place BETWEEN -1e6 AND 1e6),
     fill text CHECK (fill ~ '^#[0-9a-f]{6}([0-9a-f]{2})?$'),
     line text CHECK (line ~ '^#[0-9a-f]{6}([0-9a-f]{2})?$'),
-    width float8 CHECK (width > 0), unit text CHECK (unit IN ('metre', 'pixel')),
+    width float8 CHECK (width > 0 AND width <= 1e6), unit text CHECK (unit IN ('metre', 'pixel')),
     dash text CHECK (dash ~ '^\d+(\.\d+)?( \d+(\.\d+)?)*$'), marker text CHECK (marker IN ('shadow')),
     meaning text,
     PRIMARY KEY (theme, layer, kind, from_scale, place),
-    CHECK (from_scale < to_scale), CHECK (num_nulls(width, unit) IN (0, 2)),
+    CHECK (from_scale < to_scale), CHECK (layer <> 'name' OR width IS NOT NULL),
+    CHECK (num_nulls(width, unit) IN (0, 2)),
     CHECK (line IS NULL OR width IS NOT NULL), CHECK (marker IS NULL OR width IS NOT NULL));
 COMMENT ON TABLE streetgen.symbol_rule IS
     'How layers of a model are drawn: by theme, kind and scale. A kind without a rule of its own at a scale is drawn '
@@ -24,8 +26,8 @@ COMMENT ON COLUMN streetgen.symbol_rule.layer IS
     'of a legend';
 COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN streetgen.symbol_rule.from_scale IS
-    'drawn from this scale, as the number below the line: 1500 is 1:1,500';
-COMMENT ON COLUMN streetgen.symbol_rule.to_scale IS 'drawn to a scale below this one';
+    'drawn beyond this scale, as the number below the line: 1500 is 1:1,500';
+COMMENT ON COLUMN streetgen.symbol_rule.to_scale IS 'drawn up to this scale';
 COMMENT ON COLUMN streetgen.symbol_rule.place IS 'order on its level from below, less than 10; or above all levels';
 COMMENT ON COLUMN streetgen.symbol_rule.fill IS 'colour of its ground, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.line IS 'colour of its line or border, #rrggbb or #rrggbbaa; NULL: none';
@@ -38,8 +40,8 @@ COMMENT ON COLUMN streetgen.symbol_rule.meaning IS 'what a legend says of it; NU
 GRANT SELECT ON streetgen.symbol_rule TO PUBLIC;
 
 INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
-    ('street', 'ground', 0, '#e4e0d6'), ('dark', 'ground', 0, '#14171c'), ('construction', 'ground', 0, '#f3f1ea'),
-    ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#1d2127'), ('construction', 'paper', 0, '#ffffff'),
+    ('street', 'ground', 0, '#e4e0d6'), ('dark', 'ground', 0, '#0f1216'), ('construction', 'ground', 0, '#f3f1ea'),
+    ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#14171c'), ('construction', 'paper', 0, '#ffffff'),
     ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('construction', 'ink', 0, '#1f2937');
 
 CREATE OR REPLACE FUNCTION streetgen._symbols(model name, theme text, scale float8)
@@ -60,10 +62,12 @@ BEGIN
     END IF;
     RETURN QUERY SELECT row_number() OVER (ORDER BY r.place, r.layer, r.kind), r.layer, r.kind, r.place, r.fill, r.line,
             r.width, r.unit, r.dash, r.marker, r.meaning
-        FROM (SELECT * FROM symbol_rule UNION ALL SELECT * FROM streetgen.symbol_rule d
+        FROM (SELECT m.theme, m.layer, m.kind, m.from_scale, m.to_scale, m.place, m.fill, m.line, m.width, m.unit,
+                m.dash, m.marker, m.meaning FROM symbol_rule m
+            UNION ALL SELECT * FROM streetgen.symbol_rule d
             WHERE (d.theme, d.layer, d.kind, d.from_scale, d.place) NOT IN (
                 SELECT o.theme, o.layer, o.kind, o.from_scale, o.place FROM symbol_rule o)) r
-        WHERE r.theme = _symbols.theme AND scale >= r.from_scale AND scale < r.to_scale
+        WHERE r.theme = _symbols.theme AND scale > r.from_scale AND scale <= r.to_scale
             AND num_nonnulls(r.fill, r.line) > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._symbols(name, text, float8) IS
@@ -73,7 +77,7 @@ COMMENT ON FUNCTION streetgen._symbols(name, text, float8) IS
 CREATE OR REPLACE FUNCTION streetgen._as_css(fill text, line text, width float8, unit text, dash text, pixel float8)
     RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format('fill:%s', coalesce(fill, 'none')) || CASE WHEN line IS NULL THEN '' ELSE
+    AS $$ SELECT format('fill:%s;fill-rule:evenodd', coalesce(fill, 'none')) || CASE WHEN line IS NULL THEN '' ELSE
             format(';stroke:%s;stroke-width:%s', line, round((width * each)::numeric, 4))
             || coalesce(';stroke-dasharray:' || (SELECT string_agg(round((d::float8 * each)::numeric, 4)::text, ' '
                 ORDER BY n) FROM string_to_table(dash, ' ') WITH ORDINALITY t(d, n)), '') END

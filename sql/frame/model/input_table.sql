@@ -59,8 +59,8 @@ COMMENT ON TABLE :"model".symbol_rule IS
 COMMENT ON COLUMN :"model".symbol_rule.theme IS 'street, dark or construction';
 COMMENT ON COLUMN :"model".symbol_rule.layer IS 'a layer of streetgen.symbol_rule, such as sidewalk';
 COMMENT ON COLUMN :"model".symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
-COMMENT ON COLUMN :"model".symbol_rule.from_scale IS 'drawn from this scale, as the number below the line';
-COMMENT ON COLUMN :"model".symbol_rule.to_scale IS 'drawn to a scale below this one';
+COMMENT ON COLUMN :"model".symbol_rule.from_scale IS 'drawn beyond this scale, as the number below the line';
+COMMENT ON COLUMN :"model".symbol_rule.to_scale IS 'drawn up to this scale';
 COMMENT ON COLUMN :"model".symbol_rule.place IS 'order on its level from below, less than 10; or above all levels';
 COMMENT ON COLUMN :"model".symbol_rule.fill IS 'colour of its ground, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN :"model".symbol_rule.line IS 'colour of its line or border, likewise; NULL: none';

@@ -15,7 +15,7 @@ COMMENT ON FUNCTION streetgen._block_drawn(name, geometry, text[]) IS
 
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('street', 'block', 5000, -1, '#efe9dc', 'city block'),
-    ('dark', 'block', 5000, -1, '#1d2127', 'city block');
+    ('dark', 'block', 5000, -1, '#262b33', 'city block');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
     ('street', 'block', 'island', 5000, -1, '#a9c78d', 'island'),
     ('street', 'block', 'strip', 5000, -1, '#a9c78d', 'strip between carriageways'),

@@ -9,7 +9,7 @@ BEGIN
     RETURN QUERY SELECT 'bridge', b.method, level, b.surface::geometry, bridge_id FROM bridge b
         JOIN edge USING (edge_id) WHERE 'bridge' = ANY (layers) AND b.surface && box;
     -- A deck that passes over its own level lies over what is painted there, and has its own paint.
-    IF 'deck_paint' = ANY (layers) AND to_regclass('lane_separator') IS NOT NULL THEN
+    IF 'deck_paint' = ANY (layers) AND 'lane' = ANY (streetgen._subjects(model)) THEN
         RETURN QUERY SELECT 'deck_paint', '', level,
                 ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3), bridge_id
             FROM bridge b JOIN edge e USING (edge_id), LATERAL (

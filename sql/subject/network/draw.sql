@@ -25,7 +25,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT s.name, s.importance, line.geom FROM (
         SELECT a.name, min(e.importance) AS importance, ST_LineMerge(ST_Collect(ST_Force2D(e.geom))) AS lines
-        FROM edge e JOIN axis a USING (axis_id) WHERE e.geom && box AND a.name <> '' GROUP BY a.name) s,
+        FROM edge e JOIN axis a USING (axis_id) WHERE e.geom && box AND a.name ~ '\S' GROUP BY a.name) s,
         ST_Dump(s.lines) line;
 END $$;
 COMMENT ON FUNCTION streetgen._network_named(name, geometry) IS

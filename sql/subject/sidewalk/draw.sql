@@ -14,5 +14,5 @@ COMMENT ON FUNCTION streetgen._sidewalk_drawn(name, geometry, text[]) IS
 
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'sidewalk', 5000, 0, '#cdc9c2', '#cdc9c2', 0.7, 'pixel', 'sidewalk'),
-    ('dark', 'sidewalk', 5000, 0, '#555b64', '#555b64', 0.7, 'pixel', 'sidewalk'),
+    ('dark', 'sidewalk', 5000, 0, '#6a717b', '#6a717b', 0.7, 'pixel', 'sidewalk'),
     ('construction', 'sidewalk', 11000, 0, '#e7d9bd', '#c9b791', 0.4, 'pixel', 'sidewalk');

@@ -116,8 +116,8 @@ BEGIN
             'font-size="12"><rect width="100%%" height="100%%" fill="#fff"/>',
             34 + 18 * (SELECT count(*) FROM label))
         || (SELECT string_agg(format('<rect x="210" y="%s" width="540" height="13" fill="#b42318"/>'
-                '<text x="6" y="%s">%s</text>', 18 * line, 18 * line + 11, replace(replace(streetgen._xml_text(left(
-                says, 34)), '&', '&amp;'), '<', '&lt;')), '' ORDER BY line) FROM label)
+                '<text x="6" y="%s">%s</text>', 18 * line, 18 * line + 11, streetgen._as_xml(left(says, 34))),
+                '' ORDER BY line) FROM label)
         || (SELECT string_agg(format('<rect x="%s" y="%s" width="%s" height="13" fill="%s"/>',
                 round((210 + 540 * starts / cycle)::numeric, 1), 18 * line, round((540 * (ends - starts) / cycle)
                 ::numeric, 1), colour), '' ORDER BY line, starts) FROM bar, whole)
