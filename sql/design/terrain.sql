@@ -32,7 +32,7 @@ COMMENT ON FUNCTION streetgen._check_tile_places(name, integer) IS
     'its scale is more than 1 % off; warns where they lie beside all that the model has.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_tiles(source text) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public, pg_temp
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _tile ON COMMIT DROP AS SELECT heights, streetgen._height_tile_box(heights)
