@@ -44,8 +44,8 @@ BEGIN
         PERFORM streetgen.drop_model('streetgen_renewed');
     END LOOP;
     FOR known IN SELECT * FROM known_model LOOP
-        PERFORM streetgen._register_model(known.name, known.srid, known.dimension), streetgen._give_to_owner(known.name, '{}'),
-            streetgen._as_owner(known.name, '_add_tables');
+        PERFORM streetgen._register_model(known.name, known.srid, known.dimension),
+            streetgen._give_to_owner(known.name, '{}'), streetgen._as_owner(known.name, '_add_tables');
         SELECT string_agg(c, ', ') INTO missing FROM (SELECT description FROM wanted_column WHERE (srid, dimension, subjects) = (known.srid, known.dimension, streetgen._subjects(known.name)) EXCEPT SELECT pg_temp.columns_of(known.name) ORDER BY 1) m(c);
         IF missing IS NOT NULL THEN
             RAISE EXCEPTION 'model "%" lacks columns of this build: %', known.name, missing USING ERRCODE = '55000',

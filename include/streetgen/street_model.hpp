@@ -14,7 +14,7 @@
 namespace streetgen {
 
 struct StreetModelInput {
-  // What is computed on the roadway, by the words of subjects.  One that needs another comes out
+  // Subjects that are computed on the roadway, by their words.  One that needs another comes out
   // empty without it, and words that no step knows are passed over.
   std::set<std::string> subjects{"lane", "interconnection"};
   std::vector<StreetAxis> axes;

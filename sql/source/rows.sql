@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._adopt_rows(model name, relation name, sour
 #variable_conflict use_column
 DECLARE
     origin constant text COLLATE "default" := source;
-    -- What an object says is not in its row.
+    -- The words of an object are not in its row, their hash is.
     hashed constant boolean := relation = 'street_object';
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -54,7 +54,7 @@ BEGIN
         PERFORM streetgen._adopt_objects(model, source);
     END IF;
     PERFORM streetgen._adopt_rows(model, relation, source);
-    -- It gives rows: beside others in one list these would be called once for each, and once more.
+    -- A function that gives rows, beside others in one list, would have them called again.
     PERFORM FROM streetgen._drop_vanished(model, relation, source);
     PERFORM streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
         streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);

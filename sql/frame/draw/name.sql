@@ -84,7 +84,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_names(model name, box geometry, pixel 
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- So far apart, in pixels, the name of a long street stands again.
+    -- The name of a long street stands again after so many pixels.
     again constant float8 := 450;
     named record;
     words text;
@@ -101,7 +101,7 @@ BEGIN
             'metre', NULL, pixel), round(size::numeric, 4)) AS style
         FROM rule s JOIN streetgen._names(model, box) n ON s.kind = CASE WHEN n.importance::text IN (SELECT r.kind
             FROM rule r) THEN n.importance::text ELSE '' END, ST_Dump(ST_Intersection(n.geom, box)) l,
-            LATERAL (SELECT s.width * CASE s.unit WHEN 'pixel' THEN pixel ELSE 1 END AS size) z
+            streetgen._metres(s.width, s.unit, pixel) size
         WHERE ST_Length(l.geom) > 3 * size ORDER BY n.importance, length DESC, n.name
     LOOP
         words := left(btrim(regexp_replace(named.name, '\s+', ' ', 'g')), 200);

@@ -119,8 +119,8 @@ BEGIN
             format(E'<g class="%s" style="%s"%s>\n%s\n</g>',
                 streetgen._as_xml(concat_ws(' ', s.layer, nullif(s.kind, ''))), streetgen._as_css(s.fill,
                 CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel),
-                CASE s.marker WHEN 'shadow' THEN format(' transform="translate(%1$s %1$s)"', CASE s.unit
-                    WHEN 'pixel' THEN pixel ELSE 1 END * s.width) END,
+                CASE s.marker WHEN 'shadow' THEN format(' transform="translate(%1$s %1$s)"',
+                    streetgen._metres(s.width, s.unit, pixel)) END,
                 string_agg(format('<path d="%s"/>', h.path), E'\n' ORDER BY h.id, h.path)) AS part
         FROM shape h JOIN symbol s USING (layer, kind) WHERE h.path <> ''
         GROUP BY s.symbol, s.layer, s.kind, s.place, s.fill, s.line, s.marker, s.width, s.unit, s.dash, h.level)
@@ -149,7 +149,7 @@ CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NUL
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Metres of paper: what standards of map services take a pixel for.
+    -- Map services take a pixel for so many metres of paper.
     pixel_on_paper constant float8 := 0.00028;
     themes constant text[] := ARRAY(SELECT DISTINCT r.theme FROM streetgen.symbol_rule r ORDER BY 1);
     box geometry;

@@ -1,4 +1,4 @@
--- How a street looks is said here alone: rooms add the rules of their layers in their files draw.sql.
+-- Rules say how each layer looks, and nothing else does: rooms add theirs in their files draw.sql.
 
 CREATE TABLE streetgen.symbol_rule (
     theme text NOT NULL CHECK (theme IN ('street', 'dark', 'construction')),
@@ -74,13 +74,19 @@ COMMENT ON FUNCTION streetgen._symbols(name, text, float8) IS
     'The rules of a theme at a scale (the number below the line) for a model, each with a number: its own, and the '
     'others of streetgen.symbol_rule. A rule of its own for a layer that is none: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._metres(width float8, unit text, pixel float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT width * CASE unit WHEN 'pixel' THEN pixel ELSE 1 END $$;
+COMMENT ON FUNCTION streetgen._metres(float8, text, float8) IS
+    'A width of a rule in metres, where a pixel is so many metres wide.';
+
 CREATE OR REPLACE FUNCTION streetgen._as_css(fill text, line text, width float8, unit text, dash text, pixel float8)
     RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format('fill:%s;fill-rule:evenodd', coalesce(fill, 'none')) || CASE WHEN line IS NULL THEN '' ELSE
-            format(';stroke:%s;stroke-width:%s', line, round((width * each)::numeric, 4))
-            || coalesce(';stroke-dasharray:' || (SELECT string_agg(round((d::float8 * each)::numeric, 4)::text, ' '
-                ORDER BY n) FROM string_to_table(dash, ' ') WITH ORDINALITY t(d, n)), '') END
-        FROM (SELECT CASE unit WHEN 'pixel' THEN pixel ELSE 1 END AS each) u $$;
+            format(';stroke:%s;stroke-width:%s', line, round(streetgen._metres(width, unit, pixel)::numeric, 4))
+            || coalesce(';stroke-dasharray:' || (SELECT string_agg(round(streetgen._metres(d::float8, unit,
+                pixel)::numeric, 4)::text, ' ' ORDER BY n) FROM string_to_table(dash, ' ') WITH ORDINALITY t(d, n)),
+                '') END $$;
 COMMENT ON FUNCTION streetgen._as_css(text, text, float8, text, text, float8) IS
     'A rule as properties of SVG, for a drawing in metres whose pixel is so many metres wide.';

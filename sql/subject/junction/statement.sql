@@ -10,7 +10,7 @@ WHERE e.axis_id = ANY (written) AND (SELECT true FROM {model}.junction_node o
 --{junction_edge_editing
 SELECT e.edge_id, EXISTS (SELECT FROM {model}.junction_edge j WHERE j.edge_id = e.edge_id) AS inside,
     EXISTS (SELECT FROM {model}.junction_override o WHERE o.axis_id = e.axis_id AND o.inside IS NOT NULL
-        -- As streetgen._edge_at, but by no name, which may change before the model is adopted.
+        -- This does what streetgen._edge_at does, whose name may change before the model is adopted.
         AND e.edge_id = (SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = o.axis_id
             ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)) AS by_hand, e.geom
 FROM {model}.edge e
