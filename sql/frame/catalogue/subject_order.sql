@@ -74,19 +74,23 @@ END $$;
 COMMENT ON FUNCTION streetgen._require_words(text[]) IS 'Raises 22023 for the first word that is no subject.';
 
 CREATE OR REPLACE FUNCTION streetgen._with_needs(subjects text[]) RETURNS text[]
-    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._require_words(array_remove(array_remove(subjects, 'all'), 'default'));
+    PERFORM streetgen._require_words(ARRAY(SELECT unnest(subjects)
+        EXCEPT SELECT unnest('{all,default,drawn}'::text[])));
     RETURN ARRAY(
         WITH RECURSIVE wanted(subject, needs) AS (
             SELECT s.subject, s.needs FROM streetgen._subject() s
             WHERE s.always OR s.subject = ANY (subjects) OR 'all' = ANY (subjects)
                 OR s.by_default AND (subjects IS NULL OR 'default' = ANY (subjects))
+                OR 'drawn' = ANY (subjects)
+                    AND to_regprocedure(format('streetgen._%s_drawn(name, geometry, text[])', s.subject)) IS NOT NULL
             UNION SELECT s.subject, s.needs FROM wanted w JOIN streetgen._subject() s ON s.subject = ANY (w.needs))
         SELECT s.subject FROM streetgen._subject() s JOIN wanted w USING (subject) GROUP BY s.subject, s.place
         ORDER BY s.place);
 END $$;
 COMMENT ON FUNCTION streetgen._with_needs(text[]) IS
     'Subjects with all that they need and those of every model, in their order. The word all stands for every subject, '
-    'default or NULL for those that a new model computes where nothing is said. Another word: 22023.';
+    'drawn for those that pictures show, default or NULL for those that a new model computes where nothing is said. '
+    'Another word: 22023.';

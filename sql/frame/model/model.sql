@@ -110,7 +110,8 @@ END $$;
 COMMENT ON FUNCTION streetgen.create_model(name, integer, integer, text[], text) IS
     'Makes schema model with the tables of a street model in the given SRID (projected, metres). dimension: 3 keeps '
     'the heights of axes and nodes. subjects: what is computed besides network and surface, each with what it needs '
-    '(streetgen.subject lists them); the word all stands for every one, default or NULL for lanes and paths; '
+    '(streetgen.subject lists them); the word all stands for every one, drawn for those that pictures show, default '
+    'or NULL for lanes and paths; '
     'another word: 22023. '
     'driving_side: the setting of that name, auto, right or left. An existing schema: 42P06; an unfit '
     'SRID: 22023 with a hint; a role that may not create schemas: 42501.';

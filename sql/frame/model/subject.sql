@@ -56,6 +56,22 @@ COMMENT ON FUNCTION streetgen._grant_like_axes(name, oid[]) IS
     'Who may read the axes of a model may read these tables and views of it. Who may write the axes may write the '
     'tables of overrides and objects among these, and settle conflicts.';
 
+CREATE OR REPLACE FUNCTION streetgen._switch_on(model name, subjects text[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    before constant oid[] := streetgen._relations(model);
+BEGIN
+    PERFORM streetgen._make_tables(model, '{kept_table,table}', streetgen._with_needs(subjects));
+    PERFORM streetgen._make_dependents(model);
+    PERFORM streetgen._give_to_owner(model, before);
+    PERFORM streetgen._grant_like_axes(model, ARRAY(
+        SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
+    PERFORM streetgen._grant_edit_views(model);
+END $$;
+COMMENT ON FUNCTION streetgen._switch_on(name, text[]) IS
+    'Makes the tables and views of subjects and of those that they need, for a run to fill; those of others stay.';
+
 CREATE OR REPLACE FUNCTION streetgen.switch_subject(model name, subject text, wanted boolean)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, skipped bigint,
         fallbacks bigint)
@@ -78,12 +94,7 @@ BEGIN
     END IF;
     before := streetgen._relations(model);
     IF wanted THEN
-        PERFORM streetgen._make_tables(model, '{kept_table,table}', streetgen._with_needs(ARRAY[subject]));
-        PERFORM streetgen._make_dependents(model);
-        PERFORM streetgen._give_to_owner(model, before);
-        PERFORM streetgen._grant_like_axes(model, ARRAY(
-            SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
-        PERFORM streetgen._grant_edit_views(model);
+        PERFORM streetgen._switch_on(model, ARRAY[subject]);
         EXECUTE format('SELECT EXISTS (SELECT FROM %I.edge)', model) INTO has_streets;
         IF has_streets THEN
             RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
