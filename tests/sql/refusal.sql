@@ -30,6 +30,26 @@ INSERT INTO tried VALUES
   ('INSERT INTO town.interconnection_override (interconnection_override_id, geom, axis_in, lane_in, axis_out, lane_out) VALUES (7, ''SRID=2154;POINT EMPTY'', 1, 2, 2, 2)', '23514', 'the geom of the new interconnection override 7 cannot be POINT EMPTY'),
   ('INSERT INTO town.interconnection_override (interconnection_override_id, geom, axis_in, lane_in, axis_out, lane_out, control) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, 2, 2, ''SRID=2154;POINT(NaN 1)'')', '23514', 'the control of the new interconnection override 7 cannot be POINT(NaN 1)'),
   ('INSERT INTO town.interconnection_override (interconnection_override_id, geom, axis_in, lane_in, axis_out, lane_out, control) VALUES (7, ''SRID=2154;POINT(650100 6860000)'', 1, 2, 2, 2, ''SRID=2154;POINT(1e13 1)'')', '23514', 'the control of the new interconnection override 7 cannot be POINT(10000000000000 1)');
+-- Rules of drawing: their key names the row.
+INSERT INTO town.symbol_rule (theme, layer, kind, place, fill) VALUES ('street', 'lane', 'bus', 3, '#ff0000');
+INSERT INTO tried SELECT format('INSERT INTO town.symbol_rule (theme, layer, place, from_scale, to_scale, fill, line, width, unit, dash, marker) VALUES (%s)', row), '23514', format(said, 'new symbol rule') FROM (VALUES
+  ('''street'', ''section'', 1, 0, 1, ''red'', NULL, NULL, NULL, NULL, NULL', 'the fill of the %s street section 0 1 cannot be "red"'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#FFF'', 1, ''pixel'', NULL, NULL', 'the line of the %s street section 0 1 cannot be "#FFF"'),
+  ('''night'', ''section'', 1, 0, 1, NULL, NULL, NULL, NULL, NULL, NULL', 'the theme of the %s night section 0 1 cannot be "night"'),
+  ('''street'', ''section'', 1, 5000, 1500, NULL, NULL, NULL, NULL, NULL, NULL', 'the to_scale of the %s street section 5000 1 cannot be 1500'),
+  ('''street'', ''section'', 1, -1, 1, NULL, NULL, NULL, NULL, NULL, NULL', 'the from_scale of the %s street section -1 1 cannot be -1'),
+  ('''street'', ''section'', 1e7, 0, 1, NULL, NULL, NULL, NULL, NULL, NULL', 'the place of the %s street section 0 10000000 cannot be 10000000'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#ff0000'', 1, NULL, NULL, NULL', 'the unit of the %s street section 0 1 cannot be NULL'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#ff0000'', NULL, NULL, NULL, NULL', 'the width of the %s street section 0 1 cannot be NULL'),
+  ('''street'', ''name'', 1, 0, 1, ''#ff0000'', NULL, NULL, NULL, NULL, NULL', 'the width of the %s street name 0 1 cannot be NULL'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#ff0000'', -1, ''metre'', NULL, NULL', 'the width of the %s street section 0 1 cannot be -1'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#ff0000'', 1, ''foot'', NULL, NULL', 'the unit of the %s street section 0 1 cannot be "foot"'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#ff0000'', 1, ''metre'', ''3,2'', NULL', 'the dash of the %s street section 0 1 cannot be "3,2"'),
+  ('''street'', ''section'', 1, 0, 1, NULL, ''#ff0000'', 1, ''metre'', NULL, ''star''', 'the marker of the %s street section 0 1 cannot be "star"'),
+  ('''street'', ''section'', 1, 0, 1, ''#ff0000'', NULL, NULL, NULL, NULL, ''shadow''', 'the marker of the %s street section 0 1 cannot be "shadow"')) v(row, said);
+INSERT INTO tried VALUES ('UPDATE town.symbol_rule SET from_scale = 10, to_scale = 5', '23514', 'the to_scale of symbol rule street lane bus 10 3 cannot be 5'),
+  ('UPDATE town.symbol_rule SET width = 1', '23514', 'the unit of symbol rule street lane bus 0 3 cannot be NULL'),
+  ('INSERT INTO town.symbol_rule (layer, place) VALUES (''lane'', 3)', '23502', 'the theme of the new symbol rule lane 0 3 cannot be NULL');
 SELECT format('%s: %s', statement, concat_ws(' ', r.state, r.said)), r.state = wanted AND r.said = message AND r.detail LIKE 'Expected %.' AND r.hint <> '' FROM tried, test.refusal(statement) r;
 BEGIN;
 SAVEPOINT edit;
@@ -43,14 +63,14 @@ SELECT 'the rest of the transaction stays usable', width = 9 FROM town.edge WHER
 COMMIT;
 
 -- Words and constraints agree.
-CREATE VIEW worded AS SELECT c.relname, n.attribute, n.condition, n.sqlstate, r.* FROM pg_class c CROSS JOIN streetgen._conditions(c.oid) n LEFT JOIN LATERAL streetgen._input_rule(c.oid, n.attribute) r ON true
-  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND relname = ANY (streetgen._edited_tables('town') || 'axis_class'::name);
+CREATE VIEW worded AS SELECT c.relname, n.attribute, n.condition, n.sqlstate, r.* FROM pg_class c CROSS JOIN streetgen._conditions(c.oid) n LEFT JOIN LATERAL streetgen._input_rule(c.oid, n.attribute, n.name) r ON true
+  WHERE relnamespace = 'town'::regnamespace AND relkind = 'r' AND relname = ANY (streetgen._edited_tables('town') || '{axis_class,symbol_rule}'::name[]);
 SELECT format('%s.%s says what it expects', relname, attribute), expected <> '' OR attribute = 'geom' FROM worded WHERE sqlstate = '23514' ORDER BY relname, attribute, condition;
 SELECT format('%s.%s: its bounds are those of the constraint', relname, attribute), bool_and(condition ~ format('\m%s\M', replace(bound[1], '-', ''))) FROM worded, regexp_matches(expected, '\d+(?:\.\d+)?', 'g') bound
   WHERE sqlstate = '23514' AND expected ~ '^-?[0-9.]+ to [0-9]+( |$)' GROUP BY relname, attribute ORDER BY relname, attribute;
 SELECT format('%s.%s says a way out', relname, attribute), bool_and(way_out ~ '\.$' AND expected !~ '\.$') FROM worded WHERE expected IS NOT NULL GROUP BY relname, attribute ORDER BY relname, attribute;
-SELECT 'each constraint of one column is looked at', (SELECT count(*) FROM worded WHERE sqlstate = '23514')
-  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND cardinality(conkey) = 1 AND relnamespace = 'town'::regnamespace AND relname = ANY (streetgen._edited_tables('town') || 'axis_class'::name));
+SELECT 'each constraint of one column is looked at, and each that says what it asks for', (SELECT count(*) FROM worded WHERE sqlstate = '23514')
+  = (SELECT count(*) FROM pg_constraint JOIN pg_class c ON c.oid = conrelid WHERE contype = 'c' AND (cardinality(conkey) = 1 OR obj_description(pg_constraint.oid, 'pg_constraint') <> '') AND relnamespace = 'town'::regnamespace AND relname = ANY (streetgen._edited_tables('town') || '{axis_class,symbol_rule}'::name[]));
 
 -- A model of an older build; one that lost a constraint.
 DO $$

@@ -102,6 +102,33 @@ COMMENT ON FUNCTION streetgen._shape_as_svg(geometry, float8, float8, float8) IS
     'A geometry as a path of SVG, to an eighth of a pixel (metres); x and y are those of the upper left corner of the '
     'picture.';
 
+CREATE OR REPLACE FUNCTION streetgen._tell_unused_rules(model name, box geometry, theme text, scale float8,
+    symbols bigint[]) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    unused record;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR unused IN SELECT DISTINCT r.layer, r.kind FROM symbol_rule r WHERE r.theme = _tell_unused_rules.theme
+        AND scale > r.from_scale AND scale <= r.to_scale AND r.kind <> '' AND r.layer <> 'name'
+        AND (r.layer, r.kind) NOT IN (SELECT a.layer, a.kind FROM streetgen.symbol_rule a)
+        AND (r.layer, r.kind) NOT IN (SELECT s.layer, s.kind FROM streetgen._symbols(model, theme, scale) s
+            WHERE s.symbol = ANY (symbols)) ORDER BY 1, 2
+    LOOP
+        RAISE NOTICE 'the rule of %.symbol_rule for kind "%" of layer % draws nothing here', quote_ident(model),
+            unused.kind, unused.layer USING HINT = format('Kinds of this layer are %s.', coalesce((
+                SELECT string_agg(DISTINCT quote_literal(k.kind), ', ') FROM (
+                    SELECT a.kind FROM streetgen.symbol_rule a WHERE a.layer = unused.layer
+                    UNION ALL SELECT h.kind FROM streetgen._shapes(model, box, ARRAY[unused.layer]) h) k
+                WHERE k.kind <> ''), ''''' alone'));
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_unused_rules(name, geometry, text, float8, bigint[]) IS
+    'Tells by a notice of a model''s own rules for a kind that no rule of all models has and that is not among the '
+    'symbols of a drawing: it may be misspelt.';
+
 CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel float8, theme text, scale float8,
     OUT drawing text, OUT symbols bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -129,6 +156,7 @@ BEGIN
         || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n', '')
         || streetgen._svg_names(model, box, pixel, theme, scale), ARRAY(SELECT DISTINCT d.symbol FROM drawn d)
         INTO drawing, symbols;
+    PERFORM streetgen._tell_unused_rules(model, box, theme, scale, symbols);
 END $$;
 COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8) IS
     'What streetgen.svg draws in a box of a model, in metres from its upper left corner, for pixels of so many metres; '
@@ -149,8 +177,6 @@ CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NUL
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Map services take a pixel for so many metres of paper.
-    pixel_on_paper constant float8 := 0.00028;
     themes constant text[] := ARRAY(SELECT DISTINCT r.theme FROM streetgen.symbol_rule r ORDER BY 1);
     box geometry;
     wide float8;
@@ -174,14 +200,14 @@ BEGIN
     wide := greatest(ST_XMax(box) - ST_XMin(box), 1);
     high := greatest(ST_YMax(box) - ST_YMin(box), 1);
     width := coalesce(width, CASE WHEN scale > 0
-        THEN greatest(16, round(least(wide / scale / pixel_on_paper, 1e6))) ELSE 1200 END);
+        THEN greatest(16, round(least(wide / scale / streetgen._pixel_on_paper(), 1e6))) ELSE 1200 END);
     IF width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', width USING ERRCODE = '22023',
             HINT = 'The default is 1200, or as the scale says.';
     END IF;
     pixel := wide / width;
     height := greatest(1, round((width * high / wide)::numeric));
-    scale := coalesce(scale, pixel / pixel_on_paper);
+    scale := coalesce(scale, pixel / streetgen._pixel_on_paper());
     map := streetgen._svg_map(model, box, pixel, theme, scale);
     frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, height, round(wide::numeric, 3),
         round(high::numeric, 3));

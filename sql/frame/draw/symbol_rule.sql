@@ -12,9 +12,11 @@ CREATE TABLE streetgen.symbol_rule (
     dash text CHECK (dash ~ '^\d+(\.\d+)?( \d+(\.\d+)?)*$'), marker text CHECK (marker IN ('shadow')),
     meaning text,
     PRIMARY KEY (theme, layer, kind, from_scale, place),
-    CHECK (from_scale < to_scale), CHECK (layer <> 'name' OR width IS NOT NULL),
-    CHECK (num_nulls(width, unit) IN (0, 2)),
-    CHECK (line IS NULL OR width IS NOT NULL), CHECK (marker IS NULL OR width IS NOT NULL));
+    CONSTRAINT symbol_rule_scales CHECK (from_scale < to_scale),
+    CONSTRAINT symbol_rule_name_has_size CHECK (layer <> 'name' OR width IS NOT NULL),
+    CONSTRAINT symbol_rule_width_has_unit CHECK (num_nulls(width, unit) IN (0, 2)),
+    CONSTRAINT symbol_rule_line_has_width CHECK (line IS NULL OR width IS NOT NULL),
+    CONSTRAINT symbol_rule_shadow_has_width CHECK (marker IS NULL OR width IS NOT NULL));
 COMMENT ON TABLE streetgen.symbol_rule IS
     'How layers of a model are drawn: by theme, kind and scale. A kind without a rule of its own at a scale is drawn '
     'by the rules of kind '''', and a layer without a rule is not drawn. Several rules of one kind are drawn one above '
@@ -54,6 +56,11 @@ DECLARE
     wrong record;
 BEGIN
     PERFORM streetgen._use_model(model);
+    IF NOT has_table_privilege('symbol_rule', 'SELECT') THEN
+        RAISE EXCEPTION 'role "%" may not read the rules by which model "%" is drawn', current_user, model
+            USING ERRCODE = '42501', HINT = format('GRANT SELECT ON %I.symbol_rule TO %I by its owner allows it.',
+                model, current_user);
+    END IF;
     SELECT * FROM symbol_rule o WHERE layer NOT IN (SELECT d.layer FROM streetgen.symbol_rule d) LIMIT 1 INTO wrong;
     IF FOUND THEN
         RAISE EXCEPTION 'a rule of %.symbol_rule draws layer "%", which is none', quote_ident(model), wrong.layer
@@ -74,6 +81,11 @@ COMMENT ON FUNCTION streetgen._symbols(name, text, float8) IS
     'The rules of a theme at a scale (the number below the line) for a model, each with a number: its own, and the '
     'others of streetgen.symbol_rule. A rule of its own for a layer that is none: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._pixel_on_paper() RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog AS $$ SELECT 0.00028::float8 $$;
+COMMENT ON FUNCTION streetgen._pixel_on_paper() IS
+    'Metres of paper that a pixel stands for, as map services have it.';
+
 CREATE OR REPLACE FUNCTION streetgen._metres(width float8, unit text, pixel float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT width * CASE unit WHEN 'pixel' THEN pixel ELSE 1 END $$;
@@ -90,3 +102,15 @@ CREATE OR REPLACE FUNCTION streetgen._as_css(fill text, line text, width float8,
                 '') END $$;
 COMMENT ON FUNCTION streetgen._as_css(text, text, float8, text, text, float8) IS
     'A rule as properties of SVG, for a drawing in metres whose pixel is so many metres wide.';
+
+CREATE OR REPLACE FUNCTION streetgen._plan_styles(model name, scale float8) RETURNS jsonb
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+    SELECT jsonb_object_agg(concat_ws(' ', layer, nullif(kind, '')), style) FROM (
+        SELECT layer, kind, coalesce((array_agg(streetgen._as_css(s.fill, s.line, s.width, s.unit, s.dash, 1)
+            ORDER BY s.symbol DESC) FILTER (WHERE symbol IS NOT NULL))[1], 'display:none') AS style
+        FROM streetgen.symbol_rule LEFT JOIN streetgen._symbols(model, 'construction', scale) s USING (layer, kind)
+        WHERE theme = 'construction' GROUP BY layer, kind) r $$;
+COMMENT ON FUNCTION streetgen._plan_styles(name, float8) IS
+    'The uppermost rules of theme construction at a scale as properties of SVG, for a plan that is drawn in pixels: by '
+    'layer and kind, such as "signal_plan red".';

@@ -69,3 +69,33 @@ COMMENT ON COLUMN :"model".symbol_rule.unit IS 'unit of width and dash: metre or
 COMMENT ON COLUMN :"model".symbol_rule.dash IS 'lengths of dashes and gaps in turn, such as 3 2; NULL: none';
 COMMENT ON COLUMN :"model".symbol_rule.marker IS 'shadow: the geometry falls to the south-east; NULL: as it is';
 COMMENT ON COLUMN :"model".symbol_rule.meaning IS 'what a legend says of it; NULL: nothing';
+COMMENT ON CONSTRAINT symbol_rule_theme_check ON :"model".symbol_rule IS
+    'a theme that streetgen.symbol_rule has. SELECT DISTINCT theme FROM streetgen.symbol_rule lists them.';
+COMMENT ON CONSTRAINT symbol_rule_from_scale_check ON :"model".symbol_rule IS
+    'a number of 0 or more, 1500 for 1:1,500. Leave it out for 0, the nearest.';
+COMMENT ON CONSTRAINT symbol_rule_to_scale_check ON :"model".symbol_rule IS
+    'a number, 5000 for 1:5,000. Leave it out for all scales beyond.';
+COMMENT ON CONSTRAINT symbol_rule_scales ON :"model".symbol_rule IS
+    'more than from_scale. Leave it out for all scales beyond.';
+COMMENT ON CONSTRAINT symbol_rule_place_check ON :"model".symbol_rule IS
+    '-1e6 to 1e6. A place below 10 is the order on a level, a greater one lies above all.';
+COMMENT ON CONSTRAINT symbol_rule_fill_check ON :"model".symbol_rule IS
+    'a colour as #rrggbb or #rrggbbaa, in small letters. Write the code of the colour, or leave it empty for none.';
+COMMENT ON CONSTRAINT symbol_rule_line_check ON :"model".symbol_rule IS
+    'a colour as #rrggbb or #rrggbbaa, in small letters. Write the code of the colour, or leave it empty for none.';
+COMMENT ON CONSTRAINT symbol_rule_width_check ON :"model".symbol_rule IS
+    'more than 0, up to 1e6. Leave width and unit empty for what has neither line nor shadow.';
+COMMENT ON CONSTRAINT symbol_rule_line_has_width ON :"model".symbol_rule IS
+    'a width where there is a line. Fill width and unit.';
+COMMENT ON CONSTRAINT symbol_rule_name_has_size ON :"model".symbol_rule IS
+    'the size of the font. Fill width and unit.';
+COMMENT ON CONSTRAINT symbol_rule_unit_check ON :"model".symbol_rule IS
+    'metre or pixel. A width in metres grows with the scale, one in pixels does not.';
+COMMENT ON CONSTRAINT symbol_rule_width_has_unit ON :"model".symbol_rule IS
+    'metre or pixel where there is a width, and nothing without. Fill both, or neither.';
+COMMENT ON CONSTRAINT symbol_rule_dash_check ON :"model".symbol_rule IS
+    'lengths of dashes and gaps in turn, with a space between two. Write 3 2, or leave it empty for no gaps.';
+COMMENT ON CONSTRAINT symbol_rule_marker_check ON :"model".symbol_rule IS
+    'shadow. Leave it empty for what falls nowhere.';
+COMMENT ON CONSTRAINT symbol_rule_shadow_has_width ON :"model".symbol_rule IS
+    'nothing where there is no width. Fill width and unit: how far the shadow falls.';
