@@ -1,4 +1,5 @@
--- pg_temp.drawing: a small SVG of geometries, for the pictures of the pages.
+-- pg_temp.drawing: a small SVG of geometries, for the pictures of the pages, in the colours of theme construction.
+\ir colours.sql
 
 -- QUERY gives rows (geom, look, label): later rows are drawn over earlier ones. look: section, intersection, contested, axis, kerb, helper,
 -- result, point. Equal rows give an equal text.
@@ -28,20 +29,21 @@ BEGIN
     RETURN format($svg$<svg xmlns="http://www.w3.org/2000/svg" width="%1$s" height="%2$s" viewBox="0 0 %1$s %2$s">
 <style>
 path { fill: none; stroke: none; stroke-width: 1.2 }
-.section.area { fill: #e3e3e3; stroke: #9a9a9a }
-.intersection.area { fill: #c4c8cf; stroke: #8a8f98 }
-.contested.area { fill: #e8d5a8; stroke: #b08d3c }
-.result.area { fill: #bcd4ef; fill-opacity: 0.75; stroke: #1f5fa8; stroke-width: 1.6 }
-.axis { stroke: #444444; stroke-dasharray: 7 3 }
-.kerb { stroke: #222222; stroke-width: 1.4 }
-.helper { stroke: #888888; stroke-dasharray: 2 3 }
-.result { stroke: #1f5fa8; stroke-width: 2.6 }
-circle { fill: #222222 } circle.result { fill: #c43c1c }
-text { font: 12px sans-serif; fill: #222222; stroke: #ffffff; stroke-width: 3; paint-order: stroke }
+.section.area { fill: %4$s; stroke: %5$s }
+.intersection.area { fill: %6$s; stroke: %5$s }
+.contested.area { fill: %7$s; stroke: %5$s }
+.result.area { fill: %8$s; fill-opacity: 0.25; stroke: %8$s; stroke-width: 1.6 }
+.axis { stroke: %5$s; stroke-dasharray: 7 3 }
+.kerb { stroke: %9$s; stroke-width: 1.4 }
+.helper { stroke: %5$s; stroke-dasharray: 2 3 }
+.result { stroke: %8$s; stroke-width: 2.6 }
+circle { fill: %9$s } circle.result { fill: %10$s }
+text { font: 12px sans-serif; fill: %9$s; stroke: %11$s; stroke-width: 3; paint-order: stroke }
 </style>
-<rect width="%1$s" height="%2$s" fill="#ffffff"/>
+<rect width="%1$s" height="%2$s" fill="%11$s"/>
 %3$s
-</svg>$svg$, width, height, parts);
+</svg>$svg$, width, height, parts, pg_temp.colour('section'), pg_temp.colour('limit'), pg_temp.colour('intersection'),
+        pg_temp.colour('intersection', 'contested'), pg_temp.colour('arc'), pg_temp.colour('ink'), pg_temp.colour('arc', 'fallback'), pg_temp.colour('paper'));
 END $$;
 
 -- The surfaces, border lines and axes of a model, as rows for a drawing; contested surfaces have a colour of their own.

@@ -1,5 +1,6 @@
 -- The streets of a model in three dimensions, as its files of glTF have them, seen from the south, from above at 35 degrees, as SVG; light
 -- comes from the west. Variables: model, extent (xmin, ymin, xmax, ymax as JSON), steep (kerbs are drawn so many times as high), width (pixels).
+\ir colours.sql
 CREATE FUNCTION pg_temp.paint(model text) RETURNS TABLE (level integer, surface geometry) LANGUAGE plpgsql AS $$ BEGIN
     RETURN QUERY EXECUTE format('SELECT e.level, s.surface::geometry FROM %1$I.lane_separator s JOIN %1$I.edge e USING (edge_id) UNION ALL SELECT e.level, m.surface FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id)', model); END $$;
 WITH corner AS (
@@ -19,9 +20,11 @@ lit AS (
     FROM normal WHERE nz > 0 OR ny < 0),
 face AS (
     SELECT CASE kind WHEN 'section' THEN 0 WHEN 'intersection' THEN 0 ELSE 2 END AS turn, far, format('<polygon points="%1$s" fill="rgb(%2$s)" stroke="rgb(%2$s)"/>', points, rgb) AS text
-    FROM lit JOIN streetgen._mesh_kind() USING (kind), LATERAL (SELECT string_agg(least(255, (255 * light * (v ^ (1 / 2.2)))::int)::text, ',' ORDER BY n) AS rgb FROM unnest(color) WITH ORDINALITY u(v, n)) l
+    FROM lit, LATERAL (SELECT string_agg(least(255, (light * get_byte(c, n))::int)::text, ',' ORDER BY n) AS rgb
+        FROM decode(substr(pg_temp.colour(kind, theme => 'street'), 2), 'hex') c, generate_series(0, 2) n) l
     UNION ALL
-    SELECT 1, 0, format('<path d="%s" fill="#f0f0ea" stroke="none"/>', ST_AsSVG(ST_Affine(ST_Force2D(surface), scale, 0, 0, scale * sind(35), -f.x * scale, -f.y * scale * sind(35)), 0, 1))
+    SELECT 1, 0, format('<path d="%s" fill="%s" stroke="none"/>', ST_AsSVG(ST_Affine(ST_Force2D(surface), scale, 0, 0, scale * sind(35), -f.x * scale, -f.y * scale * sind(35)), 0, 1),
+        pg_temp.colour('marking', theme => 'street'))
     FROM pg_temp.paint(:'model'), frame f WHERE surface && ST_MakeEnvelope(f.x, f.y - f.h, f.x + f.w, f.y, ST_SRID(surface)) AND NOT ST_IsEmpty(surface))
-SELECT format(E'<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s" viewBox="0 0 %1$s %2$s">\n<rect width="100%%" height="100%%" fill="#8f9a7f"/>\n<g stroke-width="0.5" stroke-linejoin="round">%s</g>\n</svg>',
-    :width, ceil(h * scale * sind(35)), (SELECT string_agg(text, E'\n' ORDER BY turn, far DESC, text) FROM face)) FROM frame;
+SELECT format(E'<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s" viewBox="0 0 %1$s %2$s">\n<rect width="100%%" height="100%%" fill="%4$s"/>\n<g stroke-width="0.5" stroke-linejoin="round">%3$s</g>\n</svg>',
+    :width, ceil(h * scale * sind(35)), (SELECT string_agg(text, E'\n' ORDER BY turn, far DESC, text) FROM face), pg_temp.colour('block', 'strip', 'street')) FROM frame;

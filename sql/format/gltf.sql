@@ -60,6 +60,15 @@ CREATE OR REPLACE FUNCTION streetgen._gltf_word(value bigint) RETURNS bytea
     RETURN (SELECT string_agg(substring(int8send(value) FROM 8 - i FOR 1), '' ORDER BY i) FROM generate_series(0, 3) i);
 COMMENT ON FUNCTION streetgen._gltf_word(bigint) IS 'A whole number below 2^32 as four bytes, the lowest first.';
 
+CREATE OR REPLACE FUNCTION streetgen._linear_colour(colour text) RETURNS float8[]
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_agg(round(CASE WHEN v <= 0.04045 THEN v / 12.92 ELSE ((v + 0.055) / 1.055) ^ 2.4 END, 4)::float8
+            ORDER BY n) || 1::float8
+        FROM generate_series(0, 2) n, decode(substr(colour, 2), 'hex') c, LATERAL (SELECT get_byte(c, n) / 255.0 AS v) s
+    $$;
+COMMENT ON FUNCTION streetgen._linear_colour(text) IS
+    'The colour of a rule (sRGB) as glTF has it: linear red, green and blue, 0 to 1, and 1 for opaque.';
+
 CREATE OR REPLACE FUNCTION streetgen.export_gltf(model name, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, part bytea)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100
@@ -96,6 +105,9 @@ BEGIN
             'componentType', component, 'count', count, 'type', type, 'min', low, 'max', high))::text FROM view
         UNION ALL SELECT 10, 4 * number + k, json_build_object('buffer', 0, 'byteOffset', start + after, 'byteLength',
             bytes, 'target', target)::text FROM view),
+    -- As one sees it from near.
+    paint AS (SELECT DISTINCT ON (layer) layer, fill FROM streetgen._symbols(model, 'street', 1) s
+        WHERE s.kind = '' AND marker IS NULL AND fill IS NOT NULL ORDER BY layer, symbol DESC),
     told AS MATERIALIZED (
         SELECT turn, number / 1000 AS id, convert_to(CASE WHEN number / 1000 > 0 THEN ', ' ELSE '' END
             || string_agg(text, ', ' ORDER BY number), 'UTF8') AS bytes
@@ -106,10 +118,10 @@ BEGIN
                     json_build_array(o.x, o.y, 0), 'axes', 'x east, y up, z south, metres'))
                 || ', "scene" : 0, "scenes" : [{"nodes" : ['),
             (3, ']}], "nodes" : ['), (5, '], "meshes" : ['),
-            (7, '], "materials" : ' || (SELECT json_agg(json_build_object('name', kind, 'pbrMetallicRoughness',
-                json_build_object('baseColorFactor', color || 1::float8, 'metallicFactor', 0, 'roughnessFactor',
-                    roughness))
-                ORDER BY number) FROM streetgen._mesh_kind()) || ', "accessors" : ['),
+            (7, '], "materials" : ' || (SELECT json_agg(json_strip_nulls(json_build_object('name', k.kind,
+                'pbrMetallicRoughness', json_build_object('baseColorFactor', streetgen._linear_colour(fill),
+                    'metallicFactor', 0, 'roughnessFactor', roughness))) ORDER BY number)
+                FROM streetgen._mesh_kind() k LEFT JOIN paint p ON layer = k.kind) || ', "accessors" : ['),
             (9, '], "bufferViews" : ['),
             (11, '], "buffers" : ' || json_build_array(json_build_object('byteLength', size.bytes)) || '}')) t(turn,
                 text)),
@@ -128,7 +140,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.export_gltf(name, jsonb) IS
     'A binary file of glTF 2.0 (.glb), in parts of at most 1 MB that follow each other. What streets consist of has a '
-    'material each: section, intersection, sidewalk and kerb (subject sidewalk), marking (subject lane). Sidewalks lie '
+    'material each, in the colour of theme street: section, intersection, sidewalk and kerb (subject sidewalk), '
+    'marking (subject lane). Sidewalks lie '
     '0.15 m above the roadway and kerbs close the step; paint lies above the roadway by 5 mm and twice the tolerance. '
     'Heights, normals and texture coordinates, metres, are those of streetgen.road_mesh. x is to the east, y up, z to '
     'the south. Positions are floats, counted from whole metres that extras of the asset name with the SRID; a float '

@@ -1,18 +1,15 @@
 -- What the writers of formats in three dimensions share: the surfaces of a model as triangles, part by part.
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_kind()
-    RETURNS TABLE(number integer, kind text, raised float8, color float8[], roughness float8)
+    RETURNS TABLE(number integer, kind text, raised float8, roughness float8)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
-    (0, 'section', 0::float8, '{0.13,0.13,0.14}'::float8[], 0.9::float8),
-    (1, 'intersection', 0, '{0.16,0.16,0.17}', 0.9),
-    (2, 'sidewalk', 0.15, '{0.45,0.43,0.40}', 0.8),
-    (3, 'kerb', NULL, '{0.60,0.60,0.58}', 0.7),
-    (4, 'marking', 0.005, '{0.85,0.85,0.82}', 0.5) $$;
+    (0, 'section', 0::float8, 0.9::float8), (1, 'intersection', 0, 0.9), (2, 'sidewalk', 0.15, 0.8),
+    (3, 'kerb', NULL, 0.7), (4, 'marking', 0.005, 0.5) $$;
 COMMENT ON FUNCTION streetgen._mesh_kind() IS
-    'The kinds of what a mesh of streets consists of: number from 0, what it is raised above the roadway, metres (of '
-    'paint, beyond twice the tolerance), its colour (linear red, green and blue, 0 to 1) and its roughness. A kerb '
-    'closes the step between a sidewalk and the roadway.';
+    'The kinds of what a mesh of streets consists of, each a layer of symbol_rule: number from 0, what it is raised '
+    'above the roadway, metres (of paint, beyond twice the tolerance), and its roughness. A kerb closes the step '
+    'between a sidewalk and the roadway.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_cells(model name, options jsonb)
     RETURNS TABLE(cell integer, edges bigint[], nodes bigint[], about geometry)

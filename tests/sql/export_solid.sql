@@ -65,6 +65,7 @@ SELECT 'a binary file of glTF 2.0 as long as it says', substring(file FOR 4) = '
 SELECT 'its data is as long as it says, to whole words', pg_temp.word(file, 20 + json::integer) = (told #>> '{buffers,0,byteLength}')::bigint AND length(file) = 28 + json + (told #>> '{buffers,0,byteLength}')::bigint AND length(file) % 4 = 0
     FROM solid, pg_temp.word(file, 12) json;
 SELECT 'extras say reference and origin', told #> '{asset,extras,srid}' = '2154' AND told #> '{asset,extras,origin,0}' = '650000' FROM solid;
+SELECT 'each in the colour in which it is drawn, as light', abs(256 * (told #>> '{materials,0,pbrMetallicRoughness,baseColorFactor,0}')::float8 - 256 * (((get_byte(decode(substr(fill, 2), 'hex'), 0) / 255.0) + 0.055) / 1.055) ^ 2.4) < 0.1 FROM solid, streetgen.symbol_rule WHERE (theme, layer, kind) = ('street', 'section', '');
 SELECT 'a material for each kind', (SELECT array_agg(m ->> 'name') FROM jsonb_array_elements(told -> 'materials') m) = '{section,intersection,sidewalk,kerb,marking}' FROM solid;
 SELECT 'a node and a mesh for each square of 500 m that has streets', jsonb_array_length(told -> 'nodes') > 1 AND jsonb_array_length(told -> 'nodes') = (SELECT count(DISTINCT (floor(ST_X(p) / 500), floor(ST_Y(p) / 500))) FROM (SELECT ST_StartPoint(geom) AS p FROM town.edge UNION ALL SELECT geom FROM town.intersection JOIN town.node USING (node_id) WHERE NOT ST_IsEmpty(surface)) s) FROM solid;
 CREATE TEMPORARY TABLE primitive AS

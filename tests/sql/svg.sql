@@ -14,10 +14,11 @@ SELECT 'a scale gives the width, a pixel for 0.28 mm', svg LIKE format('%%width=
 SELECT 'half a pixel is not drawn', svg NOT LIKE '%<path%' FROM streetgen.svg('drawn', ST_MakeEnvelope(550000, 6760000, 750000, 6960000, 2154), width => 300) svg;
 SELECT call || ' is refused', state = '22023' AND hint <> '' FROM unnest('{theme => ''night'',scale => 0,scale => ''NaN'',scale => 1e9,width => 15,width => 20001}'::text[]) call, test.refusal('SELECT streetgen.svg(''drawn'', ' || call || ')');
 SELECT 'a theme has colours of its rules alone', count(*) > 3 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.theme = t.theme AND colour IN (r.fill, r.line))) FROM (VALUES ('street'), ('dark'), ('construction')) t(theme), streetgen.svg('drawn', legend => true, theme => t.theme) svg, regexp_matches(svg, '#[0-9a-fA-F]{3,8}', 'g') m, LATERAL (SELECT m[1] AS colour) c;
-SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '^_\w+_drawn$' AND strpos(prosrc, quote_literal(layer)) > 0)) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink', 'name')) l;
+SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '(_drawn|_svg|_drawing)$' AND prosrc ~ format('''%s[ '']', layer))) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink', 'name')) l;
 SELECT 'and each layer that a room draws has a rule', count(*) > 20 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.layer = m[1])) FROM pg_proc, regexp_matches(prosrc, '''(\w+)'' = ANY \(layers\)', 'g') m WHERE proname ~ '^_\w+_drawn$';
 SELECT 'a colour that is none is refused: ' || colour, test.state(format('INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES (''street'', ''mud'', 0, %L)', colour)) = '23514' FROM unnest('{red,#fff,#GGGGGG,"#12345678 "}'::text[]) colour;
 SELECT 'so is a rule that is drawn at no scale', test.state('INSERT INTO streetgen.symbol_rule (theme, layer, place, from_scale, to_scale) VALUES (''street'', ''mud'', 0, 10, 10)') = '23514';
+SELECT 'plans are drawn by rules of theme construction', styles ->> 'signal_plan red' = format('fill:%s;fill-rule:evenodd', fill) AND styles ->> 'mud' IS NULL FROM streetgen.symbol_rule, streetgen._plan_styles('drawn', 1) styles WHERE (theme, layer, kind) = ('construction', 'signal_plan', 'red');
 SELECT 'an extent in another reference is refused', state = '22023' AND said = 'the extent has SRID 4326, the model 2154' AND hint <> '' FROM test.refusal($$SELECT streetgen.svg('drawn', ST_MakeEnvelope(2, 48, 3, 49, 4326))$$);
 SELECT 'one without a reference is the model''s', streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859950, 650100, 6860050)) = streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859950, 650100, 6860050, 2154));
 SELECT 'a street under construction shows its axis', svg LIKE '%class="axis"%' FROM streetgen.svg('drawn', theme => 'construction') svg;
@@ -45,10 +46,21 @@ SELECT 'a layer that the theme leaves out can be added', svg LIKE '%class="axis"
 INSERT INTO drawn.symbol_rule (theme, layer, place, fill) VALUES ('dark', 'mud', 0, '#ff0000');
 SELECT 'a layer that is none is refused with its rule', state = '22023' AND said LIKE '%drawn.symbol_rule%"mud"%' AND detail LIKE '%dark%' FROM test.refusal($$SELECT streetgen.svg('drawn')$$);
 DELETE FROM drawn.symbol_rule;
+INSERT INTO drawn.symbol_rule (theme, layer, kind, place, fill) VALUES ('street', 'lane', 'bycicle', 3, '#ff0000'), ('street', 'lane', 'bus', 3, NULL), ('street', 'lane_separator', 'centre', 4, '#ff0000'), ('street', 'section', '', 1, '#ff0000');
+\setenv PGDATABASE :DBNAME
+\setenv PGOPTIONS '-c client_min_messages=notice'
+\! told=$(psql -qXAt -c "SELECT streetgen.svg('drawn', scale => 300)" 2>&1 >/dev/null); test "$(echo "$told" | grep -cE "NOTICE|\"bycicle\" of layer lane draws nothing")$(echo "$told" | grep -c "HINT.*'bus', 'cycle'")" = 11 && holds=t || holds=f; printf 'a kind that is none is told, with the kinds that there are\t%s\n' $holds
+\! test -z "$(psql -qXAt -c "SELECT streetgen.svg('drawn', theme => 'dark')" 2>&1 >/dev/null)" && holds=t || holds=f; printf 'another theme tells nothing of it\t%s\n' $holds
+\setenv PGOPTIONS
+DELETE FROM drawn.symbol_rule;
 SELECT 'without them it is drawn as before', before.svg = streetgen.svg('drawn', scale => 300) FROM before;
 CREATE ROLE streetgen_test_drawer;
 DO $$ BEGIN PERFORM streetgen.grant('drawn', 'streetgen_test_drawer', 'editor'); END $$;
 SELECT 'an editor reads rules and writes none', has_table_privilege('streetgen_test_drawer', 'drawn.symbol_rule', 'SELECT') AND NOT has_table_privilege('streetgen_test_drawer', 'drawn.symbol_rule', 'INSERT') AND NOT has_table_privilege('streetgen_test_drawer', 'streetgen.symbol_rule', 'INSERT');
+REVOKE SELECT ON drawn.symbol_rule FROM streetgen_test_drawer;
+SET ROLE streetgen_test_drawer;
+SELECT 'who may not read the rules is told what to ask for', state = '42501' AND said LIKE '%streetgen_test_drawer%drawn%' AND hint LIKE 'GRANT SELECT ON drawn.symbol_rule TO streetgen_test_drawer %' FROM test.refusal($$SELECT streetgen.svg('drawn')$$);
+RESET ROLE;
 DROP OWNED BY streetgen_test_drawer; DROP ROLE streetgen_test_drawer;
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without axes has a picture and a legend', xml_is_well_formed_document(streetgen.svg('bare')) AND xml_is_well_formed_document(streetgen.svg('bare', legend => true));

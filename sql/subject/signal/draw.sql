@@ -17,3 +17,8 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('dark', 'signal_head', 1500, 905, '#ff5a4a', 'signal'),
     ('construction', 'signal_head', 2000, 905, '#c92a2a', 'signal');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill) VALUES
+    ('construction', 'signal_plan', 'red', 0, '#b42318'),
+    ('construction', 'signal_plan', 'amber', 1, '#f59e0b'),
+    ('construction', 'signal_plan', 'protected', 1, '#2f9e44'),
+    ('construction', 'signal_plan', 'permitted', 1, '#86d19a');

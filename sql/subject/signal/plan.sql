@@ -84,11 +84,13 @@ CREATE OR REPLACE FUNCTION streetgen.signal_svg(model name, controller bigint) R
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    styles jsonb;
     svg text;
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('controller', controller::text),
         streetgen._require_signals(model);
+    styles := streetgen._plan_styles(model, 1);
     WITH plan AS MATERIALIZED (SELECT * FROM streetgen.signal_plan(model, controller)),
     whole AS (SELECT greatest(max(ends), 1) AS cycle FROM plan),
     state AS (SELECT DISTINCT ordinality, kind, starts, ends, max(ordinality) FILTER (WHERE kind = 'green')
@@ -102,25 +104,23 @@ BEGIN
             a.name NULLS LAST, c.control_point_id, c.edge_id) AS line, a.name
         FROM junction_crossing c JOIN edge USING (edge_id) LEFT JOIN axis a USING (axis_id)
         WHERE c.junction_id = controller),
-    bar AS (SELECT m.line, s.starts, s.ends, CASE WHEN s.kind = 'amber' THEN '#f59e0b'
-            WHEN p.right_of_way = 'permitted' THEN '#86d19a' ELSE '#2f9e44' END AS colour
+    bar AS (SELECT m.line, s.starts, s.ends, CASE WHEN s.kind = 'amber' THEN 'amber' ELSE p.right_of_way END AS aspect
         FROM movement m JOIN plan p USING (lane_in, lane_out) JOIN state s ON s.green = p.ordinality
             AND s.kind <> 'all_red'
-        UNION ALL SELECT c.line, s.starts, s.ends, CASE p.right_of_way WHEN 'permitted' THEN '#86d19a' ELSE '#2f9e44'
-            END
+        UNION ALL SELECT c.line, s.starts, s.ends, p.right_of_way
         FROM crossing c JOIN signal_crossing p USING (control_point_id, edge_id) JOIN state s USING (ordinality)
         WHERE p.controller_id = controller),
     label AS (SELECT line, concat_ws(', ', name, replace(turn, '_', ' '), 'lane ' || lane_in) AS says FROM movement
         UNION ALL SELECT line, concat_ws(', ', name, 'on foot') FROM crossing)
     SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="%s" font-family="sans-serif" '
-            'font-size="12"><rect width="100%%" height="100%%" fill="#fff"/>',
-            34 + 18 * (SELECT count(*) FROM label))
-        || (SELECT string_agg(format('<rect x="210" y="%s" width="540" height="13" fill="#b42318"/>'
-                '<text x="6" y="%s">%s</text>', 18 * line, 18 * line + 11, streetgen._as_xml(left(says, 34))),
-                '' ORDER BY line) FROM label)
-        || (SELECT string_agg(format('<rect x="%s" y="%s" width="%s" height="13" fill="%s"/>',
+            'font-size="12" style="%s"><rect width="100%%" height="100%%" style="%s"/>',
+            34 + 18 * (SELECT count(*) FROM label), styles ->> 'ink', styles ->> 'paper')
+        || (SELECT string_agg(format('<rect x="210" y="%s" width="540" height="13" style="%s"/>'
+                '<text x="6" y="%s">%s</text>', 18 * line, styles ->> 'signal_plan red', 18 * line + 11,
+                streetgen._as_xml(left(says, 34))), '' ORDER BY line) FROM label)
+        || (SELECT string_agg(format('<rect x="%s" y="%s" width="%s" height="13" style="%s"/>',
                 round((210 + 540 * starts / cycle)::numeric, 1), 18 * line, round((540 * (ends - starts) / cycle)
-                ::numeric, 1), colour), '' ORDER BY line, starts) FROM bar, whole)
+                ::numeric, 1), styles ->> concat('signal_plan ', aspect)), '' ORDER BY line, starts) FROM bar, whole)
         || (SELECT string_agg(format('<text x="%s" y="12" text-anchor="middle">%s</text>',
                 round((210 + 540 * t / cycle)::numeric, 1), t), '' ORDER BY t) FROM whole,
                 generate_series(0, floor(cycle)::integer, 10) t)
