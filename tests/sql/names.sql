@@ -1,0 +1,18 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/names.sql
+-- Names of pictures, as tests/measure/names reads them of real extracts. Each SELECT is one truth: (name, holds).
+CREATE FUNCTION pg_temp.name(x float8, y float8, turned float8, words text) RETURNS text LANGUAGE sql AS $$
+    SELECT format('<g class="name" style="fill:#000000;font:10px DejaVu Sans,sans-serif">%s</g>%s', string_agg(format('<text transform="translate(%s %s)rotate(%s)">%s</text>', x + 6 * n * cos(radians(turned)), y + 6 * n * sin(radians(turned)), turned, letter), '' ORDER BY n), E'\n')
+    FROM string_to_table(words, NULL) WITH ORDINALITY l(letter, n) $$;
+SELECT 'the reader finds words, size and which way up', array_agg(words ORDER BY n) = '{abc,def}' AND array_agg(upright ORDER BY n) = '{t,f}' AND bool_and(size = 10) FROM test.written(pg_temp.name(0, 0, 0, 'abc') || pg_temp.name(0, 50, 180, 'def'));
+SELECT 'the reader finds one name over another', test.collisions(pg_temp.name(0, 0, 0, 'abc') || pg_temp.name(6, -2, 45, 'def')) = 1 AND test.collisions(pg_temp.name(0, 0, 0, 'abc') || pg_temp.name(0, 12, 0, 'def')) = 0;
+
+\o /dev/null
+\ir ../../data/quarter.sql
+\o
+DO $$ BEGIN PERFORM streetgen.generate('quarter'); END $$;
+CREATE TEMPORARY TABLE picture AS SELECT scale, theme, streetgen.svg('quarter', scale => scale, theme => theme) AS svg FROM unnest('{500,1000,2500,5000}'::float8[]) scale, unnest('{street,dark}'::text[]) theme;
+SELECT format('at 1:%s no name stands over another, in theme %s', scale, theme), count(w) > 3 AND test.collisions(min(svg)) = 0 FROM picture, test.written(svg) w GROUP BY scale, theme ORDER BY 1;
+SELECT format('at 1:%s no name is upside down, in theme %s', scale, theme), count(*) > 3 AND bool_and(upright) FROM picture, test.written(svg) GROUP BY scale, theme ORDER BY 1;
+SELECT 'at 1:1,000 streets of 80 m and more have their name but for one of thirty', count(*) > 30 AND count(*) FILTER (WHERE NOT written) <= 0.03 * count(*) FROM picture, test.streets_written('quarter', ST_SetSRID(streetgen._model_extent('quarter'), 2154), svg, 80) WHERE scale = 1000 AND theme = 'street';
