@@ -78,3 +78,29 @@ CREATE OR REPLACE FUNCTION streetgen._design_summary()
     (SELECT 'structures of the design, ' || kind, count(*), NULL FROM %1$I.structure WHERE NOT rejected
         GROUP BY kind ORDER BY kind)$part$) $$;
 COMMENT ON FUNCTION streetgen._design_summary() IS 'What streetgen.summary counts of designs.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('link of the design without a way',
+        'terrain, a zone, the grade or the turns bar every road between the two nodes; `design_link.method` says '
+            'which',
+        'move a node, change the zone or the standard, or draw vertices'),
+    ('link that breaks rules of its standard', '`design_link.method` names radius, grade, crest or sag',
+        'move vertices or grade points, or take a lower speed'),
+    ('gap between elements of a link, m', 'elements that were changed by hand do not meet',
+        'take the change back (`by_hand` false), or change the vertex instead'),
+    ('by hand, waits for its link, which is gone: nearest link, m',
+        'a town moved or went, so no link has these ends now; the row fits again when the link comes back',
+        'draw it on the link that is there, keep the link (`by_hand` true, `rejected` false in '
+            '`design_link_editing`), or set `by_hand` false to drop the row'),
+    ('by hand, radius cut to the room that there is, m',
+        'the road beside a grade point moved, and its parabola would overlap the next one',
+        'make the radius smaller, move the points apart, or empty the radius'),
+    ('by hand, waits: its link ends before it, m',
+        'the link got shorter than the abscissa of the structure or grade point',
+        'set its abscissas anew, or `by_hand` false'),
+    ('by hand, waits: its links do not cross, m apart', 'a link moved away from the crossing that was decided',
+        'nothing, or set `by_hand` false in `design_crossing_editing`'),
+    ('stale: the input of the design changed since', 'so many stages of the link do not know the change yet',
+        '`streetgen.design`'),
+    ('stale: nodes or links by hand of the design changed since', 'which towns are linked is not computed anew yet',
+        '`streetgen.design`');

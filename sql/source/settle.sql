@@ -169,3 +169,8 @@ COMMENT ON FUNCTION streetgen.settle_conflict(name, bigint, text, text, text) IS
     'stands beside what the source said last, and tell again only what the source changes. An unknown model: 3F000; no '
     'such conflict, another word for holds, or the line of a source for one of several pieces: 22023; who may not edit '
     'the model: 42501.';
+
+CREATE OR REPLACE FUNCTION streetgen._source_written() RETURNS TABLE(relation name, privilege text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('open_conflict'::name, 'DELETE') $$;
+COMMENT ON FUNCTION streetgen._source_written() IS 'The right by which an editor settles a conflict.';

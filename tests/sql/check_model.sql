@@ -94,3 +94,21 @@ SELECT streetgen.generate('part', '{1}') \g /dev/null
 SELECT 'ground left to a street that is not made yet is no error', contested_area > 1 AND NOT EXISTS (SELECT FROM streetgen.check_model('part') WHERE severity = 'error') FROM part.section;
 UPDATE part.section SET surface = ST_Multi(ST_Difference(surface, ST_MakeEnvelope(650010, 6859990, 650012, 6860010, 2154)));
 SELECT 'a gap beside it is one', array_agg(round(measure)) = '{2}' FROM streetgen.check_model('part') WHERE rule LIKE 'edge outside%';
+
+-- What was found stays in the model, for a GIS.
+SELECT streetgen.record_check('part') AS recorded \gset
+SELECT 'a check is recorded row by row', :recorded = count(*) AND count(*) = (SELECT count(*) FROM streetgen.check_model('part') f JOIN part.check_result r ON (r.rule, r.severity, r.relation, r.measure) = (f.rule, f.severity, f.relation, f.measure) AND r.id IS NOT DISTINCT FROM f.id) AND count(*) FILTER (WHERE severity = 'error') = 1 FROM part.check_result;
+SELECT 'with the way out and a point on what was found', hint = 'look at the widths around the edge' AND ST_Intersects(place, ST_MakeEnvelope(650010, 6859990, 650012, 6860010, 2154)) AND ST_SRID(place) = 2154 FROM part.check_result WHERE rule LIKE 'edge outside%';
+SELECT 'each rule and issue has a way out', count(*) > 100 AND bool_and(hint <> '' AND meaning <> '') FROM streetgen.check_rule;
+SELECT streetgen.generate('part', wait => true), streetgen.record_check('part') \g /dev/null
+SELECT 'the next check takes the place of the one before', NOT EXISTS (SELECT FROM part.check_result WHERE severity = 'error') AND count(*) = (SELECT count(*) FROM streetgen.check_model('part')) FROM part.check_result;
+SELECT 'a flag of what has no place stands nowhere', streetgen._flag_place('POLYGON EMPTY') IS NULL AND streetgen._flag_place(NULL) IS NULL;
+SELECT 'of a curve it stands on it', ST_AsText(streetgen._flag_place('CIRCULARSTRING(0 0, 1 1, 2 0)'), 3) LIKE 'POINT(%' AND ST_AsText(streetgen._flag_place('POINT Z (1 2 3)')) = 'POINT(1 2)';
+CREATE ROLE streetgen_test_reader; CREATE ROLE streetgen_test_editor;
+DO $$ BEGIN PERFORM streetgen.grant('part', 'streetgen_test_reader', 'reader'), streetgen.grant('part', 'streetgen_test_editor', 'editor'); END $$;
+SET ROLE streetgen_test_reader;
+SELECT 'a reader reads it and records none', state = '42501' AND hint LIKE '%check_model%' AND (SELECT count(*) >= 0 FROM part.check_result) FROM test.refusal($$SELECT streetgen.record_check('part')$$);
+SET ROLE streetgen_test_editor;
+SELECT 'an editor records it', streetgen.record_check('part') = (SELECT count(*) FROM part.check_result);
+RESET ROLE;
+DROP OWNED BY streetgen_test_reader, streetgen_test_editor; DROP ROLE streetgen_test_reader, streetgen_test_editor;

@@ -29,7 +29,20 @@ SELECT 'the switch goes on after the edit', value = 'off' FROM town.setting WHER
 SELECT 'both edits are in the log', count(*) = 2 FROM town.edit_log;
 UPDATE town.axis SET width = 10 WHERE axis_id = 2;
 SELECT 'and none that came after', count(*) = 2 FROM town.edit_log;
+-- A transaction is one row of activity, with the box about all that it edited.
 SELECT streetgen.set('town', 'log', 'on') \g /dev/null
+BEGIN;
+UPDATE town.axis SET width = 6 WHERE axis_id = 1;
+UPDATE town.axis SET width = 6 WHERE axis_id = 2;
+INSERT INTO town.turn_restriction (geom, from_axis, to_axis, kind) VALUES ('SRID=2154;POINT(651000 6860000)', 1, 2, 'no');
+COMMIT;
+UPDATE town.axis SET width = 7 WHERE axis_id = 1;
+SELECT 'activity has a row a transaction', array_agg(statements ORDER BY began DESC) = '{1,3,1,1}' FROM town.activity;
+SELECT 'with the tables and the box of what it edited', relations = 'axis, turn_restriction' AND ST_Equals(extent, ST_MakeEnvelope(649999, 6859999, 651001, 6865001, 2154)) AND ended > began AND who = current_user FROM town.activity WHERE statements = 3;
+SELECT 'a GIS knows its type and reference', (type, srid) = ('POLYGON', 2154) FROM geometry_columns WHERE (f_table_schema, f_table_name) = ('town', 'activity');
+UPDATE town.edit_log SET began = NULL;
+SELECT 'of rows of an older build each statement is one', count(*) = 6 AND bool_and(statements = 1) FROM town.activity;
+DELETE FROM town.edit_log WHERE edit_log_id > 2;
 UPDATE town.setting SET value = 'off' WHERE name = 'log';
 UPDATE town.axis SET width = 11 WHERE axis_id = 2;
 SELECT 'who writes the setting himself is not logged either', count(*) = 2 FROM town.edit_log;

@@ -59,3 +59,13 @@ CREATE OR REPLACE FUNCTION streetgen._edited_tables(model name) RETURNS name[]
             AND relname IN (SELECT relation FROM streetgen._edited()) $$;
 COMMENT ON FUNCTION streetgen._edited_tables(name) IS
     'The tables of input that an editor of a model may write; no value there names a function or becomes SQL.';
+
+CREATE OR REPLACE FUNCTION streetgen._written() RETURNS TABLE(relation name, privilege text)
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('written');
+END $$;
+COMMENT ON FUNCTION streetgen._written() IS
+    'The rights on tables beside input that an editor has, since functions write there with his rights, from functions '
+    '_ROOM_written.';

@@ -28,8 +28,9 @@ BEGIN
                 UNION ALL SELECT geom FROM after) e;
         END IF;
         IF edited > 0 THEN
-            INSERT INTO edit_log (at, who, relation, action, extent)
-                VALUES (clock_timestamp(), coalesce(nullif(current_setting('role'), 'none'), session_user),
+            INSERT INTO edit_log (began, at, who, relation, action, extent)
+                VALUES (transaction_timestamp(), clock_timestamp(),
+                    coalesce(nullif(current_setting('role'), 'none'), session_user),
                     TG_TABLE_NAME, lower(TG_OP), ST_SetSRID(ST_Expand(box::geometry, 1),
                     (SELECT m.srid FROM streetgen.model m WHERE m.name = current_schema())));
         END IF;
@@ -50,6 +51,23 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._make_edit_log(name) IS
     'Makes the triggers that write edit_log where setting log is on; where it is off, tables have none.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_frame_views(model name, srid integer) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    EXECUTE streetgen._fill_template(streetgen._part('activity'), jsonb_build_object('srid', srid));
+    COMMENT ON VIEW activity IS 'What each transaction edited, from edit_log, which setting log fills';
+    COMMENT ON COLUMN activity.activity_id IS 'key: the first of its rows in edit_log';
+    COMMENT ON COLUMN activity.began IS 'when the transaction began';
+    COMMENT ON COLUMN activity.ended IS 'when its last statement was done';
+    COMMENT ON COLUMN activity.who IS 'the role that edited';
+    COMMENT ON COLUMN activity.statements IS 'number of its statements';
+    COMMENT ON COLUMN activity.relations IS 'tables that were edited';
+    COMMENT ON COLUMN activity.extent IS 'box around what was edited; NULL: nothing known of the place';
+END $$;
+COMMENT ON FUNCTION streetgen._make_frame_views(name, integer) IS 'Makes view activity of a model.';
 
 CREATE OR REPLACE FUNCTION streetgen._hold_street_input(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -268,6 +268,7 @@ CREATE OR REPLACE FUNCTION streetgen.grant(model name, role name, kind text) RET
     AS $$
 DECLARE
     relation name;
+    written record;
 BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('role', role, 'kind', kind);
     IF kind NOT IN ('reader', 'editor') THEN
@@ -280,7 +281,9 @@ BEGIN
         FOREACH relation IN ARRAY streetgen._edited_tables(model) LOOP
             EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role);
         END LOOP;
-        EXECUTE format('GRANT DELETE ON %I.open_conflict TO %I', model, role);
+        FOR written IN SELECT * FROM streetgen._written() LOOP
+            EXECUTE format('GRANT %s ON %I.%I TO %I', written.privilege, model, written.relation, role);
+        END LOOP;
     END IF;
     PERFORM streetgen._grant_edit_views(model),
         streetgen._call_rooms('_grant_%s_views', model, streetgen._rooms()),

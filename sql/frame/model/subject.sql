@@ -45,7 +45,8 @@ BEGIN
         FROM pg_class axis, aclexplode(axis.relacl), pg_class made
         WHERE axis.oid = to_regclass(format('%I.axis', model)) AND grantee <> axis.relowner
             AND made.oid = ANY (relations)
-            AND (privilege_type = 'SELECT' OR made.relname = 'open_conflict' AND privilege_type = 'DELETE'
+            AND (privilege_type = 'SELECT'
+                OR (made.relname, privilege_type) IN (SELECT w.relation, w.privilege FROM streetgen._written() w)
                 OR made.relname = ANY (streetgen._edited_tables(model))
                     AND privilege_type IN ('INSERT', 'UPDATE', 'DELETE'))
     LOOP
@@ -54,7 +55,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._grant_like_axes(name, oid[]) IS
     'Who may read the axes of a model may read these tables and views of it. Who may write the axes may write the '
-    'tables of overrides and objects among these, and settle conflicts.';
+    'tables of overrides and objects among these, settle conflicts and record checks.';
 
 CREATE OR REPLACE FUNCTION streetgen._switch_on(model name, subjects text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog

@@ -75,3 +75,16 @@ CREATE OR REPLACE FUNCTION streetgen._alignment_marked_by_hand() RETURNS TABLE(r
     ('road'::name, 'NOT EXISTS (SELECT FROM road_edge m WHERE m.edge_id = e.edge_id AND m.road_id <> ($1).road_id)') $$;
 COMMENT ON FUNCTION streetgen._alignment_marked_by_hand() IS
     'The edges that a change of roads by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('edge in no road', 'a row of road or road_edge was deleted by hand', '`generate` over all'),
+    ('edges of a road do not follow each other', 'an edge inside the road is gone, or a row was changed by hand',
+        '`generate` over all'),
+    ('road goes through a node of other degree than two', 'a row was changed by hand', '`generate` over all'),
+    ('road ends at a node of degree two', 'a row was changed by hand', '`generate` over all'),
+    ('length of a road is not that of its edges, m', 'a row was changed by hand', '`generate` over all'),
+    ('gap of tangent, degrees', 'an arc of the road does not touch what it joins', '`generate` over all'),
+    ('road with a bend tighter than 5 m, m', 'the axis turns sharply, or setting smoothing_shift allows no more',
+        'draw the bend wider, raise smoothing_shift, or give it a radius in road_arc_editing'),
+    ('road with a bend slower than its speed, km/h', 'the radius of the bend is small for the speed of the axis',
+        'as above, or lower the speed');

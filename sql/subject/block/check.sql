@@ -52,3 +52,15 @@ CREATE OR REPLACE FUNCTION streetgen._block_marked_by_hand() RETURNS TABLE(relat
     ('block'::name, 'e.edge_id IN (SELECT edge_id FROM block_edge WHERE block_id = ($1).block_id)') $$;
 COMMENT ON FUNCTION streetgen._block_marked_by_hand() IS
     'The edges that a change of blocks by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('block without an edge about it', 'rows of block_edge were deleted by hand, or axes while nobody followed',
+        'generate the model again'),
+    ('side of an edge that faces no block nor the outside',
+        'rows of block_edge were deleted by hand, or axes while nobody followed',
+        'generate the axis again'),
+    ('kerbs of a block cross or are missing',
+        'its ground was put together from pieces of the arrangement of its kerbs',
+        'nothing, where the ground is right; else move the axes apart'),
+    ('block override on no block', 'its place lies on the roadway, or outside of all streets',
+        'move or delete the override');

@@ -35,3 +35,8 @@ CREATE OR REPLACE FUNCTION streetgen._bridge_summary()
         UNION ALL SELECT 'tunnel', end_abscissa - start_abscissa FROM %1$I.tunnel) b GROUP BY kind
         ORDER BY kind)$part$) $$;
 COMMENT ON FUNCTION streetgen._bridge_summary() IS 'What streetgen.summary counts of bridges and tunnels.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('bridge ends at a node above what it crosses, m',
+        'the edge that passes over ends within the width of the road below',
+        'join the pieces of the axis above, or move the node');

@@ -44,3 +44,14 @@ CREATE OR REPLACE FUNCTION streetgen._height_summary()
     (23, 'height', $part$
     (SELECT 'profiles, ' || method, count(*), NULL FROM %1$I.profile GROUP BY method ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._height_summary() IS 'What streetgen.summary counts of heights.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('clearance not kept, m', 'roads that pass over each other in turn lie too near, or a height by another rule',
+        'move them apart, raise setting grade_maximal, or lower the clearance in overpass_editing'),
+    ('edges of one node at two heights, m', 'profiles of edges that meet end at different heights',
+        'run generate; tell us, it should not happen'),
+    ('height by hand below the road, m',
+        'the road lies higher there by its ground or by another rule, so the height changes nothing',
+        'raise the height, or delete it'),
+    ('height override without its axis', 'its axis is gone, or ends before the place',
+        'delete the row, or put it on another axis');

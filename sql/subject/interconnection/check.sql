@@ -103,3 +103,19 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_marked_by_hand() RETURNS T
     ('interconnection'::name, 'e.from_node = ($1).node_id OR e.to_node = ($1).node_id') $$;
 COMMENT ON FUNCTION streetgen._interconnection_marked_by_hand() IS
     'The edges that a change of interconnections by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('interconnection off its lanes, m', 'the path does not start or end where its lanes do', '`generate`'),
+    ('lane without a plausible way on', 'traffic of the lane can go nowhere',
+        'correct directions, lanes or turn restrictions'),
+    ('lane that no plausible way reaches', 'no traffic comes to the lane',
+        'correct directions, lanes or turn restrictions'),
+    ('pairs of lanes over interconnections_maximal, none made',
+        'so many pairs meet at the node that it has no interconnections',
+        'correct the axes that meet there, or raise the setting'),
+    ('interconnection override without a place', 'no pair of such lanes is near it', 'move or delete the override'),
+    ('stale: an interconnection override changed since', 'the streets do not know the decision yet', '`generate`'),
+    ('path with a corner that no car drives, the only way',
+        'lane in or lane out would be without a way, and no path between them is clear of the kerbs and without a '
+            'corner',
+        'give the corner more room: limits, radius, or the axes');

@@ -67,3 +67,19 @@ CREATE OR REPLACE FUNCTION streetgen._junction_marked_by_hand() RETURNS TABLE(re
     ('junction_movement', 'e.from_node = ($1).junction_id OR e.to_node = ($1).junction_id') $$;
 COMMENT ON FUNCTION streetgen._junction_marked_by_hand() IS
     'The edges that a change of junctions by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('turn restriction via axes outside a junction, not obeyed',
+        'the edges that it leads via do not lie in one junction',
+        'put them inside one by `junction_edge_editing`, or delete the restriction'),
+    ('node of degree three and more without a junction', 'rows of `junction` are missing',
+        '`SELECT * FROM streetgen.generate(…)`'),
+    ('stale: the junction of a node changed since', 'edges about it changed while nobody followed',
+        '`SELECT * FROM streetgen.generate(…, wait => true)`'),
+    ('edge that junction_extent keeps out of a junction',
+        'the rules would join its nodes to a junction wider than `junction_extent`',
+        'merge it by hand in `junction_override`, or raise the setting'),
+    ('junction wider than junction_extent, m', 'its limits cross one after another, or it was merged by hand',
+        'look whether widths are too great, or leave it'),
+    ('junction override without its axis', 'the axis is gone, or ends before the place',
+        'delete the override, or draw the axis');

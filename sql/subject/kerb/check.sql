@@ -28,3 +28,8 @@ CREATE OR REPLACE FUNCTION streetgen._kerb_summary()
     SELECT 'kerbs, length', round((coalesce(sum(ST_Length(geom)), 0) / 1000)::numeric, 3), 'km'
         FROM %1$I.kerb$part$) $$;
 COMMENT ON FUNCTION streetgen._kerb_summary() IS 'What streetgen.summary counts of kerbs.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('kerb does not end where another one begins',
+        'the border of the roadway has a gap, so that blocks beside it lack ground',
+        'generate the axes beside it again, and report the place');

@@ -63,3 +63,12 @@ CREATE OR REPLACE FUNCTION streetgen._lane_summary()
     (14, 'lane', $part$
     (SELECT 'markings, ' || kind, count(*), NULL FROM %1$I.marking GROUP BY kind ORDER BY kind)$part$) $$;
 COMMENT ON FUNCTION streetgen._lane_summary() IS 'What streetgen.summary counts of lanes.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('edge without a lane', 'an edge needs a lane', '`generate`'),
+    ('lane outside its section, m', 'so much of the lane''s line lies off its section', 'redraw the lane'),
+    ('lane override without its lane', 'no lane of that number is there', 'delete the override'),
+    ('lane adjacency override without its lanes',
+        'no two lanes of these numbers and of one direction lie beside each other there',
+        'delete the override, or give the axis its lanes again'),
+    ('narrow lane, m', 'a general or bus lane is narrower than setting `lane_width_minimal`', 'correct width or lanes');

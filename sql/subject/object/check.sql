@@ -85,3 +85,28 @@ CREATE OR REPLACE FUNCTION streetgen._object_summary()
     (71, 'object', $part$
     (SELECT 'objects, ' || method, count(*), NULL FROM %1$I.street_object GROUP BY method ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._object_summary() IS 'What streetgen.summary counts of objects.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('parking bay on a crossing or an intersection', 'a bay that was put by hand takes ground where none parks',
+        'drag the bay, or the crossing'),
+    ('parking bay without its ground', 'a bay stands at no street, or its street ends before it or bends too sharply',
+        'drag it to a street in `parking_bay_editing`, or delete it'),
+    ('pedestrian crossing without its roadway', 'a crossing stands at no street, or meets no kerb',
+        'drag it to a street in `pedestrian_crossing_editing`, or delete it'),
+    ('placement rule for a kind that no street has',
+        '`kind` names what is neither a class nor the kind of an axis; the rule places nothing there',
+        'write a kind of `axis_class`, or none'),
+    ('parking bay on another bay',
+        'two bays that were put by hand, or by rules on both sides of a narrow street, share ground',
+        'drag one of them, or delete it'),
+    ('object nearer to another one than distance_least',
+        'it was placed by hand or imported, and its type keeps a distance',
+        'move it, delete one of both, or set distance_least of its type to 0'),
+    ('object whose axis is gone', 'the axis that placed the object is gone; it stays where it stood',
+        'drag it to another street, or delete it'),
+    ('object off the place that its axis gives, m', 'the object does not stand where its abscissa and offset say',
+        '`generate`'),
+    ('row of object_edge whose object or edge is gone', 'a row was deleted or written past the triggers',
+        'generate all axes'),
+    ('object on an axis that is not there', 'the object names an axis that was deleted past the triggers',
+        'drag the object, or delete it');

@@ -35,3 +35,8 @@ CREATE OR REPLACE FUNCTION streetgen._overpass_marked_by_hand() RETURNS TABLE(re
     ('overpass'::name, 'e.edge_id IN (($1).edge_above, ($1).edge_below)') $$;
 COMMENT ON FUNCTION streetgen._overpass_marked_by_hand() IS
     'The edges that a change of overpasses by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('overpass override without its crossing',
+        'the two axes do not cross within 20 m of it, or a younger override is nearer',
+        'move or delete the override');

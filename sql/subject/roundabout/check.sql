@@ -44,3 +44,12 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_summary()
     (SELECT 'roundabouts, ' || CASE WHEN accepted THEN kind ELSE 'not accepted' END, count(*), NULL FROM %1$I.roundabout
         GROUP BY 1 ORDER BY 1)$part$) $$;
 COMMENT ON FUNCTION streetgen._roundabout_summary() IS 'What streetgen.summary counts of roundabouts.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('ring of a roundabout is not closed', 'its edges do not lead all the way round', '`generate`'),
+    ('traffic of a source against a roundabout',
+        'a source states a direction against the sense of the ring, and it holds',
+        'mend the direction, or say in `roundabout_editing` that it is none'),
+    ('arm of a roundabout that nobody may enter or leave', 'the edge has no lane for cars', 'mend its lanes'),
+    ('roundabout override without its ring', 'no ring of the bounds of the settings lies about it',
+        'move or delete the override');

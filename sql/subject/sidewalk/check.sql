@@ -29,3 +29,6 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_summary()
     (35, 'sidewalk', $part$
     SELECT 'sidewalks', round(coalesce(sum(ST_Area(surface)), 0)::numeric, 1), 'm2' FROM %1$I.sidewalk$part$) $$;
 COMMENT ON FUNCTION streetgen._sidewalk_summary() IS 'What streetgen.summary counts of sidewalks.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('sidewalk without its kerb', 'the sidewalk is a leftover, or touches its kerb nowhere', '`generate`');

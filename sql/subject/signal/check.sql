@@ -66,3 +66,18 @@ CREATE OR REPLACE FUNCTION streetgen._signal_marked_by_hand() RETURNS TABLE(rela
     ('signal_head', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id') $$;
 COMMENT ON FUNCTION streetgen._signal_marked_by_hand() IS
     'The edges that a change of signals by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('junction of kind signals without a controller', 'the junction should have a program', '`generate`'),
+    ('movement that never has green', 'the program forgets it', '`generate`; mend the program of the controller'),
+    ('signals that the classifier alone says', 'no control point and no decision says that signals stand there',
+        'put a control point, or decide the kind of the junction'),
+    ('cycle longer than decided, since its states last longer, s',
+        'amber, all red and the shortest greens need more than the cycle by hand',
+        'type a longer cycle'),
+    ('durations by hand of another number of states', 'the program has other states since',
+        'type the durations anew, or delete the decision'),
+    ('controller override without its axis', 'the axis is gone, or ends before the place',
+        'delete the row, or draw the axis'),
+    ('crossing at signals where people never have green', 'each state of the controller lets somebody drive over it',
+        'give the controller another program, or move the control point to the street that people cross');

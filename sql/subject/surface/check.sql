@@ -180,3 +180,35 @@ CREATE OR REPLACE FUNCTION streetgen._surface_marked_by_hand() RETURNS TABLE(rel
     ('intersection', 'e.from_node = ($1).node_id OR e.to_node = ($1).node_id') $$;
 COMMENT ON FUNCTION streetgen._surface_marked_by_hand() IS
     'The edges that a change of corners and intersections by hand leaves stale.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('invalid surface', 'ST_IsValid refuses the surface',
+        '`generate`; if the row stays, please report the axes around it'),
+    ('overlap on one level, m2', 'two surfaces of one level cover the same ground', '`generate` over all'),
+    ('node of degree three and more without an intersection', 'a junction has no roadway', '`generate`'),
+    ('edge without its two limits', 'an edge needs a limit at both ends', '`generate`'),
+    ('edge without a section', 'an edge needs a section, be it empty', '`generate`'),
+    ('edge outside the roadway, m', 'so much of the edge lies on no surface of its own',
+        'look at the widths around the edge'),
+    ('limits out of order', 'the start limit lies behind the end limit', '`generate`'),
+    ('contested, m2', 'so much ground went to other surfaces', 'the widths of neighbouring axes contradict each other'),
+    ('ground shared out by rank, surfaces over overlaps_maximal, m2 lost',
+        'so much ground went to surfaces of higher rank, since very many lie upon each other',
+        'correct axes that lie upon each other, or raise the setting'),
+    ('transition_override finds no change of width', 'the decision has nothing to act on', 'delete the override'),
+    ('corner override without its corner', 'no such corner is near it', 'move or delete the override'),
+    ('corner override with a younger one of its corner, m', 'of two for one corner the younger holds',
+        'delete one of them'),
+    ('corner override not computed yet, m', 'streets did not follow when it was written', 'run generate'),
+    ('corner override where the width changes, not followed',
+        'two streets of different widths meet; the change of width has no arc',
+        'give both streets one width there, or delete the override'),
+    ('corner override for which no arc fits', 'the streets are too short, or leave in nearly one line',
+        'make room by their axes, or delete the override'),
+    ('corner override with its centre beyond max_arc_distance, m',
+        'the angle is so acute that the centre of each arc lies farther off than the setting allows',
+        'raise max_arc_distance, or delete the override'),
+    ('corner override greater than the radius that fits, m',
+        'one of the streets is too short for it, or its centre would lie beyond max_arc_distance; the measure is '
+            'the radius that it has',
+        'type at most that, make the street longer, or raise max_arc_distance');
