@@ -35,7 +35,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY
-    SELECT ROW(streetgen._link_rules(model, link), streetgen._design_text(model, 'clearance'))::text
+    SELECT ROW(streetgen._link_rules(model, link), streetgen._setting_text(model, 'clearance'))::text
     UNION ALL SELECT ROW(streetgen._link_elements(model, link))::text
     UNION ALL SELECT ROW(abscissa, height, radius, rejected)::text FROM grade_point WHERE design_link_id = link
         AND (by_hand OR rejected)
@@ -60,8 +60,8 @@ BEGIN
         SELECT ROW(design_node_id, kind, importance, geom)::text FROM design_node WHERE NOT rejected
             AND (by_hand OR kind <> 'interchange')
         UNION ALL SELECT ROW(node_a, node_b, network, rejected)::text FROM design_link WHERE by_hand
-        UNION ALL SELECT ROW(streetgen._design_text(model, 'link_factor'),
-            streetgen._design_text(model, 'benefit'))::text;
+        UNION ALL SELECT ROW(streetgen._setting_text(model, 'link_factor'),
+            streetgen._setting_text(model, 'benefit'))::text;
     WHEN 'paths' THEN RETURN QUERY
         SELECT ROW(streetgen._link_rules(model, link) - 'curve_radius')::text
         UNION ALL SELECT ROW(ordinality, geom, straight)::text FROM streetgen._link_places(model, link, true)
@@ -81,7 +81,7 @@ BEGIN
         UNION ALL SELECT ROW(kind, start_abscissa, end_abscissa, rejected)::text FROM structure
             WHERE design_link_id = link AND by_hand;
     WHEN 'axes' THEN RETURN QUERY
-        SELECT ROW(c.*, a.name, b.name, streetgen._design_text(model, 'driving_side'),
+        SELECT ROW(c.*, a.name, b.name, streetgen._setting_text(model, 'driving_side'),
             streetgen._link_elements(model, link), streetgen._link_grades(model, link))::text FROM design_link l
             JOIN design_class c USING (network) JOIN design_node a ON a.design_node_id = node_a
             JOIN design_node b ON b.design_node_id = node_b WHERE design_link_id = link

@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_cuts(model name, link bigint) RETURNS
     AS $$
 #variable_conflict use_column
 DECLARE
-    piece constant float8 := streetgen._design_number(model, 'design_axis_length');
+    piece constant float8 := streetgen._setting_number(model, 'design_axis_length');
     elements constant float8[] := streetgen._link_elements(model, link);
     length constant float8 := elements[cardinality(elements) - 6] + elements[cardinality(elements) - 2];
 BEGIN
@@ -39,7 +39,7 @@ CREATE OR REPLACE FUNCTION streetgen._design_axes(model name, links bigint[]) RE
     AS $$
 DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    left_hand constant boolean := streetgen._design_text(model, 'driving_side') = 'left';
+    left_hand constant boolean := streetgen._setting_text(model, 'driving_side') = 'left';
     former text[];
     written bigint;
 BEGIN

@@ -413,7 +413,7 @@ BEGIN
                 format('link %s of the design would have no way: %s', edited ->> 'design_link_id', barred),
                 hint => 'Move the vertex elsewhere, or give it straight sides.');
         END IF;
-    ELSIF streetgen._design_text(model, 'design_live') = 'on' THEN
+    ELSIF streetgen._setting_text(model, 'design_live') = 'on' THEN
         PERFORM FROM streetgen._run_stages(model, NULL, NULL);
     END IF;
 END $$;

@@ -59,7 +59,7 @@ BEGIN
             ORDER BY design_link_id, k),
         ARRAY(SELECT v FROM given, unnest(ARRAY[a, b]::float8[]) WITH ORDINALITY u(v, k) WHERE rejected
             ORDER BY design_link_id, k),
-        streetgen._design_number(model, 'link_factor'), streetgen._design_text(model, 'benefit') = 'network') t)
+        streetgen._setting_number(model, 'link_factor'), streetgen._setting_text(model, 'benefit') = 'network') t)
     SELECT l.nth, a, b, l.network AS rank, (ARRAY['highway', 'secondary', 'rural'])[l.network + 1] AS network, length,
         utilisation, benefit, cost, by_hand_row, s.design_node_id AS town_a, e.design_node_id AS town_b,
         ST_MakeLine(s.geom, e.geom) AS geom

@@ -58,7 +58,7 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_limits(model name, link bigint, f
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    clearance constant float8 := streetgen._design_number(model, 'clearance');
+    clearance constant float8 := streetgen._setting_number(model, 'clearance');
     numbers float8[];
 BEGIN
     PERFORM streetgen._use_model(model);

@@ -13,25 +13,6 @@ CREATE OR REPLACE FUNCTION streetgen._road_prices() RETURNS text[]
         'climb_cost', 'side_slope', 'fill_greatest', 'cut_greatest'] $$;
 COMMENT ON FUNCTION streetgen._road_prices() IS 'Settings that are rules of every road.';
 
-CREATE OR REPLACE FUNCTION streetgen._design_number(model name, setting text) RETURNS float8
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$ BEGIN RETURN streetgen._design_text(model, setting)::float8; END $$;
-COMMENT ON FUNCTION streetgen._design_number(name, text) IS 'A setting of the design as a number.';
-
-CREATE OR REPLACE FUNCTION streetgen._design_text(model name, setting text) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$
-DECLARE
-    value text;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    SELECT coalesce((SELECT s.value FROM setting s WHERE s.name = setting), (SELECT d.value
-        FROM streetgen._default_setting() d WHERE d.name = setting)) INTO value;
-    RETURN value;
-END $$;
-COMMENT ON FUNCTION streetgen._design_text(name, text) IS
-    'A setting of the design, also of a model that was made before the setting.';
-
 CREATE OR REPLACE FUNCTION streetgen._road_rules(model name, network text) RETURNS jsonb
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
@@ -53,10 +34,10 @@ BEGIN
             hint => format('INSERT INTO %I.design_standard (speed, …), or take the speed of one of its rows.',
                 model));
     END IF;
-    SELECT jsonb_object_agg(p, streetgen._design_number(model, p)) INTO rules FROM unnest(streetgen._road_prices()) p;
+    SELECT jsonb_object_agg(p, streetgen._setting_number(model, p)) INTO rules FROM unnest(streetgen._road_prices()) p;
     RETURN rules || jsonb_build_object('width', class.width, 'radius', standard.radius, 'clothoid', standard.clothoid,
         'grade', standard.grade, 'crest', standard.crest, 'sag', standard.sag, 'curve_radius',
-        CASE streetgen._design_text(model, 'curve_radius') WHEN 'normal' THEN standard.radius_normal
+        CASE streetgen._setting_text(model, 'curve_radius') WHEN 'normal' THEN standard.radius_normal
             WHEN 'largest' THEN 10000 ELSE 0 END);
 END $$;
 COMMENT ON FUNCTION streetgen._road_rules(name, text) IS
@@ -70,7 +51,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     SELECT r || jsonb_build_object('use_cost', (r ->> 'use_cost')::float8
-            + streetgen._design_number(model, 'utilisation_cost') * coalesce(utilisation, 0))
+            + streetgen._setting_number(model, 'utilisation_cost') * coalesce(utilisation, 0))
         FROM design_link, streetgen._road_rules(model, network) r WHERE design_link_id = link INTO rules;
     RETURN rules;
 END $$;

@@ -18,6 +18,28 @@ END $$;
 COMMENT ON FUNCTION streetgen._zone_ground(geometry, integer, float8) IS
     'What a zone covers, in another reference: a line or point width metres wide. 22023 where it makes no polygon.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_zones(model name) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    wrong record;
+    added bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT count(*) > 0 AS any, min(z.class) AS class INTO wrong FROM pg_temp._zone z
+        WHERE NOT EXISTS (SELECT FROM zone_class c WHERE c.class = z.class);
+    IF wrong.any THEN
+        RAISE EXCEPTION 'a zone has class "%", which stands in no row of zone_class', coalesce(wrong.class, 'NULL')
+            USING ERRCODE = '22023', HINT = format('INSERT INTO %I.zone_class (class, cost, passage) VALUES (…).',
+                model);
+    END IF;
+    INSERT INTO zone (class, geom) SELECT class, geom FROM pg_temp._zone WHERE NOT ST_IsEmpty(geom);
+    GET DIAGNOSTICS added = ROW_COUNT;
+    RETURN added;
+END $$;
+COMMENT ON FUNCTION streetgen._add_zones(name) IS
+    'Adds the zones of table _zone to a model and counts them; a class that stands in no row of zone_class: 22023.';
+
 CREATE OR REPLACE FUNCTION streetgen.import_zones(model name, source regclass, mapping jsonb) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -51,16 +73,7 @@ BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _zone ON COMMIT DROP AS SELECT %s AS class,
         streetgen._zone_ground(%I, %s, %L) AS geom FROM %s WHERE NOT ST_IsEmpty(%2$I)', class_of, geom_of, target_srid,
         width_of, source);
-    EXECUTE format('SELECT count(*) > 0 AS any, min(z.class) AS class FROM pg_temp._zone z WHERE NOT EXISTS (
-        SELECT FROM %I.zone_class c WHERE c.class = z.class)', model) INTO wrong;
-    IF wrong.any THEN
-        RAISE EXCEPTION 'a zone has class "%", which stands in no row of zone_class', coalesce(wrong.class, 'NULL')
-            USING ERRCODE = '22023', HINT = format('INSERT INTO %I.zone_class (class, cost, passage) VALUES (…).',
-                model);
-    END IF;
-    EXECUTE format('INSERT INTO %I.zone (class, geom) SELECT class, geom FROM pg_temp._zone WHERE NOT ST_IsEmpty(geom)',
-        model);
-    GET DIAGNOSTICS added = ROW_COUNT;
+    added := streetgen._add_zones(model);
     DROP TABLE pg_temp._zone;
     RETURN added;
 END $$;

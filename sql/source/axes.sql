@@ -194,13 +194,28 @@ COMMENT ON FUNCTION streetgen._write_axes(name, text, boolean) IS
     'Brings the axes of a source up to date with the parts of the import that are new or changed, cleaned if asked to; '
     'reports how many.';
 
+CREATE OR REPLACE FUNCTION streetgen._look_at_axes(model name, source text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    origin constant text COLLATE "default" := source;
+    written bigint[];
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT array_agg(a.axis_id) INTO written FROM axis a WHERE a.source = origin
+        AND (a.source_ref IS NULL OR a.source_ref IN (SELECT p.source_ref FROM pg_temp._import_part p));
+    PERFORM streetgen._tell_unbelieved(model, written);
+    ANALYZE axis, delivered (relation, source, source_ref);
+END $$;
+COMMENT ON FUNCTION streetgen._look_at_axes(name, text) IS
+    'Tells which widths of the axes that an import wrote are not believed, and counts the tables for the planner.';
+
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
 DECLARE
     changed bigint;
-    written bigint[];
 BEGIN
     PERFORM streetgen._check_settings(model);
     -- An error within it shows the name of a view, and not all of the query.
@@ -215,11 +230,7 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
     RETURN QUERY SELECT * FROM streetgen._tell_by_hand(model, 'axis', source);
-    EXECUTE format('SELECT array_agg(a.axis_id) FROM %I.axis a WHERE a.source = $1
-        AND (a.source_ref IS NULL OR a.source_ref IN (SELECT p.source_ref FROM pg_temp._import_part p))', model)
-            INTO written USING source;
-    PERFORM streetgen._tell_unbelieved(model, written);
-    EXECUTE format('ANALYZE %1$I.axis, %1$I.delivered (relation, source, source_ref)', model);
+    PERFORM streetgen._look_at_axes(model, source);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);
@@ -236,8 +247,8 @@ CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format('CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM %I.axis_class',
-        model);
+    PERFORM streetgen._use_model(model);
+    CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM axis_class;
 END $$;
 COMMENT ON FUNCTION streetgen._copy_classes(name) IS
     'Copies the classes of a model to where the rows of the import are taken.';

@@ -6,10 +6,8 @@ CREATE OR REPLACE FUNCTION streetgen._settle_driving_side(model name)
     AS $$
 DECLARE
     found text;
-    given text;
 BEGIN
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO given;
-    IF given <> 'auto' THEN
+    IF streetgen._setting_text(model, 'driving_side') <> 'auto' THEN
         RETURN;
     END IF;
     found := streetgen._found_driving_side(model);

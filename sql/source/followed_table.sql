@@ -21,11 +21,12 @@ CREATE OR REPLACE FUNCTION streetgen._import_change(model name, source text, amo
     SET jit = off SET enable_seqscan = off
     AS $$
 DECLARE
+    origin constant text COLLATE "default" := source;
     told record;
     bad record;
     concerned text[];
 BEGIN
-    PERFORM streetgen._copy_classes(model);
+    PERFORM streetgen._use_model(model), streetgen._copy_classes(model);
     FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
@@ -36,9 +37,8 @@ BEGIN
     END IF;
     concerned := among || ARRAY(SELECT p.source_ref FROM pg_temp._import_part p);
     PERFORM streetgen._adopt_axes(model, source, clean, concerned);
-    EXECUTE format('SELECT p.source_ref FROM pg_temp._import_part p JOIN %I.delivered d ON (d.relation, d.source, '
-        'd.source_ref) = (''axis'', $1, p.source_ref) WHERE p.source_ref <> ALL ($2) AND NOT d.gone LIMIT 1', model)
-        INTO bad USING source, among;
+    SELECT p.source_ref INTO bad FROM pg_temp._import_part p JOIN delivered d ON (d.relation, d.source, d.source_ref)
+        = ('axis', origin, p.source_ref) WHERE p.source_ref <> ALL (among) AND NOT d.gone LIMIT 1;
     IF bad.source_ref IS NOT NULL THEN
         PERFORM streetgen._refuse_twin(bad.source_ref);
     END IF;
@@ -58,6 +58,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_follower(model name, source regclass,
     AS $$
 DECLARE
     follower constant name := streetgen._follower(source::text);
+    mapped constant text := streetgen._mapped(source, mapping);
     -- What rows are made of, as text: not every type can be compared.
     was text;
     is_now text;
@@ -68,42 +69,13 @@ BEGIN
             UNION SELECT coalesce(mapping ->> 'geom', 'geom')) c;
     EXECUTE format('DROP FUNCTION IF EXISTS %I.%I() CASCADE', model, follower);
     EXECUTE format('CREATE FUNCTION %I.%I() RETURNS trigger LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET '
-        'search_path FROM CURRENT AS %L', model, follower, format($body$
-#variable_conflict use_column
-DECLARE
-    former text[] := '{}';
-    way_out text;
-BEGIN
-    IF TG_OP = 'TRUNCATE' THEN
-        EXECUTE format(%7$L, TG_RELID::regclass);
-        former := ARRAY(SELECT source_ref FROM %1$I.axis WHERE source = %2$L
-            UNION SELECT source_ref FROM %1$I.delivered WHERE source = %2$L AND relation = 'axis');
-    ELSIF TG_OP = 'INSERT' THEN
-        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n;
-    ELSIF TG_OP = 'DELETE' THEN
-        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM old_row o WHERE false;
-        former := ARRAY(SELECT %4$s FROM old_row o);
-    ELSIF EXISTS (SELECT FROM new_row n
-        WHERE NOT EXISTS (SELECT FROM old_row o WHERE ROW(%5$s)::text = ROW(%6$s)::text))
-        OR EXISTS (SELECT FROM old_row o
-            WHERE NOT EXISTS (SELECT FROM new_row n WHERE ROW(%5$s)::text = ROW(%6$s)::text)) THEN
-        CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %3$s FROM new_row n
-            WHERE NOT EXISTS (SELECT FROM old_row o WHERE ROW(%5$s)::text = ROW(%6$s)::text);
-        former := ARRAY(SELECT %4$s FROM old_row o
-            WHERE NOT EXISTS (SELECT FROM new_row n WHERE ROW(%5$s)::text = ROW(%6$s)::text));
-    ELSE
-        RETURN NULL;
-    END IF;
-    PERFORM streetgen._import_change(%1$L, %2$L, former);
-    RETURN NULL;
-EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
-    GET STACKED DIAGNOSTICS way_out = PG_EXCEPTION_HINT;
-    PERFORM streetgen._refuse_wait(%1$L, CASE SQLSTATE WHEN '55P03' THEN way_out END);
-    RAISE;
-END $body$, model, source, streetgen._mapped(source, mapping),
-        format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref', coalesce(mapping ->> 'geom', 'geom')),
-            was, is_now, format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %s FROM %%s n WHERE false',
-                replace(streetgen._mapped(source, mapping), '%', '%%'))));
+        'search_path FROM CURRENT AS %L', model, follower, streetgen._fill_template(streetgen._part('follower'),
+        jsonb_build_object('model', quote_ident(model), 'name', quote_literal(model), 'source', quote_literal(source),
+            'rows', mapped,
+            'no_rows', quote_literal(format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %s '
+                'FROM %%s n WHERE false', replace(mapped, '%', '%%'))),
+            'refs', format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref',
+                coalesce(mapping ->> 'geom', 'geom')), 'was', was, 'is_now', is_now)));
     PERFORM streetgen._own_function(model, format('%I()', follower),
         'After an edit of ' || source || ': the axes follow');
     FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete', 'truncate'] LOOP
@@ -122,9 +94,12 @@ CREATE OR REPLACE FUNCTION streetgen.follow(model name, source regclass, mapping
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 DECLARE
+    -- Its name without the model.
+    origin constant text COLLATE "default" := source;
     relation record;
     nameless boolean;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     SELECT c.relkind, n.nspname IN (SELECT name FROM streetgen.model) AS derived, relispartition
         OR EXISTS (SELECT FROM pg_inherits WHERE inhrelid = c.oid OR inhparent = c.oid) AS shared
@@ -148,8 +123,8 @@ BEGIN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
             HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
     END IF;
-    EXECUTE format('INSERT INTO %I.followed AS f VALUES ($1, $2) ON CONFLICT (source) DO UPDATE SET mapping = '
-        'excluded.mapping', model) USING source::text, mapping;
+    INSERT INTO followed VALUES (origin, mapping)
+        ON CONFLICT ON CONSTRAINT followed_pkey DO UPDATE SET mapping = excluded.mapping;
     RETURN QUERY SELECT * FROM streetgen.import_axes(model, source, mapping);
 END $$;
 COMMENT ON FUNCTION streetgen.follow(name, regclass, jsonb) IS
@@ -169,6 +144,7 @@ DECLARE
     owner constant name := (SELECT rolname FROM pg_namespace JOIN pg_roles r ON r.oid = nspowner WHERE nspname = model);
     kept record;
 BEGIN
+    -- Names of tables are read as anywhere else, without the model.
     FOR kept IN EXECUTE format('SELECT source, mapping, to_regclass(source) AS relation FROM %I.followed ORDER BY '
         'source', model) LOOP
         BEGIN
@@ -195,20 +171,22 @@ CREATE OR REPLACE FUNCTION streetgen.unfollow(model name, source regclass) RETUR
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET client_min_messages = warning
     AS $$
 DECLARE
+    -- Its name without the model.
+    origin constant text COLLATE "default" := source;
     follower record;
     forgotten bigint;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text);
     SELECT p.oid::regprocedure AS signature, p.proname AS name INTO follower FROM pg_trigger t
         JOIN pg_proc p ON p.oid = t.tgfoid
         WHERE t.tgrelid = source AND p.pronamespace = quote_ident(model)::regnamespace AND p.proname LIKE '\_follow\_%'
             LIMIT 1;
-    EXECUTE format('DELETE FROM %I.followed f WHERE f.source = $1 OR streetgen._follower(f.source) = $2', model)
-        USING source::text, follower.name;
+    DELETE FROM followed f WHERE f.source = origin OR streetgen._follower(f.source) = follower.name;
     GET DIAGNOSTICS forgotten = ROW_COUNT;
     IF follower.signature IS NULL AND forgotten = 0 THEN
-        RAISE EXCEPTION 'model "%" does not follow %', model, source USING ERRCODE = '42704',
-            HINT = format('SELECT * FROM streetgen.follow(%L, %L, …) makes it do so.', model, source);
+        RAISE EXCEPTION 'model "%" does not follow %', model, origin USING ERRCODE = '42704',
+            HINT = format('SELECT * FROM streetgen.follow(%L, %L, …) makes it do so.', model, origin);
     END IF;
     IF follower.signature IS NOT NULL THEN
         EXECUTE format('DROP FUNCTION %s CASCADE', follower.signature);

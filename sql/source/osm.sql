@@ -314,7 +314,7 @@ BEGIN
                 'stands before the prefix: ''gis.osm''.';
     END IF;
     driving_side := streetgen._driving_side(model);
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''lane_width''', model) INTO lane_width;
+    lane_width := streetgen._setting_number(model, 'lane_width');
     PERFORM streetgen._take_osm_lines(source);
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text,
         format('SELECT * FROM streetgen._osm_rows(%L, %L)', driving_side, lane_width));

@@ -127,15 +127,18 @@ CREATE OR REPLACE FUNCTION streetgen.settle_conflict(model name, row_id bigint, 
     AS $$
 #variable_conflict use_variable
 DECLARE
+    table_of constant text COLLATE "default" := relation;
+    column_of constant text COLLATE "default" := column_name;
     conflict record;
 BEGIN
+    PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('row_id', row_id::text, 'column_name',
         column_name, 'holds', holds, 'relation', relation);
     IF holds NOT IN ('hand', 'source') THEN
         RAISE EXCEPTION 'holds is "%"', holds USING ERRCODE = '22023', HINT = 'hand or source: whose value holds.';
     END IF;
-    EXECUTE format('SELECT * FROM %I.open_conflict c WHERE (c.relation, c.row_id, c.column_name) = ($1, $2, $3)',
-        model) INTO conflict USING relation, row_id, column_name;
+    SELECT * INTO conflict FROM open_conflict c WHERE (c.relation, c.row_id, c.column_name)
+        = (table_of, row_id, column_of);
     IF conflict.stands IS NULL THEN
         RAISE EXCEPTION 'there is no conflict in column "%" of % %', column_name, relation, row_id
             USING ERRCODE = '22023', HINT = format('SELECT * FROM %I.import_conflict lists them.', model);
@@ -159,8 +162,7 @@ BEGIN
     ELSE
         row_id := streetgen._insert_delivered(model, relation, conflict.source, conflict.source_ref);
     END IF;
-    EXECUTE format('DELETE FROM %I.open_conflict c WHERE (c.relation, c.row_id, c.column_name) = ($1, $2, $3)', model)
-        USING relation, row_id, column_name;
+    DELETE FROM open_conflict c WHERE (c.relation, c.row_id, c.column_name) = (table_of, row_id, column_of);
 END $$;
 COMMENT ON FUNCTION streetgen.settle_conflict(name, bigint, text, text, text) IS
     'Ends a conflict of view import_conflict. holds: hand, and the row has what was by hand, or source, and it has '

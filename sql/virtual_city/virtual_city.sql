@@ -113,7 +113,7 @@ BEGIN
         FROM streetgen.virtual_city(srid, x, y, width, height, seed, options) WITH ORDINALITY c;
     GET DIAGNOSTICS drawn = ROW_COUNT;
     PERFORM streetgen._check_scale(format('SELECT ''axis '' || axis_id AS label, geom FROM %I.axis', model));
-    EXECUTE format('ANALYZE %I.axis', model);
+    ANALYZE axis;
     RETURN drawn;
 END $$;
 COMMENT ON FUNCTION streetgen.create_virtual_city(name, integer, float8, float8, float8, float8, bigint, jsonb) IS

@@ -5,25 +5,26 @@ CREATE OR REPLACE FUNCTION streetgen._own_function(model name, signature text, d
     AS $$
 DECLARE
     named constant regprocedure := format('%I.%s', model, signature);
-    text text;
+    body text;
     begins integer;
 BEGIN
-    EXECUTE format('ALTER FUNCTION %I.%s OWNER TO %s', model, signature, (SELECT nspowner::regrole FROM pg_namespace
+    EXECUTE format('ALTER FUNCTION %s OWNER TO %s', named, (SELECT nspowner::regrole FROM pg_namespace
         WHERE nspname = model));
-    IF (SELECT prosecdef FROM pg_proc WHERE oid = named) THEN
+    SELECT prosrc INTO body FROM pg_proc WHERE oid = named AND prosecdef;
+    IF FOUND THEN
         -- Its first declaration, before anything there finds a function by search_path.
-        text := pg_get_functiondef(named);
-        begins := nullif(regexp_instr(text, E'\n *(DECLARE|BEGIN)\n'), 0);
+        begins := nullif(regexp_instr(body, E'\n *(DECLARE|BEGIN)\n'), 0);
         IF begins IS NULL THEN
             RAISE EXCEPTION 'function % has no line at which to look for functions of others', named
                 USING ERRCODE = '22023', HINT = 'One that runs with the rights of the owner is written in PL/pgSQL.';
         END IF;
-        EXECUTE left(text, begins) || format(E'DECLARE\n    only_own_functions constant boolean := '
-            'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(text, begins), '^\n *DECLARE', '');
-        EXECUTE format('REVOKE ALL ON FUNCTION %I.%s FROM PUBLIC', model, signature);
+        EXECUTE regexp_replace(split_part(pg_get_functiondef(named), body, 1), '\$\w*\$\Z', '')
+            || quote_literal(left(body, begins) || format(E'DECLARE\n    only_own_functions constant boolean := '
+            'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(body, begins), '^\n *DECLARE', ''));
+        EXECUTE format('REVOKE ALL ON FUNCTION %s FROM PUBLIC', named);
     END IF;
-    EXECUTE format('ALTER FUNCTION %I.%s DEPENDS ON EXTENSION streetgen', model, signature);
-    EXECUTE format('COMMENT ON FUNCTION %I.%s IS %L', model, signature, description);
+    EXECUTE format('ALTER FUNCTION %1$s DEPENDS ON EXTENSION streetgen; COMMENT ON FUNCTION %1$s IS %2$L', named,
+        description);
 END $$;
 COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
     'Gives a function in the schema of a model to its owner, with a comment; it goes with the extension. One that '

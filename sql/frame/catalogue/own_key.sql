@@ -67,9 +67,8 @@ BEGIN
         CONTINUE WHEN key IS NULL;
         PERFORM streetgen._pass_taken_keys(model, relation);
         EXECUTE format('CREATE OR REPLACE TRIGGER own_key BEFORE INSERT OR UPDATE OF %3$I ON %1$I.%2$I FOR EACH ROW '
-            'EXECUTE FUNCTION %1$I._pass_own_key(%3$L)', model, relation, key);
-        EXECUTE format('COMMENT ON TRIGGER own_key ON %I.%I IS %L', model, relation,
-            'Generated keys go on after one that somebody wrote himself');
+            'EXECUTE FUNCTION %1$I._pass_own_key(%3$L); COMMENT ON TRIGGER own_key ON %1$I.%2$I IS %4$L', model,
+            relation, key, 'Generated keys go on after one that somebody wrote himself');
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_own_keys(name) IS

@@ -121,8 +121,8 @@ BEGIN
     LOOP
         -- The condition is read with the row; the function is called for a row that breaks it.
         EXECUTE format('CREATE OR REPLACE TRIGGER refuse BEFORE INSERT OR UPDATE OF %s ON %s FOR EACH ROW WHEN ((%s) '
-            'IS FALSE) EXECUTE FUNCTION streetgen._refuse_row()', ruled.attributes, ruled.input, ruled.condition);
-        EXECUTE format('COMMENT ON TRIGGER refuse ON %s IS %L', ruled.input,
+            'IS FALSE) EXECUTE FUNCTION streetgen._refuse_row(); COMMENT ON TRIGGER refuse ON %2$s IS %4$L',
+            ruled.attributes, ruled.input, ruled.condition,
             'Says what a column may hold, before its constraint refuses the row');
     END LOOP;
 END $$;

@@ -120,6 +120,22 @@ END $$;
 COMMENT ON FUNCTION streetgen._check_settings(name) IS
     'Raises as _check_setting for what was written or deleted in the setting table of a model without streetgen.set.';
 
+CREATE OR REPLACE FUNCTION streetgen._setting_text(model name, setting text) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN coalesce((SELECT s.value FROM setting s WHERE s.name = setting),
+        (SELECT d.value FROM streetgen._default_setting() d WHERE d.name = setting));
+END $$;
+COMMENT ON FUNCTION streetgen._setting_text(name, text) IS
+    'The value of a setting, also of a model that was made before the setting.';
+
+CREATE OR REPLACE FUNCTION streetgen._setting_number(model name, setting text) RETURNS float8
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ BEGIN RETURN streetgen._setting_text(model, setting)::float8; END $$;
+COMMENT ON FUNCTION streetgen._setting_number(name, text) IS 'The value of a setting as a number.';
+
 CREATE OR REPLACE FUNCTION streetgen._tolerance(model name) RETURNS float8
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

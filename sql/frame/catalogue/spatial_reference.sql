@@ -28,14 +28,12 @@ CREATE OR REPLACE FUNCTION streetgen._rim(lines text) RETURNS TABLE(label text, 
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 8 SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    RETURN QUERY EXECUTE format($sql$
-WITH line AS MATERIALIZED (SELECT label, geom, Box3D(geom) AS box FROM (%s) l),
-rim AS (SELECT min(ST_XMin(box)) AS west, max(ST_XMax(box)) AS east, min(ST_YMin(box)) AS south,
-    max(ST_YMax(box)) AS north FROM line)
-SELECT label::text, ST_Force2D(v.point)
-    FROM line, rim, LATERAL (VALUES (ST_StartPoint(geom)), (ST_EndPoint(geom))) v(point)
-WHERE (ST_XMin(box) = west OR ST_XMax(box) = rim.east OR ST_YMin(box) = south OR ST_YMax(box) = rim.north)
-    AND ST_X(v.point) BETWEEN -1e12 AND 1e12 AND ST_Y(v.point) BETWEEN -1e12 AND 1e12 $sql$, lines);
+    RETURN QUERY EXECUTE format($sql$SELECT label::text, ST_Force2D(point) FROM (SELECT label, geom,
+            ST_XMin(box) = min(ST_XMin(box)) OVER () OR ST_XMax(box) = max(ST_XMax(box)) OVER ()
+            OR ST_YMin(box) = min(ST_YMin(box)) OVER () OR ST_YMax(box) = max(ST_YMax(box)) OVER () AS outermost
+        FROM (SELECT label, geom, Box3D(geom) AS box FROM (%s) l OFFSET 0) b) o, LATERAL (VALUES (ST_StartPoint(geom)),
+        (ST_EndPoint(geom))) v(point) WHERE outermost AND abs(ST_X(point)) <= 1e12 AND abs(ST_Y(point)) <= 1e12 $sql$,
+        lines);
 END $$;
 COMMENT ON FUNCTION streetgen._rim(text) IS
     'The ends of the outermost of some lines, which are given as a query of label and geom: what grows towards the '

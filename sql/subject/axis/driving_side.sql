@@ -1,13 +1,10 @@
 -- The side of the road that one drives on, told by the network: one-way rings and one-way pairs.
 
 CREATE OR REPLACE FUNCTION streetgen._driving_side(model name) RETURNS text
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-DECLARE
-    side text;
 BEGIN
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''driving_side''', model) INTO side;
-    RETURN CASE side WHEN 'left' THEN 'left' ELSE 'right' END;
+    RETURN CASE streetgen._setting_text(model, 'driving_side') WHEN 'left' THEN 'left' ELSE 'right' END;
 END $$;
 COMMENT ON FUNCTION streetgen._driving_side(name) IS
     'The side of the road that a model drives on, left or right; auto is right until an importer finds another.';

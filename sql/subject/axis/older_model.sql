@@ -5,40 +5,36 @@ CREATE OR REPLACE FUNCTION streetgen._add_roadway_offset(model name) RETURNS voi
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT streetgen._lacks_column(model, 'axis', 'roadway_offset') THEN
         RETURN;
     END IF;
-    EXECUTE format('ALTER TABLE %1$I.axis ADD roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100)',
-        model);
-    EXECUTE format('ALTER TABLE %1$I.edge ADD roadway_offset float8 NOT NULL DEFAULT 0', model);
-    EXECUTE format('ALTER TABLE %1$I.edge ALTER roadway_offset DROP DEFAULT', model);
-    EXECUTE format('CREATE INDEX axis_roadway_offset ON %1$I.axis (roadway_offset) WHERE roadway_offset <> 0', model);
-    EXECUTE format('DROP INDEX IF EXISTS %1$I.edge_width', model);
-    EXECUTE format('CREATE INDEX edge_reach ON %1$I.edge ((greatest(width, width_end) + 2 * abs(roadway_offset)))',
-        model);
+    ALTER TABLE axis ADD roadway_offset float8 CHECK (roadway_offset BETWEEN -100 AND 100);
+    ALTER TABLE edge ADD roadway_offset float8 NOT NULL DEFAULT 0;
+    ALTER TABLE edge ALTER roadway_offset DROP DEFAULT;
+    EXECUTE format('DROP INDEX IF EXISTS %I.edge_width', model);
 END $$;
 COMMENT ON FUNCTION streetgen._add_roadway_offset(name) IS
-    'Adds the columns of axis and edge that say how far the roadway lies beside the axis, '
-    'where a model was made before '
-    'them.';
+    'Adds the columns of axis and edge that say how far the roadway lies beside the axis, where a model was made '
+    'before them.';
 
 CREATE OR REPLACE FUNCTION streetgen._add_class_meanings(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT streetgen._lacks_column(model, 'axis_class', 'highway_role') THEN
         RETURN;
     END IF;
-    EXECUTE format('ALTER TABLE %I.axis_class ADD highway_role text
-            CHECK (highway_role IN (''highway'', ''fast_road'', ''highway_link'', ''link'')),
+    ALTER TABLE axis_class ADD highway_role text
+            CHECK (highway_role IN ('highway', 'fast_road', 'highway_link', 'link')),
         ADD walked_along boolean NOT NULL DEFAULT true, ADD crossed_on_foot boolean NOT NULL DEFAULT true,
-        ADD lanes_by_width boolean NOT NULL DEFAULT true', model);
-    EXECUTE format('UPDATE %I.axis_class c SET (highway_role, walked_along, crossed_on_foot, lanes_by_width)
+        ADD lanes_by_width boolean NOT NULL DEFAULT true;
+    UPDATE axis_class c SET (highway_role, walked_along, crossed_on_foot, lanes_by_width)
         = (d.highway_role, d.walked_along, d.crossed_on_foot, d.lanes_by_width)
-        FROM streetgen._default_axis_class() d WHERE d.class = c.class', model);
+        FROM streetgen._default_axis_class() d WHERE d.class = c.class;
     -- A class of the user's that was told by its last letters.
-    EXECUTE format('UPDATE %I.axis_class SET highway_role = ''link'' WHERE class LIKE ''%%\_link''
-        AND highway_role IS NULL', model);
+    UPDATE axis_class SET highway_role = 'link' WHERE class LIKE '%\_link' AND highway_role IS NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._add_class_meanings(name) IS
     'Adds the columns of axis_class that say what a class means for ramps, people on foot and lanes, where a model was '

@@ -127,3 +127,13 @@ LEFT JOIN LATERAL (
                CASE WHEN direction_used = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
                    WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
                    HAVING true) l ON true
+
+--{setting_used
+CREATE OR REPLACE VIEW setting_used WITH (security_invoker = true) AS
+SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
+        concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
+            THEN streetgen._predictor_definition(value) END), ',' ORDER BY name){rings}, 2) AS setting_hash
+FROM setting WHERE name <> ALL ({beside})
+
+--{rings_used
+    || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern) FROM roundabout_pattern), '')

@@ -10,14 +10,9 @@ BEGIN
     PERFORM streetgen._use_model(model);
     -- Its seed is another one where input_hash is made otherwise: streets of a build before are then those of other
     -- settings.
-    EXECUTE format($sql$CREATE OR REPLACE VIEW %1$I.setting_used WITH (security_invoker = true) AS
-SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
-           concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
-               THEN streetgen._predictor_definition(value) END), ',' ORDER BY name)%2$s, 2) AS setting_hash
-FROM %1$I.setting WHERE name <> ALL (%3$L)$sql$, model, CASE WHEN with_rings
-        THEN format($sql$ || coalesce((SELECT string_agg(pattern, ',' ORDER BY pattern)
-    FROM %I.roundabout_pattern), '')$sql$, model) END,
-        (SELECT array_agg(name) FROM streetgen._setting_beside()));
+    EXECUTE streetgen._fill_template(streetgen._part('setting_used'), jsonb_build_object(
+        'rings', CASE WHEN with_rings THEN streetgen._part('rings_used') END,
+        'beside', (SELECT quote_literal(array_agg(name)) FROM streetgen._setting_beside())));
     COMMENT ON VIEW setting_used IS 'The settings that streets depend on, as one row';
     COMMENT ON COLUMN setting_used.settings IS 'name of each to its value';
     COMMENT ON COLUMN setting_used.setting_hash IS 'their hash';

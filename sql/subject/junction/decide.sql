@@ -7,13 +7,9 @@ CREATE OR REPLACE FUNCTION streetgen._overrides_at_junction(model name, relation
 DECLARE
     known bigint[];
 BEGIN
-    EXECUTE format($sql$
-SELECT coalesce(array_agg(o.%2$I_id ORDER BY o.%2$I_id DESC), '{}')
-FROM %1$I.%2$I o CROSS JOIN LATERAL (
-    SELECT v.node_id FROM %1$I.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-        JOIN %1$I.node n USING (node_id) WHERE e.axis_id = o.axis_id
-    ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN %1$I.junction_node m USING (node_id)
-WHERE m.junction_id = $1 $sql$, model, relation) INTO known USING junction;
+    EXECUTE streetgen._fill_template(streetgen._part('overrides_at_junction'),
+            jsonb_build_object('model', quote_ident(model), 'override', quote_ident(relation)))
+        INTO known USING junction;
     RETURN known;
 END $$;
 COMMENT ON FUNCTION streetgen._overrides_at_junction(name, name, bigint) IS

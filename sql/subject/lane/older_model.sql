@@ -6,32 +6,29 @@ CREATE OR REPLACE FUNCTION streetgen._add_both_ways(model name) RETURNS void
     SET streetgen.computes = 'on'
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT streetgen._lacks_column(model, 'axis', 'lanes_both') THEN
         RETURN;
     END IF;
+    ALTER TABLE axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30);
+    ALTER TABLE turn_restriction ADD except_kinds text CHECK (except_kinds ~ '^(bus|cycle)(\|(bus|cycle)){0,9}$');
+    ALTER TABLE lane_override ADD both_ways boolean;
+    ALTER TABLE interconnection_override ADD along_in boolean, ADD along_out boolean;
+    ALTER TABLE edge ADD lanes_both integer NOT NULL DEFAULT 0;
+    ALTER TABLE edge ALTER lanes_both DROP DEFAULT;
     -- Lanes computed before have one direction each.
-    PERFORM streetgen._execute_each(ARRAY[
-        'ALTER TABLE %1$I.axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30)',
-        'ALTER TABLE %1$I.turn_restriction ADD except_kinds text CHECK (except_kinds '
-            '~ ''^(bus|cycle)(\|(bus|cycle)){0,9}$'')',
-        'ALTER TABLE %1$I.lane_override ADD both_ways boolean',
-        'ALTER TABLE %1$I.interconnection_override ADD along_in boolean, ADD along_out boolean',
-        'ALTER TABLE %1$I.edge ADD lanes_both integer NOT NULL DEFAULT 0',
-        'ALTER TABLE %1$I.edge ALTER lanes_both DROP DEFAULT',
-        'ALTER TABLE %1$I.lane ADD both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways)',
-        'ALTER TABLE %1$I.marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS '
-            'marking_edge_id_kind_lane_position_key,
-            ADD UNIQUE (edge_id, kind, lane_position, along_axis)',
-        'UPDATE %1$I.marking m SET along_axis = coalesce((SELECT l.along_axis FROM %1$I.lane l
-            WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true)',
-        'ALTER TABLE %1$I.marking ALTER along_axis SET NOT NULL',
-        'ALTER TABLE %1$I.interconnection ADD along_in boolean, ADD along_out boolean,
-            DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key,
-            ADD UNIQUE (lane_in, lane_out, along_in, along_out)',
-        'UPDATE %1$I.interconnection c SET along_in = i.along_axis, along_out = o.along_axis
-            FROM %1$I.lane i, %1$I.lane o WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out)',
-        'ALTER TABLE %1$I.interconnection ALTER along_in SET NOT NULL, ALTER along_out SET NOT NULL'
-    ], model);
+    ALTER TABLE lane ADD both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways);
+    ALTER TABLE marking ADD along_axis boolean, DROP CONSTRAINT IF EXISTS marking_edge_id_kind_lane_position_key,
+        ADD UNIQUE (edge_id, kind, lane_position, along_axis);
+    UPDATE marking m SET along_axis = coalesce((SELECT l.along_axis FROM lane l
+        WHERE (l.edge_id, l.lane_position) = (m.edge_id, m.lane_position)), true);
+    ALTER TABLE marking ALTER along_axis SET NOT NULL;
+    ALTER TABLE interconnection ADD along_in boolean, ADD along_out boolean,
+        DROP CONSTRAINT IF EXISTS interconnection_lane_in_lane_out_key,
+        ADD UNIQUE (lane_in, lane_out, along_in, along_out);
+    UPDATE interconnection c SET along_in = i.along_axis, along_out = o.along_axis FROM lane i, lane o
+        WHERE (i.lane_id, o.lane_id) = (c.lane_in, c.lane_out);
+    ALTER TABLE interconnection ALTER along_in SET NOT NULL, ALTER along_out SET NOT NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._add_both_ways(name) IS
     'Adds to the tables of a model what lanes for both directions and exceptions of turn restrictions are told by, '
@@ -41,12 +38,13 @@ CREATE OR REPLACE FUNCTION streetgen._add_merging_lanes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT streetgen._lacks_column(model, 'lane', 'start_abscissa') THEN
         RETURN;
     END IF;
-    EXECUTE format('ALTER TABLE %I.lane ADD start_abscissa float8, ADD end_abscissa float8, '
-        'DROP CONSTRAINT IF EXISTS lane_kind_check, ADD CONSTRAINT lane_kind_check CHECK (kind IN (%s))', model,
-        '''general'', ''bus'', ''cycle'', ''parking'', ''merging''');
+    ALTER TABLE lane ADD start_abscissa float8, ADD end_abscissa float8,
+        DROP CONSTRAINT IF EXISTS lane_kind_check,
+        ADD CONSTRAINT lane_kind_check CHECK (kind IN ('general', 'bus', 'cycle', 'parking', 'merging'));
 END $$;
 COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
     'Adds to the lanes of a model their kind merging and the columns that say where one begins and ends, where the '

@@ -158,16 +158,16 @@ BEGIN
         NEW.axis_offset := CASE NEW.placement WHEN 'border' THEN at.border_offset ELSE at.axis_offset END;
     END IF;
     IF TG_OP = 'INSERT' THEN
-        EXECUTE format('INSERT INTO %I.street_object (type, geom, placement, axis_id, abscissa, side, '
-            'axis_offset, orientation, orientation_kind) VALUES ($1, $2, $3, $4, $5, $6, $7, $8, $9) '
-            'RETURNING street_object_id, geom, placement, side, axis_offset, orientation, orientation_kind, angle, '
-            'method', TG_TABLE_SCHEMA)
+        INSERT INTO street_object (type, geom, placement, axis_id, abscissa, side, axis_offset, orientation,
+                orientation_kind)
+            VALUES (NEW.type, NEW.geom,
+                -- A side without a placement means the border there.
+                coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id,
+                NEW.abscissa, NEW.side, NEW.axis_offset, coalesce(NEW.orientation, 0),
+                coalesce(NEW.orientation_kind, 'axis'))
+            RETURNING street_object_id, geom, placement, side, axis_offset, orientation, orientation_kind, angle, method
             INTO NEW.street_object_id, NEW.geom, NEW.placement, NEW.side, NEW.axis_offset, NEW.orientation,
-            NEW.orientation_kind, NEW.angle, NEW.method USING NEW.type, NEW.geom,
-            -- A side without a placement means the border there.
-            coalesce(NEW.placement, CASE WHEN NEW.side IS NULL THEN 'axis' ELSE 'border' END), NEW.axis_id,
-            NEW.abscissa, NEW.side, NEW.axis_offset, coalesce(NEW.orientation, 0),
-            coalesce(NEW.orientation_kind, 'axis');
+                NEW.orientation_kind, NEW.angle, NEW.method;
         PERFORM streetgen._require_street(TG_TABLE_SCHEMA, 'the new ' || replace(NEW.type, '_', ' '),
             NEW.street_object_id);
         RETURN NEW;

@@ -56,10 +56,11 @@ CREATE OR REPLACE FUNCTION streetgen._is_below(model name, type text, above text
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    at text := type;
+    at text COLLATE "default" := type;
 BEGIN
+    PERFORM streetgen._use_model(model);
     WHILE at IS NOT NULL AND at <> above LOOP
-        EXECUTE format('SELECT parent FROM %I.object_type t WHERE t.type = $1', model) INTO at USING at;
+        at := (SELECT parent FROM object_type t WHERE t.type = at);
     END LOOP;
     RETURN at IS NOT NULL;
 END $$;

@@ -6,17 +6,18 @@ CREATE OR REPLACE FUNCTION streetgen._mend_signal_tables(model name) RETURNS voi
 DECLARE
     named bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF NOT EXISTS (SELECT FROM pg_constraint WHERE conrelid = format('%I.controller_override', model)::regclass
         AND conname = 'controller_override_program_check') THEN
-        EXECUTE format('WITH named AS (UPDATE %I.controller_override SET program = NULL '
-            'WHERE program NOT IN (''phases'', ''paper'') RETURNING controller_override_id) '
-            'SELECT array_agg(controller_override_id ORDER BY controller_override_id) FROM named', model) INTO named;
+        WITH named AS (UPDATE controller_override SET program = NULL WHERE program NOT IN ('phases', 'paper')
+                RETURNING controller_override_id)
+            SELECT array_agg(controller_override_id ORDER BY controller_override_id) INTO named FROM named;
         IF named IS NOT NULL THEN
             RAISE WARNING 'rows % of %.controller_override named a function: they have the program of the model now',
                 named, model USING HINT = 'Setting signal_program names a function for all of them.';
         END IF;
-        EXECUTE format('ALTER TABLE %I.controller_override ADD CONSTRAINT controller_override_program_check '
-            'CHECK (program IN (''phases'', ''paper''))', model);
+        ALTER TABLE controller_override ADD CONSTRAINT controller_override_program_check
+            CHECK (program IN ('phases', 'paper'));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_signal_tables(name) IS
