@@ -269,6 +269,12 @@ SELECT 'generate finds all as it was', sum(inserted + updated + deleted) = 0 FRO
 SELECT 'the content is the same', count(*) > 0 AND NOT EXISTS ((TABLE before EXCEPT ALL SELECT test.content('model_a')) UNION ALL (SELECT test.content('model_a') EXCEPT ALL TABLE before)) FROM before;
 SELECT 'an invalid surface is refused by its table', test.state($q$UPDATE model_a.section SET surface = 'SRID=2154;MULTIPOLYGON(((0 0,2 2,2 0,0 2,0 0)))'$q$) = '23514';
 SELECT 'a schema that is no model is not adopted', test.state($q$SELECT streetgen.adopt_model('public')$q$) <> 'none';
+SELECT streetgen.create_model('in_way', 2154) \g /dev/null
+CREATE VIEW in_way.kerb AS SELECT 1 AS mine;
+SELECT 'a view by the name of a table is told, with the way out', state = '42809' AND said = 'in_way.kerb stands where a table of the model belongs' AND hint LIKE 'Rename it%in_way.kerb RENAME TO%' FROM test.refusal($q$SELECT streetgen.adopt_model('in_way')$q$);
+ALTER TABLE in_way.kerb RENAME TO my_kerb;
+SELECT 'renamed it stays in the schema of the model', test.state($q$SELECT streetgen.adopt_model('in_way')$q$) = 'none' AND (SELECT mine = 1 FROM in_way.my_kerb);
+SELECT streetgen.drop_model('in_way') \g /dev/null
 DO $$ BEGIN
   PERFORM streetgen.drop_model('model_a');
   PERFORM streetgen.drop_model('model Z"');

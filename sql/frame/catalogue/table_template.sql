@@ -54,7 +54,16 @@ CREATE OR REPLACE FUNCTION streetgen._make_tables(model name, parts text[], room
 DECLARE
     said constant text[] := streetgen._table_values(model);
     statements text;
+    in_the_way regclass;
 BEGIN
+    -- Whether a subject is on is told by the names of its tables, so all of them count.
+    SELECT c.oid INTO in_the_way FROM streetgen.template t JOIN pg_class c ON c.relname = t.relation
+        WHERE c.relnamespace = quote_ident(model)::regnamespace AND c.relkind <> 'r' ORDER BY 1 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION '% stands where a table of the model belongs', in_the_way USING ERRCODE = '42809',
+            DETAIL = 'It is no table.', HINT = format('Rename it, such as by ALTER TABLE %s RENAME TO …, which takes '
+                'views too, or drop it; then repeat the call.', in_the_way);
+    END IF;
     FOR statements IN SELECT streetgen._fill_table(t.statements, said)
         FROM unnest(rooms) WITH ORDINALITY r(room, place), unnest(parts) WITH ORDINALITY p(part, step),
             streetgen.template t
@@ -65,7 +74,8 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_tables(name, text[], text[]) IS
-    'Makes the tables of these parts of some rooms that a model lacks, with all that stands below them.';
+    'Makes the tables of these parts of some rooms that a model lacks, with all that stands below them. A view or '
+    'another thing by the name of any table: 42809.';
 
 CREATE OR REPLACE FUNCTION streetgen._stated(model name) RETURNS TABLE(input regclass, statement text)
     LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 1000 SET search_path = pg_catalog
