@@ -1,7 +1,7 @@
 """The database of a model, by the connection that its layers are stored with."""
 import re
 
-from qgis.core import QgsDataSourceUri, QgsException, QgsProviderRegistry, QgsWkbTypes
+from qgis.core import NULL, QgsDataSourceUri, QgsException, QgsProviderRegistry, QgsWkbTypes
 
 
 class Refused(Exception):
@@ -39,6 +39,26 @@ class Database:
         """The names of the tables and views of a model."""
         return {name for name, in self.ask(f'SELECT relname FROM pg_class WHERE relnamespace = {literal(identifier(model))}::regnamespace')}
 
+    def extent(self, model):
+        """The corners of all axes and 10 m about them, or None."""
+        corners = self.ask(f'SELECT ST_XMin(box), ST_YMin(box), ST_XMax(box), ST_YMax(box) FROM streetgen._model_extent({literal(model)}) box')[0]
+        return corners if corners[0] != NULL else None
+
+    def levels(self, model):
+        """The levels that the map tells apart: those that there are, and two to spare."""
+        least, most = self.ask(f'SELECT least(-1, min(level) - 1), greatest(2, max(level) + 1) FROM {identifier(model)}.axis')[0]
+        return range(max(least, -10), min(most, 10) + 1)
+
+    def symbols(self, model, theme):
+        """The rules of a theme, from scale to scale."""
+        rows = self.ask(f'''
+            WITH rule AS (SELECT theme, from_scale, to_scale FROM streetgen.symbol_rule UNION ALL SELECT theme, from_scale, to_scale FROM {identifier(model)}.symbol_rule),
+                border AS (SELECT DISTINCT scale FROM rule, unnest(ARRAY[from_scale, to_scale]) scale WHERE theme = {literal(theme)}),
+                span AS (SELECT lag(scale) OVER (ORDER BY scale) AS from_scale, scale AS to_scale FROM border)
+            SELECT from_scale, nullif(to_scale, 'Infinity'), layer, kind, place, fill, line, width, unit, dash, marker, meaning
+            FROM span, streetgen._symbols({literal(model)}, {literal(theme)}, to_scale) WHERE from_scale IS NOT NULL ORDER BY from_scale, symbol''')
+        return [[None if value == NULL else value for value in row] for row in rows]
+
     def decisions(self, model):
         """The tables of decisions by hand that a model has, and the columns of each that one may type in."""
         rows = self.ask(f'''
@@ -62,6 +82,8 @@ class Database:
         if layer.geometry:
             uri.setSrid(str(srid))
             uri.setUseEstimatedMetadata(True)
+        # Keys are known, and looking through all rows for them takes long.
+        uri.setParam('checkPrimaryKeyUnicity', '0')
         return uri.uri(False)
 
     def words(self, model):

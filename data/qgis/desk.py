@@ -70,15 +70,17 @@ class Desk:
         with self.editing(name) as layer:
             layer.deleteFeature(self.find(name, where).id())
 
-    def picture(self, west, south, east, north, width, also=()):
-        """The shown layers and some others; a QImage."""
-        nodes = self.project.layerTreeRoot().findLayers()
+    def picture(self, west, south, east, north, width, also=(), theme='map', dpi=96):
+        """The layers of a map theme, and some others; a QImage."""
+        themes = self.project.mapThemeCollection()
+        shown = {*themes.mapThemeVisibleLayerIds(theme), *(self.layer(name).id() for name in also)}
         settings = QgsMapSettings()
         settings.setDestinationCrs(self.project.crs())
         settings.setTransformContext(self.project.transformContext())
-        settings.setLayers([node.layer() for node in nodes if node.isVisible() or node.name() in also])
+        settings.setLayers([layer for layer in self.project.layerTreeRoot().layerOrder() if layer.id() in shown])
+        settings.setLayerStyleOverrides(themes.mapThemeStyleOverrides(theme))
         settings.setOutputSize(QSize(width, round(width * (north - south) / (east - west))))
-        settings.setOutputDpi(96)
+        settings.setOutputDpi(dpi)
         settings.setExtent(QgsRectangle(west, south, east, north))
         settings.setBackgroundColor(self.project.backgroundColor())
         settings.setFlag(QgsMapSettings.Antialiasing)
@@ -87,4 +89,9 @@ class Desk:
         job.waitForFinished()
         if job.errors():
             raise Refused('; '.join(f'{error.layerID}: {error.message}' for error in job.errors()))
+        self.labels = job.takeLabelingResults()
         return job.renderedImage()
+
+    def written(self, layer):
+        """The labels of a layer in the last picture: text and turn, in degrees."""
+        return [(label.labelText, label.rotation) for label in self.labels.allLabels() if label.layerID == layer.id()]

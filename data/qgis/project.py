@@ -10,29 +10,47 @@ import sys
 
 from headless import qgis
 
-from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsReferencedRectangle, QgsSnappingConfig, QgsTolerance, QgsVectorLayer
+from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsRectangle, QgsReferencedRectangle, QgsSnappingConfig, QgsTolerance, QgsVectorLayer
 from qgis.PyQt.QtCore import QUrl, QUrlQuery
-from qgis.PyQt.QtGui import QColor
+from qgis.PyQt.QtXml import QDomDocument
 
 from database import Database, Refused, literal
 from form import set_form
 from layers import layers_of
-from style import GROUND
+from look import Look
+from style import colour
+from theme import arrange, remember, tell_once
 
 STYLE = 'streetgen'
 
 
-def vector_layer(database, model, srid, layer):
-    vector = QgsVectorLayer(database.source(model, srid, layer), layer.relation, 'postgres')
+def vector_layer(database, model, srid, layer, looks):
+    vector = QgsVectorLayer(database.source(model, srid, layer), layer.name, 'postgres', QgsVectorLayer.LayerOptions(False))  # no style of a run before
     if not vector.isValid():
         raise Refused(f'{model}.{layer.relation} cannot be read: {vector.error().summary()}')
+    look = looks[layer.theme]
     if layer.renderer:
-        vector.setRenderer(layer.renderer())
+        vector.setRenderer(layer.renderer(look))
+    if layer.labels:
+        vector.setLabeling(layer.labels(look))
+        vector.setLabelsEnabled(True)
     if layer.scale:
         vector.setScaleBasedVisibility(True)
         vector.setMinimumScale(layer.scale)
     vector.setReadOnly(layer.writable is None)
     return vector
+
+
+def style_by_theme(layer, vector, looks):
+    """A style for each theme of the rules; the layer has its own in the end."""
+    styles = vector.styleManager()
+    styles.renameStyle(styles.currentStyle(), layer.theme)
+    for theme, look in looks.items():
+        if theme != layer.theme:
+            styles.addStyleFromLayer(theme)
+            styles.setCurrentStyle(theme)
+            vector.setRenderer(layer.renderer(look))
+    styles.setCurrentStyle(layer.theme)
 
 
 def snap(project):
@@ -59,36 +77,53 @@ def follow(model, layers, vectors):
 
 def make_project(database, model):
     srid, words = database.srid(model), database.words(model)
-    layers = layers_of(database.relations(model), database.decisions(model))
+    layers = layers_of(database.relations(model), database.decisions(model), database.levels(model))
+    looks = {theme: Look(database, model, theme) for theme in ('street', 'construction')}
     project = QgsProject.instance()
     project.clear()
     project.setTitle(model)
-    project.setBackgroundColor(QColor(GROUND))
-    vectors = {layer.relation: vector_layer(database, model, srid, layer) for layer in layers}
-    tree = project.layerTreeRoot()
+    ground = looks['street'].one('ground').fill
+    if ground:
+        project.setBackgroundColor(colour(ground))
+    vectors = {layer.relation: vector_layer(database, model, srid, layer, looks) for layer in layers}
     for layer in layers:
         vector = vectors[layer.relation]
         set_form(vector, layer, words, vectors)
+        if layer.relation == 'street':
+            style_by_theme(layer, vector, looks)
         project.addMapLayer(vector, False)
-        (tree.findGroup(layer.group) or tree.addGroup(layer.group)).addLayer(vector).setItemVisibilityChecked(layer.shown)
+    arrange(project, layers, vectors)
+    tell_once(project.layerTreeRoot(), vectors['street'])
+    remember(project, layers, vectors)
     axis = vectors['axis']
     project.setCrs(axis.crs())
-    if not axis.extent().isEmpty():
-        project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(axis.extent(), axis.crs()))
+    extent = database.extent(model)
+    if extent:
+        project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(QgsRectangle(*extent), axis.crs()))
     snap(project)
     follow(model, layers, vectors)
     return project, layers, vectors
 
 
+def style_of(vector):
+    """A style as QGIS keeps it."""
+    document = QDomDocument()
+    vector.exportNamedStyle(document)
+    return document.toString()
+
+
 def save_styles(database, model, layers, vectors):
-    if database.ask("SELECT to_regclass('public.layer_styles') IS NOT NULL")[0][0]:
-        # QGIS would ask whether to replace them.
-        database.ask(f"DELETE FROM public.layer_styles WHERE f_table_catalog = current_database() AND f_table_schema = {literal(model)} AND stylename = '{STYLE}'")
-    for layer in layers:
-        if layer.renderer and not layer.query:
-            failure = vectors[layer.relation].saveStyleToDatabase(STYLE, f'{model}.{layer.relation}', True, '')
-            if failure:
-                raise Refused(f'the style of {layer.relation} cannot be saved: {failure}')
+    """All at once: QGIS itself asks some twenty questions for each."""
+    styled = [layer for layer in layers if layer.renderer and not layer.query]
+    if not database.ask("SELECT to_regclass('public.layer_styles') IS NOT NULL")[0][0]:
+        failure = vectors[styled[0].relation].saveStyleToDatabase(STYLE, '', False, '')  # QGIS makes its table
+        if failure:
+            raise Refused(f'styles cannot be saved: {failure}')
+    database.ask(f"DELETE FROM public.layer_styles WHERE f_table_catalog = current_database() AND f_table_schema = {literal(model)} AND stylename = '{STYLE}'")
+    rows = ', '.join(f"(current_database(), {literal(model)}, {literal(layer.relation)}, {literal(layer.geometry)}, '{STYLE}', "
+                     f'xmlparse(DOCUMENT {literal(style_of(vectors[layer.relation]))}), true, {literal(f"{model}.{layer.relation}")}, current_user, current_timestamp)' for layer in styled)
+    database.ask('INSERT INTO public.layer_styles (f_table_catalog, f_table_schema, f_table_name, f_geometry_column, stylename, styleqml, useasdefault, description, owner, update_time) '
+                 f'VALUES {rows} RETURNING 1')
 
 
 def project_uri(database, model):

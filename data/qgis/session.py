@@ -94,16 +94,16 @@ def decide(desk):
     desk.type_in('interconnection_editing', desk.nearest('interconnection_editing', *place(7, -114), 'connecting'), connecting=False)
 
 
-# Step, what is done, frame of its picture (west, south, east, north), layers that are shown beside the usual ones.
+# Step, what is done, frame of its picture (west, south, east, north), layers that are shown beside those of theme edit.
 WHOLE = (-270, -175, 270, 145)
 JUNCTION = (-48, -146, 48, -86)
-HANDLES = ('node_editing', 'section_limit_editing', 'corner_editing', 'kerb_point_editing', 'interconnection_editing', 'lane_editing')
+FURTHER = ('interconnection_editing', 'lane_editing')
 STEPS = (
     ('motorway', (motorway, boulevard), WHOLE, ()),
     ('ramps', (ramps, avenue), WHOLE, ()),
     ('split', (drag, cut, clear), WHOLE, ()),
-    ('junction', (move_node,), JUNCTION, HANDLES),
-    ('decided', (decide,), JUNCTION, HANDLES),
+    ('junction', (move_node,), JUNCTION, FURTHER),
+    ('decided', (decide,), JUNCTION, FURTHER),
 )
 
 
@@ -121,7 +121,7 @@ def run(connection, model, folder):
     for name, works, (west, south, east, north), also in STEPS:
         for work in works:
             work(desk)
-        desk.picture(*place(west, south), *place(east, north), 960, also).save(str(folder / f'live_{name}.png'))
+        desk.picture(*place(west, south), *place(east, north), 960, also, 'edit').save(str(folder / f'live_{name}.png'))
     return desk
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Colours that stand outside streetgen.symbol_rule: colours.py ROOT prints each with its place, and last their counts.
+"""Colours that stand outside streetgen.symbol_rule: colours.py ROOT prints each with its place, and last their count.
 
 Colours are codes (#rrggbb and its short and long forms, rgb and hsl with numbers in them) and names given to an attribute of a drawing, in sql, data and
 tests/measure. What INSERT statements put into the table is where colours belong. A hue or a shade that is computed is no code.
@@ -26,8 +26,4 @@ def colours(path):
 root = pathlib.Path(sys.argv[1])
 files = [path for folder in ("sql", "data", "tests/measure") for path in sorted((root / folder).rglob("*")) if path.is_file() and path.suffix not in (".pyc", ".png")]
 found = [colour for path in files for colour in colours(path)]
-of_qgis = [colour for colour in found if colour.startswith(str(root / "data/qgis"))]
-for colour in found:
-    if colour not in of_qgis:
-        print(colour)
-print(f"{len(found) - len(of_qgis)} outside the table, {len(of_qgis)} in data/qgis")
+print("\n".join(found + [f"{len(found)} outside the table"]))

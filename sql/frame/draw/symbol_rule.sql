@@ -25,7 +25,7 @@ COMMENT ON COLUMN streetgen.symbol_rule.theme IS
     'street: as one sees it from above; dark: the same at night; construction: how it was computed, for engineers';
 COMMENT ON COLUMN streetgen.symbol_rule.layer IS
     'name of what is drawn, such as sidewalk; name: those of streets; ground lies below all, paper and ink are those '
-    'of a legend';
+    'of a legend; handle: what one edits or looks through in QGIS';
 COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN streetgen.symbol_rule.from_scale IS
     'drawn beyond this scale, as the number below the line: 1500 is 1:1,500';
@@ -45,6 +45,14 @@ INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
     ('street', 'ground', 0, '#e4e0d6'), ('dark', 'ground', 0, '#0f1216'), ('construction', 'ground', 0, '#f3f1ea'),
     ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#14171c'), ('construction', 'paper', 0, '#ffffff'),
     ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('construction', 'ink', 0, '#1f2937');
+
+-- In QGIS one drags, types in or looks through these.
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', '', 980, '#1d4ed8', '#1d4ed8', 1, 'pixel', 'handle to drag or type in'),
+    ('construction', 'handle', 'by_hand', 980, '#d9480f', '#d9480f', 1, 'pixel', 'decided by hand'),
+    ('construction', 'handle', 'error', 980, '#dc2626', '#dc2626', 1, 'pixel', 'error'),
+    ('construction', 'handle', 'warning', 980, '#f08c00', '#f08c00', 1, 'pixel', 'warning'),
+    ('construction', 'handle', 'notice', 980, '#1d4ed8', '#1d4ed8', 1, 'pixel', 'notice');
 
 CREATE OR REPLACE FUNCTION streetgen._symbols(model name, theme text, scale float8)
     RETURNS TABLE(symbol bigint, layer text, kind text, place float8, fill text, line text, width float8, unit text,

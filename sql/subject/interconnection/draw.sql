@@ -16,3 +16,5 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, u
     ('construction', 'path', 2000, 895, '#15803d', 0.7, 'pixel', 'path from lane to lane');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'path', 'implausible', 2000, 894, '#6b728080', 0.4, 'pixel', 'path that is not plausible');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', 'path', 980, '#b7791f', '#b7791f', 1, 'pixel', 'path from lane to lane to redraw');

@@ -48,3 +48,16 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, u
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'movement', 'implausible', 2000, 894, '#6b728080', 0.4, 'pixel', 'path that is not plausible'),
     ('construction', 'junction_arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', 'signals', 980, '#1a9641', '#1a9641', 1, 'pixel', 'with signals'),
+    ('construction', 'handle', 'stop', 980, '#d7191c', '#d7191c', 1, 'pixel', 'with stop lines'),
+    ('construction', 'handle', 'yield', 980, '#0f766e', '#0f766e', 1, 'pixel', 'with yield lines'),
+    ('construction', 'handle', 'priority', 980, '#fdae61', '#fdae61', 1, 'pixel', 'one street has priority'),
+    ('construction', 'handle', 'right_before_left', 980, '#7cc4e8', '#7cc4e8', 1, 'pixel', 'right before left'),
+    ('construction', 'handle', 'ramp', 980, '#7b3294', '#7b3294', 1, 'pixel', 'of a ramp'),
+    ('construction', 'handle', 'roundabout', 980, '#2c7bb6', '#2c7bb6', 1, 'pixel', 'roundabout'),
+    ('construction', 'handle', 'mini_roundabout', 980, '#2c7bb6', '#2c7bb6', 1, 'pixel', 'mini-roundabout'),
+    ('construction', 'handle', 'pedestrian_crossing', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'pedestrian crossing'),
+    ('construction', 'handle', 'continuation', 980, '#bababa', '#bababa', 1, 'pixel', 'where a street goes on'),
+    ('construction', 'handle', 'end', 980, '#e0e0e0', '#e0e0e0', 1, 'pixel', 'end of a street'),
+    ('construction', 'handle', 'inside', 980, '#0f766e', '#0f766e', 1, 'pixel', 'inside a junction');

@@ -35,3 +35,8 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('construction', 'marking', 2000, 4, '#ffffff');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit) VALUES
     ('construction', 'lane_path', 2000, 895, '#15803d', 0.7, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', 'lane', 980, '#6d28d9', '#6d28d9', 1, 'pixel', 'lane to redraw'),
+    ('construction', 'handle', 'allowed', 980, '#15803d', '#15803d', 1, 'pixel', 'allowed lane change'),
+    ('construction', 'handle', 'forbidden', 980, '#dc2626', '#dc2626', 1, 'pixel', 'forbidden lane change or turn'),
+    ('construction', 'handle', 'opposite', 980, '#9ca3af', '#9ca3af', 1, 'pixel', 'lane of the other direction');

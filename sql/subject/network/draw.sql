@@ -51,3 +51,6 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit)
     SELECT theme, layer, street.kind, 3000, 15000, place, fill, line, 10, unit FROM streetgen.symbol_rule,
         unnest('{1,2,3,4}'::text[]) street(kind) WHERE layer = 'name';
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', 'axis', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'axis to edit'),
+    ('construction', 'handle', 'node', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'node to drag');

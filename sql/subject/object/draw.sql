@@ -37,3 +37,13 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
     ('construction', 'bay', 2000, 3.5, '#c9ccd1', '#ffffff', 1.2, 'pixel', 'parking bay');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('construction', 'crossing', 2000, 7, '#ffffff');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', 'object', 980, '#7c3aed', '#7c3aed', 1, 'pixel', 'object to drag'),
+    ('construction', 'handle', 'lamp', 980, '#f59f00', '#f59f00', 1, 'pixel', 'lamp'),
+    ('construction', 'handle', 'tree', 980, '#4d7c0f', '#4d7c0f', 1, 'pixel', 'tree'),
+    ('construction', 'handle', 'sign', 980, '#dc2626', '#dc2626', 1, 'pixel', 'sign'),
+    ('construction', 'handle', 'traffic_light', 980, '#1a9641', '#1a9641', 1, 'pixel', 'traffic light'),
+    ('construction', 'handle', 'bench', 980, '#7c4a1e', '#7c4a1e', 1, 'pixel', 'bench'),
+    ('construction', 'handle', 'bollard', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'bollard'),
+    ('construction', 'handle', 'bus_stop', 980, '#0f766e', '#0f766e', 1, 'pixel', 'bus stop'),
+    ('construction', 'handle', 'arrow', 980, '#52575f', '#52575f', 1, 'pixel', 'arrow');

@@ -68,3 +68,5 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, u
     ('construction', 'arc', 11000, 902, '#1d4ed8', 1.5, 'pixel', 'corner of the wanted radius');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'handle', 'limit', 980, '#0f766e', '#0f766e', 1, 'pixel', 'limit to drag');

@@ -1,0 +1,81 @@
+"""What the map has of each relation of a model.  tests/qgis holds that grounds are the shapes that streetgen.svg draws."""
+import dataclasses
+import typing
+
+
+@dataclasses.dataclass(frozen=True)
+class Shape:
+    layer: str  # of streetgen.symbol_rule
+    relations: tuple  # those that it reads beside edge, the one that has the geometry first; @ is the model
+    key: str
+    kind: str = "''"
+    level: str = 'level'
+    geometry: str = 'surface'
+    where: str = 'true'
+    rows: typing.Optional[str] = None  # where not the first relation alone
+    # A layer that shows more stands for it where a model has this relation.
+    instead: typing.Optional[str] = None
+
+
+EDGE = 'JOIN @.edge e USING (edge_id)'
+# Kinds, as PostgreSQL and QGIS both read them.
+SECTION_KIND = "CASE WHEN method IN ('contested', 'crowded') THEN 'contested' ELSE '' END"
+INTERSECTION_KIND = "CASE WHEN method IN ('contested', 'crowded') THEN 'contested' WHEN method = 'transition' THEN 'transition' ELSE '' END"
+CORNER_KIND = "CASE WHEN method = 'hypothesis' THEN '' ELSE 'fallback' END"
+PATH_KIND = "CASE WHEN plausible THEN '' ELSE 'implausible' END"
+RING_KIND = "CASE WHEN accepted THEN '' ELSE 'refused' END"
+GROUND_LEVEL = "(SELECT value::integer FROM @.setting WHERE name = 'ground_level')"
+LEAST_IMPORTANCE = '(SELECT min(importance)::text FROM @.edge WHERE node_id IN (from_node, to_node))'
+DECK = "@.bridge b JOIN @.edge e USING (edge_id) JOIN @.{0} p USING (edge_id)"
+ON_DECK = dict(layer='deck_paint', geometry='ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3)', where="b.method = 'overpass'")
+
+GROUNDS = (
+    Shape('block', ('block',), 'block_id', 'kind', GROUND_LEVEL),
+    Shape('sidewalk', ('sidewalk', 'kerb'), 'sidewalk_id', geometry='w.surface', rows='@.sidewalk w JOIN @.kerb USING (edge_id, side, part)'),
+    Shape('kerb', ('kerb',), 'kerb_id'),
+    Shape('section', ('section',), 'edge_id', SECTION_KIND),
+    Shape('intersection', ('intersection',), 'node_id', INTERSECTION_KIND),
+    Shape('roadway', ('section',), 'edge_id', 'importance::text', 's.level', rows='@.section s ' + EDGE),
+    Shape('roadway', ('intersection',), 'node_id', LEAST_IMPORTANCE),
+    Shape('junction', ('junction', 'intersection'), 'junction_id', level='i.level', geometry='j.surface', where="j.method <> 'hypothesis'",
+          rows='@.junction j JOIN @.intersection i ON node_id = junction_id'),
+    Shape('lane', ('lane',), 'lane_id', 'kind', geometry='l.surface', where="kind IN ('bus', 'cycle')", rows='@.lane l ' + EDGE),
+    Shape('bay', ('parking_bay',), 'street_object_id', level='0'),
+    Shape('lane_separator', ('lane_separator',), 'lane_separator_id', 'kind', geometry='p.surface', rows='@.lane_separator p ' + EDGE),
+    Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
+    Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
+    Shape('crossing', ('pedestrian_crossing',), 'street_object_id', level='0', geometry='stripes'),
+    Shape('bridge', ('bridge',), 'bridge_id', 'b.method', geometry='b.surface', rows='@.bridge b ' + EDGE),
+    Shape(key='lane_separator_id', relations=('bridge', 'lane_separator'), rows=DECK.format('lane_separator'), **ON_DECK),
+    Shape(key='marking_id', relations=('bridge', 'marking'), rows=DECK.format('marking'), **ON_DECK),
+    Shape('tunnel', ('tunnel',), 'tunnel_id', level='0'),
+)
+
+
+def shown_of(relations):
+    """The grounds of a model that has these relations, each with its number."""
+    return [(number, shape) for number, shape in enumerate(GROUNDS) if relations.issuperset(shape.relations) and shape.instead not in relations]
+
+
+def grounds(relations, levels):
+    """The query of all grounds of a model that has these relations; deck is the level, but for levels beyond those named."""
+    return ' UNION ALL '.join(
+        f"SELECT {len(GROUNDS)} * {shape.key} + {number} AS street_id, '{shape.layer}' AS layer, {shape.kind} AS kind, "
+        f'greatest({levels[0]}, least({levels[-1]}, {shape.level})) AS deck, {shape.geometry} AS surface FROM {shape.rows or "@." + shape.relations[0]} WHERE {shape.where}'
+        for number, shape in shown_of(relations))
+
+
+# Objects at true size: points with their shape, and stretches.
+OBJECT = '@.street_object o JOIN @.object_type t USING (type)'
+OBJECT_POINTS = ("SELECT street_object_id, type, coalesce(category, '') AS kind, size, CASE WHEN symbol IN ('circle', 'tree') THEN 'circle' "
+                 "WHEN symbol IN ('rectangle', 'square', 'triangle', 'arrow', 'star') THEN symbol ELSE 'diamond' END AS shape, "
+                 "CASE WHEN symbol IN ('circle', 'tree') THEN 0 ELSE coalesce(angle, 0) END AS turn, o.geom "
+                 f"FROM {OBJECT} WHERE symbol NOT IN ('crossing', 'bay') AND ST_Dimension(o.geom) = 0")
+OBJECT_LINES = ("SELECT street_object_id, type, coalesce(category, '') AS kind, size, o.geom "
+                f"FROM {OBJECT} WHERE symbol NOT IN ('crossing', 'bay') AND ST_Dimension(o.geom) = 1")
+SIGNALS = "SELECT 2 * lane_id + along_axis::integer AS signal_head_id, lane_id, '' AS kind, 1.2 AS size, geom FROM @.signal_head"
+# Streets as lines, and the names that stand along them.
+STREETS = 'SELECT edge_id, importance::text AS kind, geom FROM @.edge'
+NAMES = "SELECT e.edge_id, a.name, e.importance, e.importance::text AS kind, e.geom FROM @.edge e JOIN @.axis a USING (axis_id) WHERE btrim(a.name) <> ''"
+# Lines of construction, by layer of streetgen.symbol_rule.
+REPORT = 'SELECT row_number() OVER (ORDER BY axis_a, axis_b, issue, geom) AS report_id, * FROM @.report'
