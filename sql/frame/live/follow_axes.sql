@@ -13,14 +13,15 @@ BEGIN
             'WHERE b.geom IS DISTINCT FROM a.geom'),
         ('delete', 'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, changed)
     LOOP
+        -- Most updates change no line.
         EXECUTE format($sql$
 CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
     LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
     AS $body$
 BEGIN
-    IF EXISTS (SELECT FROM %1$I.%3$I) THEN
+    IF EXISTS (%5$s) THEN
         PERFORM %1$I.%4$I(array_agg(axis_id ORDER BY axis_id), array_agg(was ORDER BY axis_id),
-            array_agg(now ORDER BY axis_id)) FROM (%5$s) c HAVING count(*) > 0;
+            array_agg(now ORDER BY axis_id)) FROM (%5$s) c WHERE EXISTS (SELECT FROM %1$I.%3$I) HAVING count(*) > 0;
     END IF;
     RETURN NULL;
 END $body$ $sql$, model, followed.name, relation, follower, followed.changed);

@@ -52,9 +52,10 @@ DECLARE
     spreads_to bigint[];
     way_out text;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF changed IS NULL OR changed = '{}' THEN
         RETURN;
-    ELSIF streetgen._setting_changed(model) THEN
+    ELSIF _setting_changed() THEN
         IF streetgen._first_in_statement('settings', model) THEN
             RAISE NOTICE 'settings of model "%" changed: its streets follow again after SELECT * FROM '
                 'streetgen.generate(%, wait => true)', model, quote_literal(model);
@@ -248,8 +249,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_functions(model name) RETURNS void
 BEGIN
     PERFORM streetgen._make_setting_changed(model),
         streetgen._call_rooms('_make_%s_functions', model, streetgen._rooms()),
-        streetgen._make_chain_keys(model), streetgen._make_reach(model), streetgen._make_upsert(model),
-        streetgen._make_update_later(model),
+        streetgen._make_chain_keys(model), streetgen._make_change_reach(model), streetgen._make_reach(model),
+        streetgen._make_upsert(model), streetgen._make_update_later(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
         streetgen._make_marks_by_hand(model), streetgen._make_own_keys(model);
 END $$;

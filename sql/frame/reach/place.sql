@@ -70,7 +70,7 @@ COMMENT ON FUNCTION streetgen._not_held(integer, integer[], boolean) IS
     'Those of the keys of a model that this session does not hold, for itself (alone) or at least shared.';
 
 CREATE OR REPLACE FUNCTION streetgen._places_held() RETURNS integer
-    LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE
     RETURN CASE WHEN current_setting('streetgen.places', true) ~ '^\d{1,9}$'
         THEN current_setting('streetgen.places')::integer ELSE 0 END;
 COMMENT ON FUNCTION streetgen._places_held() IS

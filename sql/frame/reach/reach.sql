@@ -12,16 +12,27 @@ CREATE OR REPLACE FUNCTION streetgen._change_reach(model name) RETURNS float8
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
+    reach float8;
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- An arc may bend as far from its node as max_arc_distance, and so where an edge that ends there is cut. A ring is
-    -- touched as far off as it is wide.
-    RETURN (SELECT max(CASE name WHEN 'roundabout_radius_greatest' THEN 2 * value::float8 + 10 ELSE value::float8 END)
-        FROM setting WHERE name IN ('reach', 'max_arc_distance')
-            OR with_rings AND name = 'roundabout_radius_greatest');
+    SELECT _change_reach() INTO reach;
+    RETURN reach;
 END $$;
 COMMENT ON FUNCTION streetgen._change_reach(name) IS 'How far a change of an axis reaches by the settings, metres.';
+
+CREATE OR REPLACE FUNCTION streetgen._make_change_reach(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._compose_function(model, '_change_reach()', 'float8', format('BEGIN RETURN greatest(%s); END',
+        (SELECT string_agg(format('streetgen.%I(current_schema())', called), ', ' ORDER BY called)
+        FROM unnest(streetgen._subjects(model)) s, concat('_', s, '_reach') called
+        WHERE to_regprocedure(format('streetgen.%I(name)', called)) IS NOT NULL)),
+        '_change_reach()', 'How far a change of an axis reaches by the settings, metres');
+END $$;
+COMMENT ON FUNCTION streetgen._make_change_reach(name) IS
+    'Makes the function of a model that tells how far a change reaches: the farthest of its subjects, by functions '
+    '_SUBJECT_reach (model).';
 
 CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -34,7 +45,7 @@ BEGIN
         SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
         AS $body$
     DECLARE
-        reach constant float8 := streetgen._change_reach(current_schema());
+        reach constant float8 := _change_reach();
         size float8;
         tolerance float8;
         -- No roadway is wider.

@@ -2,10 +2,13 @@
 -- missing.
 
 CREATE OR REPLACE FUNCTION streetgen._keys_are_missing(model name) RETURNS boolean
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
     -- By what is committed: who waited for a lock of the model knows old names until it meets a lock of a table.
-    AS $$ SELECT EXISTS (SELECT FROM pg_class WHERE relname = 'deferred_key'
-        AND relnamespace = to_regnamespace(quote_ident(model))) $$;
+    RETURN EXISTS (SELECT FROM pg_class WHERE relname = 'deferred_key'
+        AND relnamespace = to_regnamespace(quote_ident(model)));
+END $$;
 COMMENT ON FUNCTION streetgen._keys_are_missing(name) IS
     'Is a model computed by clusters for the first time, without foreign keys and most indexes?';
 

@@ -139,13 +139,19 @@ BEGIN
     PERFORM streetgen._use_model(model);
     LOOP
         noted := noted || (SELECT _note_later(written));
-        FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN EXECUTE format('SELECT * FROM '
-                || CASE WHEN cardinality(changed) > most_planned
-                THEN 'streetgen._upsert_set(%L, $1, $2, $3, ''part'', $4)' ELSE '%I._upsert($1, $2, $3, $4)' END, model)
-                USING written, gathered, changed, may_spread LOOP
-            all_moved := all_moved || moved;
-            RETURN NEXT;
-        END LOOP;
+        IF cardinality(changed) > most_planned THEN
+            FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN SELECT *
+                FROM streetgen._upsert_set(model, written, gathered, changed, 'part', may_spread) LOOP
+                all_moved := all_moved || moved;
+                RETURN NEXT;
+            END LOOP;
+        ELSE
+            FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN SELECT *
+                FROM _upsert(written, gathered, changed, may_spread) LOOP
+                all_moved := all_moved || moved;
+                RETURN NEXT;
+            END LOOP;
+        END IF;
         EXIT WHEN NOT may_spread;
         SELECT _spreads_to(written) INTO spreads_to;
         EXIT WHEN spreads_to = '{}';
@@ -154,7 +160,7 @@ BEGIN
         EXIT WHEN streetgen._holds_all(changed, locked.changed);
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
-    RETURN QUERY SELECT * FROM streetgen._update_later(model, written, all_moved, noted);
+    RETURN QUERY SELECT * FROM _update_later(written, all_moved, noted);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS
     'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; '

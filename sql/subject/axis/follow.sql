@@ -11,7 +11,7 @@ BEGIN
     DECLARE
         changed bigint[];
         elsewhere bigint[];
-        -- Axes of a source whose width is new, or what it is judged by.
+        -- Axes of a source whose width is new, or what it is judged by, and not put by hand.
         judged bigint[];
         labelled constant text :=
             'SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE axis_id = ANY (%L)';
@@ -31,7 +31,8 @@ BEGIN
             RETURN NULL;
         ELSIF TG_OP = 'INSERT' THEN
             changed := ARRAY(SELECT axis_id FROM new_axis);
-            judged := ARRAY(SELECT axis_id FROM new_axis WHERE source IS NOT NULL AND lane_count IS NOT NULL);
+            judged := ARRAY(SELECT axis_id FROM new_axis WHERE source IS NOT NULL AND lane_count IS NOT NULL
+                AND NOT width_by_hand AND coalesce(width, width_end) IS NOT NULL);
         ELSIF TG_OP = 'DELETE' THEN
             changed := ARRAY(SELECT axis_id FROM old_axis);
         ELSE
@@ -40,12 +41,14 @@ BEGIN
                                                   UNION SELECT n.axis_id FROM new_axis n
                                                       LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
             judged := ARRAY(SELECT axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id)
-                WHERE n.source IS NOT NULL AND (n.width, n.width_end, n.lane_count, n.kind, n.width_by_hand)
-                    IS DISTINCT FROM (o.width, o.width_end, o.lane_count, o.kind, o.width_by_hand));
+                WHERE n.source IS NOT NULL AND n.lane_count IS NOT NULL AND NOT n.width_by_hand
+                    AND coalesce(n.width, n.width_end) IS NOT NULL
+                    AND (n.width, n.width_end, n.lane_count, n.kind, n.width_by_hand)
+                        IS DISTINCT FROM (o.width, o.width_end, o.lane_count, o.kind, o.width_by_hand));
         END IF;
         IF changed = '{}' THEN
             RETURN NULL;
-        ELSIF TG_OP = 'DELETE' AND (NOT live OR streetgen._setting_changed(current_schema())) THEN
+        ELSIF TG_OP = 'DELETE' AND (NOT live OR _setting_changed()) THEN
             PERFORM streetgen._drop_results(current_schema(), changed);
         ELSIF live THEN
             -- Ten kilometres around streets that are there the scale is known to hold.
@@ -56,9 +59,14 @@ BEGIN
                 PERFORM streetgen._check_scale(lines), streetgen._warn_misplaced(lines)
                     FROM format(labelled, current_schema(), elsewhere) lines;
             END IF;
-            PERFORM streetgen._check_length(current_schema(), format(labelled, current_schema(), changed));
-            PERFORM streetgen._tell_unbelieved(current_schema(), judged),
-                streetgen._update_streets(current_schema(), changed || remapped);
+            IF EXISTS (SELECT FROM axis WHERE axis_id = ANY (changed) AND ST_Length(geom) > (SELECT value::float8
+                FROM setting WHERE name = 'axis_length_maximal')) THEN
+                PERFORM streetgen._check_length(current_schema(), format(labelled, current_schema(), changed));
+            END IF;
+            IF judged <> '{}' THEN
+                PERFORM streetgen._tell_unbelieved(current_schema(), judged);
+            END IF;
+            PERFORM streetgen._update_streets(current_schema(), changed || remapped);
         END IF;
         RETURN NULL;
     END $body$;

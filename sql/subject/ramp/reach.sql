@@ -48,7 +48,7 @@ BEGIN
     DECLARE
         reach float8;
     BEGIN
-        IF 'ramp' <> ALL (streetgen._subjects(current_schema())) THEN
+        IF to_regclass(format('%I.ramp', current_schema())) IS NULL THEN
             RETURN;
         END IF;
         reach := streetgen._merging_reach(current_schema());
