@@ -44,6 +44,10 @@ class Database:
         corners = self.ask(f'SELECT ST_XMin(box), ST_YMin(box), ST_XMax(box), ST_YMax(box) FROM streetgen._model_extent({literal(model)}) box')[0]
         return corners if corners[0] != NULL else None
 
+    def attribution(self, model):
+        """Whose data the model shows, where a setting says so."""
+        return ''.join(value or '' for value, in self.ask(f"SELECT value FROM streetgen.setting({literal(model)}) WHERE name = 'attribution'"))
+
     def levels(self, model):
         """The levels that the map tells apart: those that there are, and two to spare."""
         least, most = self.ask(f'SELECT least(-1, min(level) - 1), greatest(2, max(level) + 1) FROM {identifier(model)}.axis')[0]

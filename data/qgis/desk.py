@@ -1,7 +1,7 @@
 """One QGIS with the project of a model open: what an editor does, as calls."""
 import contextlib
 
-from qgis.core import QgsGeometry, QgsMapRendererParallelJob, QgsMapSettings, QgsPointXY, QgsProject, QgsRectangle, QgsVectorLayerUtils
+from qgis.core import QgsGeometry, QgsLayoutExporter, QgsMapRendererParallelJob, QgsMapSettings, QgsPointXY, QgsProject, QgsRectangle, QgsVectorLayerUtils
 from qgis.PyQt.QtCore import QSize
 
 from database import Refused
@@ -95,3 +95,7 @@ class Desk:
     def written(self, layer):
         """The labels of a layer in the last picture: text and turn, in degrees."""
         return [(label.labelText, label.rotation) for label in self.labels.allLabels() if label.layerID == layer.id()]
+
+    def sheet(self, layout, dpi=60):
+        """A print layout as a QImage."""
+        return QgsLayoutExporter(layout).renderPageToImage(0, dpi=dpi)

@@ -18,6 +18,7 @@ from database import Database, Refused, literal
 from form import set_form
 from layers import layers_of
 from look import Look
+from sheet import add_sheet
 from style import colour
 from theme import arrange, remember, tell_once
 
@@ -93,13 +94,17 @@ def make_project(database, model):
             style_by_theme(layer, vector, looks)
         project.addMapLayer(vector, False)
     arrange(project, layers, vectors)
-    tell_once(project.layerTreeRoot(), vectors['street'])
+    for layer in layers:
+        if layer.group == 'map':
+            tell_once(project.layerTreeRoot().findLayer(vectors[layer.relation].id()), looks[layer.theme])
     remember(project, layers, vectors)
     axis = vectors['axis']
     project.setCrs(axis.crs())
     extent = database.extent(model)
     if extent:
-        project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(QgsRectangle(*extent), axis.crs()))
+        extent = QgsRectangle(*extent)
+        project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(extent, axis.crs()))
+        add_sheet(project, looks['street'], extent.center(), srid, database.attribution(model))
     snap(project)
     follow(model, layers, vectors)
     return project, layers, vectors

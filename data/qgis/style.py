@@ -186,16 +186,16 @@ def level_by_level(symbols, levels):
     heights = sorted({(10 * level + symbol.place, symbol.layer, symbol.kind) for level in levels for symbol in symbols})
     passes = {height: number for number, height in enumerate(heights)}
     root = QgsRuleBasedRenderer.Rule(None)
-    for level in levels:
-        deck = QgsRuleBasedRenderer.Rule(None, 0, 0, f'"deck" = {level}', f'level {level}')
-        root.appendChild(deck)
-        for layer in dict.fromkeys(symbol.layer for symbol in symbols):
-            part = QgsRuleBasedRenderer.Rule(None, 0, 0, f"\"layer\" = '{layer}'", layer.replace('_', ' '))
-            deck.appendChild(part)
-            for symbol in symbols:
-                if symbol.layer == layer:
+    for layer in dict.fromkeys(symbol.layer for symbol in symbols):
+        part = QgsRuleBasedRenderer.Rule(None, 0, 0, f"\"layer\" = '{layer}'", layer.replace('_', ' '))
+        root.appendChild(part)
+        for symbol in symbols:
+            if symbol.layer == layer:
+                rule = between(QgsRuleBasedRenderer.Rule(None, 0, 0, symbol.holds_of('"kind"'), symbol.label), symbol)
+                part.appendChild(rule)
+                for level in levels:
                     drawn = at_pass(fill(symbol), passes[10 * level + symbol.place, layer, symbol.kind])
-                    part.appendChild(between(QgsRuleBasedRenderer.Rule(drawn, 0, 0, symbol.holds_of('"kind"'), symbol.label), symbol))
+                    rule.appendChild(QgsRuleBasedRenderer.Rule(drawn, 0, 0, f'"deck" = {level}', f'level {level}'))
     return rule_based(root)
 
 

@@ -1,7 +1,10 @@
 """Groups of layers, each a map theme of QGIS too."""
-from qgis.core import QgsMapLayerLegendUtils, QgsMapThemeCollection
+import dataclasses
+
+from qgis.core import QgsMapLayerLegendUtils, QgsMapThemeCollection, QgsMarkerSymbol
 
 from layers import GROUPS
+from style import fill, point
 
 
 def group_of(tree, path):
@@ -25,14 +28,25 @@ def arrange(project, layers, vectors):
         node.setExpanded(False)
 
 
-def tell_once(tree, vector):
-    """The legend tells each meaning once, whatever the level."""
-    told, items = {}, vector.renderer().legendSymbolItems()
-    for number, item in enumerate(items):
-        if item.symbol() is not None:
-            told.setdefault(item.label(), number)
-    if 0 < len(told) < len(items):
-        QgsMapLayerLegendUtils.setLegendNodeOrder(tree.findLayer(vector.id()), list(told.values()))
+def rimmed(symbol, look):
+    """White on white is seen by its rim."""
+    return dataclasses.replace(symbol, line=look.one('ink').fill, width=0.4, unit='pixel')
+
+
+def tell_once(node, look):
+    """The legend of a layer of the map: each meaning once, whatever the level, and nothing without one."""
+    meanings = {symbol.meaning: symbol for symbol in reversed(look.symbols) if symbol.meaning}
+    told = {}
+    for number, item in enumerate(node.layer().renderer().legendSymbolItems()):
+        if item.label() in meanings and item.label() not in told:
+            told[item.label()] = number
+            symbol = meanings[item.label()]
+            if item.symbol() is None:
+                QgsMapLayerLegendUtils.setLegendNodeCustomSymbol(node, number, fill(symbol if symbol.dash else rimmed(symbol, look)))
+            elif isinstance(item.symbol(), QgsMarkerSymbol):
+                QgsMapLayerLegendUtils.setLegendNodeCustomSymbol(node, number, point(symbol, 'circle', 3))
+    if told:
+        QgsMapLayerLegendUtils.setLegendNodeOrder(node, list(told.values()))
 
 
 def remember(project, layers, vectors):
