@@ -42,7 +42,7 @@ COMMENT ON COLUMN streetgen.symbol_rule.meaning IS 'what a legend says of it; NU
 GRANT SELECT ON streetgen.symbol_rule TO PUBLIC;
 
 INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
-    ('street', 'ground', 0, '#e4e0d6'), ('dark', 'ground', 0, '#0f1216'), ('construction', 'ground', 0, '#f3f1ea'),
+    ('street', 'ground', 0, '#f1ebdf'), ('dark', 'ground', 0, '#0f1216'), ('construction', 'ground', 0, '#f3f1ea'),
     ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#14171c'), ('construction', 'paper', 0, '#ffffff'),
     ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('construction', 'ink', 0, '#1f2937');
 

@@ -14,15 +14,15 @@ COMMENT ON FUNCTION streetgen._block_drawn(name, geometry, text[]) IS
     'What can be drawn of city blocks in a box: block, by kind.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
-    ('street', 'block', 5000, -1, '#efe9dc', 'city block'),
-    ('dark', 'block', 5000, -1, '#262b33', 'city block');
+    ('street', 'block', 5000, -1, '#f1ebdf', 'city block'),
+    ('dark', 'block', 5000, -1, '#0f1216', 'city block');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
-    ('street', 'block', 'island', 5000, -1, '#a9c78d', 'island'),
-    ('street', 'block', 'strip', 5000, -1, '#a9c78d', 'strip between carriageways'),
-    ('dark', 'block', 'island', 5000, -1, '#26352a', 'island'),
-    ('dark', 'block', 'strip', 5000, -1, '#26352a', 'strip between carriageways');
-INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, meaning) VALUES
-    ('construction', 'block', -1, '#dfe6d3', 'city block');
+    ('street', 'block', 'island', 5000, -1, '#a9cb8a', 'island'),
+    ('street', 'block', 'strip', 5000, -1, '#a9cb8a', 'strip between carriageways'),
+    ('dark', 'block', 'island', 5000, -1, '#1a3625', 'island'),
+    ('dark', 'block', 'strip', 5000, -1, '#1a3625', 'strip between carriageways');
+INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, line, width, unit, meaning) VALUES
+    ('construction', 'block', -1, '#f3f1ea', '#a9b79b', 0.6, 'pixel', 'city block');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, meaning) VALUES
-    ('construction', 'block', 'island', -1, '#bcd3a5', 'island'),
-    ('construction', 'block', 'strip', -1, '#cfdcb4', 'strip between carriageways');
+    ('construction', 'block', 'island', -1, '#86b35a', 'island'),
+    ('construction', 'block', 'strip', -1, '#86b35a', 'strip between carriageways');

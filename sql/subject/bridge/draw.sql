@@ -28,20 +28,20 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, width, u
     ('dark', 'bridge', 5000, -0.5, '#00000099', 2, 'metre', 'shadow'),
     ('construction', 'bridge', 11000, -0.5, '#1118274d', 2, 'metre', 'shadow');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'bridge', 5000, 0.5, '#7d8188', '#4f545c', 0.5, 'metre', 'bridge'),
-    ('dark', 'bridge', 5000, 0.5, '#3a4049', '#9aa0a9', 0.5, 'metre', 'bridge'),
-    ('construction', 'bridge', 11000, 0.5, '#c9ccd1', '#374151', 1.2, 'pixel', 'bridge');
+    ('street', 'bridge', 5000, 0.5, '#73777f', '#4f545c', 0.5, 'metre', 'bridge'),
+    ('dark', 'bridge', 5000, 0.5, '#454b54', '#9aa0a9', 0.5, 'metre', 'bridge'),
+    ('construction', 'bridge', 11000, 0.5, '#b4bac3', '#374151', 1.2, 'pixel', 'bridge');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, width, unit, marker) VALUES
     ('street', 'bridge', 'overpass', 5000, 4.5, '#0000004d', 2, 'metre', 'shadow'),
     ('dark', 'bridge', 'overpass', 5000, 4.5, '#00000099', 2, 'metre', 'shadow'),
     ('construction', 'bridge', 'overpass', 11000, 4.5, '#1118274d', 2, 'metre', 'shadow');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'bridge', 'overpass', 5000, 5.5, '#7d8188', '#4f545c', 0.5, 'metre', 'bridge'),
-    ('dark', 'bridge', 'overpass', 5000, 5.5, '#3a4049', '#9aa0a9', 0.5, 'metre', 'bridge'),
-    ('construction', 'bridge', 'overpass', 11000, 5.5, '#c9ccd1', '#374151', 1.2, 'pixel', 'bridge');
+    ('street', 'bridge', 'overpass', 5000, 5.5, '#73777f', '#4f545c', 0.5, 'metre', 'bridge'),
+    ('dark', 'bridge', 'overpass', 5000, 5.5, '#454b54', '#9aa0a9', 0.5, 'metre', 'bridge'),
+    ('construction', 'bridge', 'overpass', 11000, 5.5, '#b4bac3', '#374151', 1.2, 'pixel', 'bridge');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('street', 'deck_paint', 1500, 6.5, '#fbfbf8'),
-    ('dark', 'deck_paint', 1500, 6.5, '#c9ccd1'),
+    ('dark', 'deck_paint', 1500, 6.5, '#dfe2e6'),
     ('construction', 'deck_paint', 2000, 6.5, '#ffffff');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, dash, meaning) VALUES
     ('street', 'tunnel', 5000, 8.5, '#4f545c', 1, 'pixel', '5', 'tunnel'),

@@ -36,14 +36,14 @@ COMMENT ON FUNCTION streetgen._junction_drawn_instead() IS
     'The layers of other rooms that are not drawn where junctions are computed: those of junctions show more.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
-    ('construction', 'junction', 11000, 3, '#9fb0c3', 'junction of several nodes');
+    ('construction', 'junction', 11000, 3, '#7f9cc0', 'junction of several nodes');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('street', 'rim_marking', 1500, 4, '#fbfbf8'),
-    ('dark', 'rim_marking', 1500, 4, '#c9ccd1'),
+    ('dark', 'rim_marking', 1500, 4, '#dfe2e6'),
     ('construction', 'rim_marking', 2000, 4, '#ffffff');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'movement', 2000, 895, '#15803d', 0.7, 'pixel', 'path from lane to lane'),
-    ('construction', 'junction_limit', 11000, 901, '#6b7280', 1, 'pixel', 'limit of a section'),
+    ('construction', 'junction_limit', 11000, 901, '#4b5563', 1, 'pixel', 'limit of a section'),
     ('construction', 'junction_arc', 11000, 902, '#1d4ed8', 1.5, 'pixel', 'corner of the wanted radius');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'movement', 'implausible', 2000, 894, '#6b728080', 0.4, 'pixel', 'path that is not plausible'),

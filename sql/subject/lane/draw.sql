@@ -21,17 +21,17 @@ COMMENT ON FUNCTION streetgen._lane_drawn(name, geometry, text[]) IS
     'lane_path, lanes between crossed limits.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
-    ('street', 'lane', 'cycle', 5000, 3, '#b4604c', 'lane for bicycles'),
-    ('street', 'lane', 'bus', 5000, 3, '#b8935a', 'lane for buses'),
-    ('dark', 'lane', 'cycle', 5000, 3, '#8f4a3a', 'lane for bicycles'),
-    ('dark', 'lane', 'bus', 5000, 3, '#8a7038', 'lane for buses');
+    ('street', 'lane', 'cycle', 5000, 3, '#a94f3d', 'lane for bicycles'),
+    ('street', 'lane', 'bus', 5000, 3, '#c9a05e', 'lane for buses'),
+    ('dark', 'lane', 'cycle', 5000, 3, '#a04c38', 'lane for bicycles'),
+    ('dark', 'lane', 'bus', 5000, 3, '#ab8d4a', 'lane for buses');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('street', 'lane_separator', 1500, 4, '#fbfbf8', 'paint'),
-    ('dark', 'lane_separator', 1500, 4, '#c9ccd1', 'paint'),
+    ('dark', 'lane_separator', 1500, 4, '#dfe2e6', 'paint'),
     ('construction', 'lane_separator', 2000, 4, '#ffffff', 'paint');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('street', 'marking', 1500, 4, '#fbfbf8'),
-    ('dark', 'marking', 1500, 4, '#c9ccd1'),
+    ('dark', 'marking', 1500, 4, '#dfe2e6'),
     ('construction', 'marking', 2000, 4, '#ffffff');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit) VALUES
     ('construction', 'lane_path', 2000, 895, '#15803d', 0.7, 'pixel');

@@ -42,7 +42,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, line, width,
     ('street', 'street', 15000, 905, '#a9a598', 0.6, 'pixel', 'other street'),
     ('dark', 'street', 15000, 905, '#565d68', 0.6, 'pixel', 'other street');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
-    ('construction', 'axis', 11000, 3, '#8fa3b8', 1, 'pixel', 'axis');
+    ('construction', 'axis', 11000, 3, '#5b7390', 1, 'pixel', 'axis');
 INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, meaning) VALUES
     ('construction', 'report', 903, '#dc262666', 'report');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES

@@ -29,12 +29,12 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning)
     ('street', 'object', 1500, 952, '#3f454d', 'object'),
     ('street', 'crossing', 5000, 7, '#fbfbf8', 'crossing'),
     ('dark', 'object', 1500, 952, '#8d949e', 'object'),
-    ('dark', 'crossing', 5000, 7, '#c9ccd1', 'crossing');
+    ('dark', 'crossing', 5000, 7, '#dfe2e6', 'crossing');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'bay', 1500, 3.5, '#7b7f86', '#fbfbf8', 0.1, 'metre', 'parking bay'),
-    ('dark', 'bay', 1500, 3.5, '#333941', '#c9ccd1', 0.1, 'metre', 'parking bay'),
+    ('street', 'bay', 1500, 3.5, '#73777f', '#fbfbf8', 0.1, 'metre', 'parking bay'),
+    ('dark', 'bay', 1500, 3.5, '#454b54', '#dfe2e6', 0.1, 'metre', 'parking bay'),
     ('construction', 'object', 2000, 952, '#7c3aed', '#4c1d95', 0.8, 'pixel', 'object'),
-    ('construction', 'bay', 2000, 3.5, '#c9ccd1', '#ffffff', 1.2, 'pixel', 'parking bay');
+    ('construction', 'bay', 2000, 3.5, '#b4bac3', '#ffffff', 1.2, 'pixel', 'parking bay');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('construction', 'crossing', 2000, 7, '#ffffff');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES

@@ -18,4 +18,4 @@ COMMENT ON FUNCTION streetgen._roundabout_drawn(name, geometry, text[]) IS
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'ring', 11000, 904, '#7c3aed', 2, 'pixel', 'roundabout, bar: its score');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
-    ('construction', 'ring', 'refused', 11000, 904, '#6b7280', 1, 'pixel', 'ring that is none');
+    ('construction', 'ring', 'refused', 11000, 904, '#4b5563', 1, 'pixel', 'ring that is none');

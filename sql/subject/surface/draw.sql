@@ -25,11 +25,11 @@ COMMENT ON FUNCTION streetgen._surface_drawn(name, geometry, text[]) IS
     'What can be drawn of the roadway in a box: section, intersection, limit and arc; and roadway, both by importance.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'section', 5000, 1, '#7d8188', '#7d8188', 0.7, 'pixel', 'roadway'),
-    ('dark', 'section', 5000, 1, '#3a4049', '#3a4049', 0.7, 'pixel', 'roadway');
+    ('street', 'section', 5000, 1, '#73777f', '#73777f', 0.7, 'pixel', 'roadway'),
+    ('dark', 'section', 5000, 1, '#454b54', '#454b54', 0.7, 'pixel', 'roadway');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
-    ('street', 'intersection', 5000, 1, '#7d8188', '#7d8188', 0.7, 'pixel'),
-    ('dark', 'intersection', 5000, 1, '#3a4049', '#3a4049', 0.7, 'pixel');
+    ('street', 'intersection', 5000, 1, '#73777f', '#73777f', 0.7, 'pixel'),
+    ('dark', 'intersection', 5000, 1, '#454b54', '#454b54', 0.7, 'pixel');
 INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, to_scale, place, fill, line, width, unit) VALUES
     ('street', 'roadway', 5000, 15000, 1, '#a39d90', '#a39d90', 1.6, 'pixel'),
     ('dark', 'roadway', 5000, 15000, 1, '#3a3f47', '#3a3f47', 1.6, 'pixel');
@@ -53,18 +53,18 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, pla
     ('dark', 'roadway', '2', 5000, 15000, 2.9, '#a8874f', '#a8874f', 0.6, 'pixel', 'primary street'),
     ('dark', 'roadway', '3', 5000, 15000, 2.8, '#8a7c55', '#8a7c55', 0.6, 'pixel', 'secondary street');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
-    ('construction', 'section', 11000, 1, '#c9ccd1', 'section of a street'),
-    ('construction', 'intersection', 11000, 2, '#b3b8c0', 'intersection');
+    ('construction', 'section', 11000, 1, '#b4bac3', 'section of a street'),
+    ('construction', 'intersection', 11000, 2, '#939ca9', 'intersection');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
-    ('construction', 'section', 'contested', 11000, 1, '#d9c7a7', 'contested section'),
-    ('construction', 'intersection', 'transition', 11000, 2, '#c3b8d6', 'change of width'),
-    ('construction', 'intersection', 'contested', 11000, 2, '#d9c7a7', 'contested intersection');
+    ('construction', 'section', 'contested', 11000, 1, '#cfa659', 'contested section'),
+    ('construction', 'intersection', 'transition', 11000, 2, '#a58fd0', 'change of width'),
+    ('construction', 'intersection', 'contested', 11000, 2, '#cfa659', 'contested intersection');
 INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'section', 11000, 1, '#4b5563', '#4b5563', 0.6, 'pixel', 'roadway');
 INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, fill, line, width, unit) VALUES
     ('construction', 'intersection', 11000, 1, '#4b5563', '#4b5563', 0.6, 'pixel');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, meaning) VALUES
-    ('construction', 'limit', 11000, 901, '#6b7280', 1, 'pixel', 'limit of a section'),
+    ('construction', 'limit', 11000, 901, '#4b5563', 1, 'pixel', 'limit of a section'),
     ('construction', 'arc', 11000, 902, '#1d4ed8', 1.5, 'pixel', 'corner of the wanted radius');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, width, unit, meaning) VALUES
     ('construction', 'arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');
