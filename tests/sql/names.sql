@@ -6,6 +6,7 @@ CREATE FUNCTION pg_temp.name(x float8, y float8, turned float8, words text) RETU
     SELECT format('<g class="name" style="fill:#000000;font:10px DejaVu Sans,sans-serif">%s</g>%s', string_agg(format('<text transform="translate(%s %s)rotate(%s)">%s</text>', x + 6 * n * cos(radians(turned)), y + 6 * n * sin(radians(turned)), turned, letter), '' ORDER BY n), E'\n')
     FROM string_to_table(words, NULL) WITH ORDINALITY l(letter, n) $$;
 SELECT 'the reader finds words, size and which way up', array_agg(words ORDER BY n) = '{abc,def}' AND array_agg(upright ORDER BY n) = '{t,f}' AND bool_and(size = 10) FROM test.written(pg_temp.name(0, 0, 0, 'abc') || pg_temp.name(0, 50, 180, 'def'));
+SELECT 'the reader finds a letter that turns back', NOT upright FROM test.written(regexp_replace(pg_temp.name(0, 0, 80, 'abc'), 'rotate\(80\)(?=">c<)', 'rotate(-100)'));
 SELECT 'the reader finds one name over another', test.collisions(pg_temp.name(0, 0, 0, 'abc') || pg_temp.name(6, -2, 45, 'def')) = 1 AND test.collisions(pg_temp.name(0, 0, 0, 'abc') || pg_temp.name(0, 12, 0, 'def')) = 0;
 
 \o /dev/null

@@ -1,6 +1,7 @@
 -- The names that a picture has, read from it: schema test.
 
--- Each name with its size, the ground of its letters in pixels of the picture's own coordinates (y down), its middle, and whether one reads it upright.
+-- Each name with its size, the ground of its letters in pixels of the picture's own coordinates (y down), its middle, and whether one reads it upright:
+-- from left to right, no letter turned by more than 60 degrees from the others.
 CREATE FUNCTION test.written(svg text) RETURNS TABLE(n bigint, words text, size float8, ground geometry, middle geometry, upright boolean) LANGUAGE sql STABLE AS $$
     WITH name AS (SELECT n, m[1]::float8 AS size, m[2] AS letters FROM regexp_matches(svg, '<g class="name[^"]*" style="[^"]*font:[a-z0-9 ]*?([0-9.]+)px[^"]*">([^\n]*)</g>', 'g') WITH ORDINALITY g(m, n)),
     letter AS (
@@ -9,8 +10,8 @@ CREATE FUNCTION test.written(svg text) RETURNS TABLE(n bigint, words text, size 
         FROM name, regexp_matches(letters, '<text transform="translate\(([-0-9.]+) ([-0-9.]+)\)rotate\(([-0-9.]+)\)">([^<]*)</text>', 'g') WITH ORDINALITY t(m, k))
     SELECT n, string_agg(letter, '' ORDER BY k), size,
         ST_UnaryUnion(ST_Collect(ST_Translate(ST_Rotate(ST_MakeEnvelope(0.05 * wide, -0.72 * size, 0.95 * wide, 0.15 * size), radians(turned)), ST_X(place), ST_Y(place)))),
-        ST_Centroid(ST_Collect(place)), bool_and(abs(turned) <= 100) AND avg(cos(radians(turned))) >= 0
-    FROM letter GROUP BY n, size $$;
+        ST_Centroid(ST_Collect(place)), min(across) >= -0.05 AND bool_and(cosd(turned) * across + sind(turned) * down >= 0.5 * sqrt(across ^ 2 + down ^ 2))
+    FROM (SELECT *, avg(cosd(turned)) OVER name AS across, avg(sind(turned)) OVER name AS down FROM letter WINDOW name AS (PARTITION BY n)) l GROUP BY n, size $$;
 
 -- Pairs of names of which one stands over the other.
 CREATE FUNCTION test.collisions(svg text) RETURNS bigint LANGUAGE sql STABLE AS $$
