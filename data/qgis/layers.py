@@ -22,6 +22,7 @@ class Layer:
     kind: typing.Optional[str] = None
     needs: typing.Optional[str] = None
     labels: typing.Optional[typing.Callable] = None  # of the rules of a theme
+    tip: str = ''  # what is told where the pointer rests
     theme: str = 'construction'
 
     @property
@@ -30,7 +31,7 @@ class Layer:
 
 
 # Each is a map theme too, with the theme of the rules by which it shows the streets below.
-GROUPS = {'map': 'street', 'edit': 'construction', 'traffic': 'street', 'construction': 'construction', 'checks': 'construction'}
+GROUPS = {'map': 'street', 'edit': 'construction', 'traffic': 'construction', 'construction': 'construction', 'checks': 'construction'}
 
 
 def drawn(layer, made, kind="''", where=''):
@@ -128,7 +129,7 @@ def street_object(look):
 
 def finding(look):
     """Flags, by how bad it is."""
-    return rules(*((severity, f"severity = '{severity}'", point(look.knob(severity), 'filled_arrowhead', 3)) for severity in ('notice', 'warning', 'error')))
+    return rules(*((severity, f"severity = '{severity}'", point(look.knob(severity), 'triangle', size)) for severity, size in (('notice', 3), ('warning', 3.6), ('error', 4.2))))
 
 
 def by_hand(relation, columns):
@@ -226,7 +227,8 @@ COMPUTED = (
     Layer('construction', 'block', 'block_id', 'surface', drawn('block', fill, 'kind')),
 )
 CHECKED = (
-    Layer('checks', 'check_result', 'check_result_id', 'place', finding, shown=True),
+    Layer('checks', 'check_result', 'check_result_id', 'place', finding, shown=True,
+          tip='<b>[% "severity" %]: [% "rule" %][% coalesce(\', \' || round("measure", 2), \'\') %]</b><br>[% "relation" %] [% "id" %]<br>[% "hint" %]'),
     Layer('checks', 'report', 'report_id', 'geom', mark('cross2', 3, 'error'), query=REPORT, kind='Point', shown=True),
     Layer('checks', 'activity', 'activity_id', 'extent', border(), shown=True),
     Layer('checks', 'edit_log', 'edit_log_id', 'extent', border(), shown=True),

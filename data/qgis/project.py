@@ -38,6 +38,7 @@ def vector_layer(database, model, srid, layer, looks):
     if layer.scale:
         vector.setScaleBasedVisibility(True)
         vector.setMinimumScale(layer.scale)
+    vector.setMapTipTemplate(layer.tip)
     vector.setReadOnly(layer.writable is None)
     return vector
 
