@@ -15,6 +15,6 @@ COMMENT ON FUNCTION streetgen._kerb_drawn(name, geometry, text[]) IS
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, width, unit, marker) VALUES
     ('street', 'kerb', 1500, 0.4, '#00000059', 0.12, 'metre', 'shadow');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
-    ('street', 'kerb', 2500, 0.5, '#fbf9f4', 'kerb stones'),
+    ('street', 'kerb', 2500, 0.5, '#efe9dd', 'kerb stones'),
     ('dark', 'kerb', 2500, 0.5, '#a9afb8', 'kerb stones'),
     ('construction', 'kerb', 2000, 0.5, '#4b5563', 'kerb stones');

@@ -28,7 +28,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, li
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('street', 'object', 1500, 952, '#3f454d', 'object'),
     ('street', 'crossing', 5000, 7, '#fbfbf8', 'crossing'),
-    ('dark', 'object', 1500, 952, '#8d949e', 'object'),
+    ('dark', 'object', 1500, 952, '#21262d', 'object'),
     ('dark', 'crossing', 5000, 7, '#dfe2e6', 'crossing');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'bay', 1500, 3.5, '#73777f', '#fbfbf8', 0.1, 'metre', 'parking bay'),
