@@ -159,7 +159,8 @@ CREATE OR REPLACE FUNCTION streetgen._frame_setting()
         'places', 50, 5000, NULL),
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),
-    ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']) $$;
+    ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']),
+    ('attribution', '', NULL, 'whose data the model shows, as a sheet says it', NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._frame_setting() IS 'The settings of every model, with their defaults and ranges.';
 
 CREATE OR REPLACE FUNCTION streetgen._setting_beside() RETURNS TABLE(name text)
@@ -173,5 +174,6 @@ COMMENT ON FUNCTION streetgen._setting_beside() IS
 
 CREATE OR REPLACE FUNCTION streetgen._frame_setting_beside() RETURNS TABLE(name text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES ('cell_size'), ('lock_timeout'), ('log') $$;
-COMMENT ON FUNCTION streetgen._frame_setting_beside() IS 'The settings of locks and of the log.';
+    AS $$ VALUES ('cell_size'), ('lock_timeout'), ('log'), ('attribution') $$;
+COMMENT ON FUNCTION streetgen._frame_setting_beside() IS
+    'The settings of locks, of the log and of sheets.';

@@ -47,3 +47,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, u
     ('street', 'tunnel', 5000, 8.5, '#4f545c', 1, 'pixel', '5', 'tunnel'),
     ('dark', 'tunnel', 5000, 8.5, '#9aa0a9', 1, 'pixel', '5', 'tunnel'),
     ('construction', 'tunnel', 11000, 8.5, '#374151', 1, 'pixel', '5', 'tunnel');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'bridge', 5000, 0.5, '#ffffff', '#000000', 2, 'pixel', 'bridge');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'bridge', 'overpass', 5000, 5.5, '#ffffff', '#000000', 2, 'pixel', 'bridge');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
+    ('print', 'deck_paint', 1500, 6.5, '#000000', '#000000', 0.5, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit, dash, meaning) VALUES
+    ('print', 'tunnel', 5000, 8.5, '#000000', 0.8, 'pixel', '5', 'tunnel');

@@ -18,3 +18,5 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning)
     ('street', 'kerb', 2500, 0.5, '#efe9dd', 'kerb stones'),
     ('dark', 'kerb', 2500, 0.5, '#a9afb8', 'kerb stones'),
     ('construction', 'kerb', 2000, 0.5, '#4b5563', 'kerb stones');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'kerb', 2500, 0.5, '#606060', '#606060', 0.5, 'pixel', 'kerb stones');

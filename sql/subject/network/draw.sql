@@ -38,6 +38,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, place, line, 
     ('dark', 'street', '1', 15000, 910, '#e0a060', 2.4, 'pixel', 'motorway or main road'),
     ('dark', 'street', '2', 15000, 909, '#b8945a', 1.8, 'pixel', 'primary street'),
     ('dark', 'street', '3', 15000, 908, '#8d8463', 1.2, 'pixel', 'secondary street');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, place, line, width, unit, meaning) VALUES
+    ('print', 'street', '1', 15000, 910, '#000000', 3.2, 'pixel', 'motorway or main road'),
+    ('print', 'street', '2', 15000, 909, '#000000', 2.2, 'pixel', 'primary street'),
+    ('print', 'street', '3', 15000, 908, '#000000', 1.3, 'pixel', 'secondary street'),
+    ('print', 'street', '', 15000, 905, '#707070', 0.6, 'pixel', 'other street');
 INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, place, line, width, unit, meaning) VALUES
     ('street', 'street', 15000, 905, '#a9a598', 0.6, 'pixel', 'other street'),
     ('dark', 'street', 15000, 905, '#565d68', 0.6, 'pixel', 'other street');
@@ -47,6 +52,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, meaning) VALUES
     ('construction', 'report', 903, '#dc262666', 'report');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
     ('street', 'name', 3000, 960, '#20242b', '#ffffffd9', 11, 'pixel'),
+    ('print', 'name', 3000, 960, '#000000', '#ffffff', 11, 'pixel'),
     ('dark', 'name', 3000, 960, '#f1f3f5', '#14171cd9', 11, 'pixel');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit)
     SELECT theme, layer, street.kind, 3000, 15000, place, fill, line, 10, unit FROM streetgen.symbol_rule,

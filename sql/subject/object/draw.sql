@@ -47,3 +47,10 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width,
     ('construction', 'handle', 'bollard', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'bollard'),
     ('construction', 'handle', 'bus_stop', 980, '#0f766e', '#0f766e', 1, 'pixel', 'bus stop'),
     ('construction', 'handle', 'arrow', 980, '#52575f', '#52575f', 1, 'pixel', 'arrow');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'object', 'green', 2500, 951, '#d0d0d0b3', '#000000', 0.5, 'pixel', 'tree or hedge');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('print', 'object', 1500, 952, '#000000', 'object'),
+    ('print', 'crossing', 2500, 7, '#000000', 'crossing');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'bay', 1500, 3.5, '#ffffff', '#000000', 0.5, 'pixel', 'parking bay');

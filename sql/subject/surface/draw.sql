@@ -70,3 +70,19 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, wi
     ('construction', 'arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'handle', 'limit', 980, '#0f766e', '#0f766e', 1, 'pixel', 'limit to drag');
+-- Black below a white roadway leaves a line along its border.
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'section', 5000, 0.8, '#000000', '#000000', 1.8, 'pixel', NULL),
+    ('print', 'intersection', 5000, 0.8, '#000000', '#000000', 1.8, 'pixel', NULL),
+    ('print', 'section', 5000, 1, '#ffffff', '#ffffff', 0.7, 'pixel', 'roadway'),
+    ('print', 'intersection', 5000, 1, '#ffffff', '#ffffff', 0.7, 'pixel', NULL);
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit, meaning)
+    VALUES
+    ('print', 'roadway', '', 5000, 15000, 1, '#000000', '#000000', 1.6, 'pixel', NULL),
+    ('print', 'roadway', '1', 5000, 15000, 1.3, '#000000', '#000000', 2, 'pixel', NULL),
+    ('print', 'roadway', '2', 5000, 15000, 1.2, '#000000', '#000000', 2, 'pixel', NULL),
+    ('print', 'roadway', '3', 5000, 15000, 1.1, '#000000', '#000000', 2, 'pixel', NULL),
+    ('print', 'roadway', '', 5000, 15000, 2, '#ffffff', '#ffffff', 0.6, 'pixel', 'other street'),
+    ('print', 'roadway', '1', 5000, 15000, 3.0, '#606060', '#606060', 0.6, 'pixel', 'motorway or main road'),
+    ('print', 'roadway', '2', 5000, 15000, 2.9, '#a0a0a0', '#a0a0a0', 0.6, 'pixel', 'primary street'),
+    ('print', 'roadway', '3', 5000, 15000, 2.8, '#d8d8d8', '#d8d8d8', 0.6, 'pixel', 'secondary street');
