@@ -1,10 +1,11 @@
--- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, drawn_up_to, again, crossing, driving_side, mapping, take, read, source, objects, file, warning, dry_run.
+-- data/streetgen load imports the rows that it read, in one transaction. Variables: model, srid, subjects, drawn_up_to, again, crossing, driving_side, mapping, take, read, source, objects, attribution, file, warning, dry_run.
 -- The model that was there goes only together with the coming of the one that replaces it; what was read stays in the file.
 BEGIN;
 SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AND NOT :again \g /dev/null
 SELECT streetgen.create_model(:'model', :srid, subjects => string_to_array(nullif(:'subjects', ''), ',')) WHERE NOT :again \g /dev/null
 SELECT streetgen.set(:'model', 'driving_side', :'driving_side') WHERE :'driving_side' <> '' \g /dev/null
 SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' \g /dev/null
+SELECT streetgen.set(:'model', 'attribution', :'attribution') WHERE :'attribution' <> '' AND NOT :again \g /dev/null
 CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;
 -- A picture of few axes shows streets as they are seen, unless somebody said what is computed.
 SELECT streetgen._switch_on(:'model', CASE WHEN :'subjects' <> '' THEN string_to_array(:'subjects', ',') ELSE '{drawn}' END)

@@ -2,6 +2,8 @@
 import dataclasses
 import typing
 
+from database import literal
+
 
 @dataclasses.dataclass(frozen=True)
 class Symbol:
@@ -27,8 +29,8 @@ class Symbol:
     def holds_of(self, kind):
         """The expression of QGIS that says which features it draws, by the expression of their kind."""
         if self.kind:
-            return f"{kind} = '{self.kind}'"
-        return '%s NOT IN (%s)' % (kind, ', '.join(f"'{other}'" for other in self.others)) if self.others else ''
+            return f'{kind} = {literal(self.kind)}'
+        return '%s NOT IN (%s)' % (kind, ', '.join(map(literal, self.others))) if self.others else ''
 
 
 class Look:

@@ -1,5 +1,5 @@
 """The print layout of a project: the map at 1:500 on A3, with what a sheet to hand over needs."""
-from qgis.core import (QgsLayoutItemLabel, QgsLayoutItemLegend, QgsLayoutItemMap, QgsLayoutItemPage, QgsLayoutItemPicture, QgsLayoutItemScaleBar,
+from qgis.core import (QgsExpressionContextUtils, QgsLayoutItemLabel, QgsLayoutItemLegend, QgsLayoutItemMap, QgsLayoutItemPage, QgsLayoutItemPicture, QgsLayoutItemScaleBar,
                        QgsLayoutPoint, QgsLayoutSize, QgsLegendRenderer, QgsLegendStyle, QgsPrintLayout, QgsRectangle, QgsTextFormat, QgsUnitTypes)
 from qgis.PyQt.QtGui import QFont
 
@@ -13,7 +13,7 @@ WORDS = """[% upper(substr(@project_title, 1, 1)) || substr(@project_title, 2) %
 Streets, theme {theme}
 1:[% round(map_get(item_variables('map'), 'map_scale')) %]   SRID {srid}
 [% format_date(now(), 'yyyy-MM-dd') %]
-{attribution}"""
+[% @attribution %]"""
 
 
 def letters(points, ink):
@@ -71,7 +71,9 @@ def tell_meanings(layout, item, ink):
 
 
 def add_sheet(project, look, centre, srid, attribution):
-    ink, paper = look.one('ink').fill, look.one('paper').fill
+    ink = look.one('ink').fill
+    # As a variable: what stands in brackets in it is no expression.
+    QgsExpressionContextUtils.setProjectVariable(project, 'attribution', attribution)
     layout = QgsPrintLayout(project)
     layout.initializeDefaults()
     layout.setName('sheet')
@@ -96,7 +98,7 @@ def add_sheet(project, look, centre, srid, attribution):
     place(layout, bar, left, HIGH - MARGIN - 62, COLUMN, 14)
     title = QgsLayoutItemLabel(layout)
     title.setId('title block')
-    title.setText(WORDS.format(theme='street', srid=srid, attribution=attribution))
+    title.setText(WORDS.format(theme='street', srid=srid))
     title.setFont(QFont('DejaVu Sans', 9))
     if ink:
         title.setFontColor(colour(ink))

@@ -58,14 +58,14 @@ rule 'lines of SQL end at 120 characters' '! awk "length > 120 { print FILENAME 
 
 # Statements stand in strings only where names or pieces of them vary.  The counts only fall; the aim is 600 lines, no text over five and 120.
 quoted=$(python3 "$root/tests/core/quoted_sql.py" "$root/sql")
-rule 'SQL in quoted text: at most 350 lines, 5 texts of more than five lines and 142 EXECUTE format' \
-  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 350 ] && [ "${BASH_REMATCH[2]}" -le 5 ] && [ "${BASH_REMATCH[3]}" -le 142 ] || { echo "$quoted" >&2; false; }'
+rule 'SQL in quoted text: at most 350 lines, 5 texts of more than five lines and 141 EXECUTE format' \
+  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 350 ] && [ "${BASH_REMATCH[2]}" -le 5 ] && [ "${BASH_REMATCH[3]}" -le 141 ] || { echo "$quoted" >&2; false; }'
 
 # The frame serves every subject and names none: a subject gives to its lists by functions that are found by their names.  The list of subjects
 # itself is not counted.  The count only falls; the aim is 0.
 words_of_subjects='kerb|sidewalk|block|ramp|roundabout|junction|signal|overpass|bridge|interconnection|marking'
-named=$(find "$root/sql/frame" -name '*.sql' ! -name subject_order.sql -exec cat {} + | grep -oiE "$words_of_subjects" | wc -l)
-rule 'sql/frame names subjects at most 52 times' '[ "$named" -le 52 ] || { grep -rnoiE "$words_of_subjects" "$root/sql/frame" | cut -d: -f1,3 | sort | uniq -c >&2; false; }'
+named=$(find "$root/sql/frame" -name '*.sql' ! -name subject_order.sql -exec cat {} + | sed 's/pg_blocking_pids//g' | grep -oiE "$words_of_subjects" | wc -l)
+rule 'sql/frame names subjects at most 24 times' '[ "$named" -le 24 ] || { grep -rnoiE "$words_of_subjects" "$root/sql/frame" | cut -d: -f1,3 | sort | uniq -c >&2; false; }'
 
 # Rooms of SQL call those above them in sql/order.txt.
 called=$(python3 "$root/tests/core/sql_calls.py" "$root/sql")

@@ -1,5 +1,5 @@
--- Templates of tables: files that psql runs as they stand, such as sql/subject/kerb/table.sql.  The build puts each of
--- them into one table, and a model gets its tables, indexes and comments from there.
+-- Templates of tables: files that psql runs as they stand, such as sql/subject/network/table.sql.  The build puts each
+-- of them into one table, and a model gets its tables, indexes and comments from there.
 
 CREATE TABLE streetgen.template (
     room text, part text CHECK (part IN ('table', 'kept_table', 'input_table')), place integer,

@@ -1,7 +1,7 @@
 -- Rules say how each layer looks, and nothing else does: rooms add theirs in their files draw.sql.
 
 CREATE TABLE streetgen.symbol_rule (
-    theme text NOT NULL CHECK (theme IN ('street', 'dark', 'construction')),
+    theme text NOT NULL CHECK (theme IN ('street', 'dark', 'print', 'construction')),
     layer text NOT NULL, kind text NOT NULL DEFAULT '',
     from_scale float8 NOT NULL DEFAULT 0 CHECK (from_scale >= 0 AND from_scale < 'Infinity'),
     to_scale float8 NOT NULL DEFAULT 'Infinity' CHECK (to_scale <> 'NaN'),
@@ -9,11 +9,12 @@ CREATE TABLE streetgen.symbol_rule (
     fill text CHECK (fill ~ '^#[0-9a-f]{6}([0-9a-f]{2})?$'),
     line text CHECK (line ~ '^#[0-9a-f]{6}([0-9a-f]{2})?$'),
     width float8 CHECK (width > 0 AND width <= 1e6), unit text CHECK (unit IN ('metre', 'pixel')),
-    dash text CHECK (dash ~ '^\d+(\.\d+)?( \d+(\.\d+)?)*$'), marker text CHECK (marker IN ('shadow')),
+    dash text CHECK (dash ~ '^\d+(\.\d+)?( \d+(\.\d+)?)*$'),
+    marker text CHECK (marker IN ('shadow', 'hatch', 'dots')),
     meaning text,
     PRIMARY KEY (theme, layer, kind, from_scale, place),
     CONSTRAINT symbol_rule_scales CHECK (from_scale < to_scale),
-    CONSTRAINT symbol_rule_name_has_size CHECK (layer NOT IN ('name', 'ref') OR width IS NOT NULL),
+    CONSTRAINT symbol_rule_name_has_size CHECK (layer <> 'name' OR width IS NOT NULL),
     CONSTRAINT symbol_rule_width_has_unit CHECK (num_nulls(width, unit) IN (0, 2)),
     CONSTRAINT symbol_rule_line_has_width CHECK (line IS NULL OR width IS NOT NULL),
     CONSTRAINT symbol_rule_shadow_has_width CHECK (marker IS NULL OR width IS NOT NULL));
@@ -22,11 +23,11 @@ COMMENT ON TABLE streetgen.symbol_rule IS
     'by the rules of kind '''', and a layer without a rule is not drawn. Several rules of one kind are drawn one above '
     'the other, such as a casing and a fill';
 COMMENT ON COLUMN streetgen.symbol_rule.theme IS
-    'street: as one sees it from above; dark: the same at night; construction: how it was computed, for engineers';
+    'street: as one sees it from above; dark: the same at night; print: in black and white, for printers and copies; '
+    'construction: how it was computed, for engineers';
 COMMENT ON COLUMN streetgen.symbol_rule.layer IS
-    'name of what is drawn, such as sidewalk; name: those of streets; ref: numbers of routes in a box, whose border '
-    'and letters have the colour of the line; ground lies below all, paper and ink are those of a legend; '
-    'handle: what one edits or looks through in QGIS';
+    'name of what is drawn, such as sidewalk; name: those of streets; ground lies below all, paper and ink are those '
+    'of a legend; handle: what one edits or looks through in QGIS';
 COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN streetgen.symbol_rule.from_scale IS
     'drawn beyond this scale, as the number below the line: 1500 is 1:1,500';
@@ -35,21 +36,23 @@ COMMENT ON COLUMN streetgen.symbol_rule.place IS 'order on its level from below,
 COMMENT ON COLUMN streetgen.symbol_rule.fill IS 'colour of its ground, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.line IS 'colour of its line or border, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.width IS
-    'width of the line; of a shadow, how far it falls to the south-east; of names and refs, the size of the font';
+    'width of the line; of a shadow, how far it falls to the south-east; of hatching and dots, how far they are apart; '
+    'of names, the size of the font';
 COMMENT ON COLUMN streetgen.symbol_rule.unit IS 'unit of width and dash: metre or pixel';
 COMMENT ON COLUMN streetgen.symbol_rule.dash IS 'lengths of dashes and gaps in turn, such as 3 2; NULL: none';
-COMMENT ON COLUMN streetgen.symbol_rule.marker IS 'shadow: the geometry falls to the south-east; NULL: as it is';
+COMMENT ON COLUMN streetgen.symbol_rule.marker IS
+    'shadow: the geometry falls to the south-east; hatch or dots: its ground has lines or dots of this fill; NULL: as '
+    'it is';
 COMMENT ON COLUMN streetgen.symbol_rule.meaning IS 'what a legend says of it; NULL: nothing';
 GRANT SELECT ON streetgen.symbol_rule TO PUBLIC;
 
 INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
-    ('street', 'ground', 0, '#f1ebdf'), ('dark', 'ground', 0, '#0f1216'), ('construction', 'ground', 0, '#f3f1ea'),
-    ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#14171c'), ('construction', 'paper', 0, '#ffffff'),
-    ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('construction', 'ink', 0, '#1f2937');
-INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'building', 15000, -0.8, '#d8c9b4', '#b09c80', 0.7, 'pixel', 'building'),
-    ('dark', 'building', 15000, -0.8, '#343b46', '#4a5361', 0.7, 'pixel', 'building'),
-    ('construction', 'building', 11000, -0.8, '#e3ddd2', '#bdb4a4', 0.7, 'pixel', 'building');
+    ('street', 'ground', 0, '#f1ebdf'), ('dark', 'ground', 0, '#0f1216'), ('print', 'ground', 0, '#ffffff'),
+    ('construction', 'ground', 0, '#f3f1ea'),
+    ('street', 'paper', 0, '#ffffff'), ('dark', 'paper', 0, '#14171c'), ('print', 'paper', 0, '#ffffff'),
+    ('construction', 'paper', 0, '#ffffff'),
+    ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('print', 'ink', 0, '#000000'),
+    ('construction', 'ink', 0, '#1f2937');
 
 -- In QGIS one drags, types in or looks through these.
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
@@ -99,6 +102,27 @@ CREATE OR REPLACE FUNCTION streetgen._pixel_on_paper() RETURNS float8
 COMMENT ON FUNCTION streetgen._pixel_on_paper() IS
     'Metres of paper that a pixel stands for, as map services have it.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_theme(theme text) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    themes constant text[] := ARRAY(SELECT DISTINCT r.theme FROM streetgen.symbol_rule r ORDER BY 1);
+BEGIN
+    IF theme <> ALL (themes) THEN
+        RAISE EXCEPTION 'there is no theme "%"', theme USING ERRCODE = '22023',
+            HINT = format('Themes are %s.', array_to_string(themes, ', '));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_theme(text) IS 'Raises 22023 for a theme that no rule has. NULL passes.';
+
+CREATE OR REPLACE FUNCTION streetgen._page(model name, theme text, scale float8, OUT paper text, OUT ink text)
+    LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce((array_agg(fill ORDER BY symbol DESC) FILTER (WHERE layer = 'paper'))[1], 'none'),
+        coalesce((array_agg(fill ORDER BY symbol DESC) FILTER (WHERE layer = 'ink'))[1], 'none')
+        FROM streetgen._symbols(model, theme, scale) $$;
+COMMENT ON FUNCTION streetgen._page(name, text, float8) IS
+    'The colours of paper and ink of a theme, by the rule that lies above others of the layer; none without a rule.';
+
 CREATE OR REPLACE FUNCTION streetgen._metres(width float8, unit text, pixel float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT width * CASE unit WHEN 'pixel' THEN pixel ELSE 1 END $$;
@@ -127,3 +151,43 @@ CREATE OR REPLACE FUNCTION streetgen._plan_styles(model name, scale float8) RETU
 COMMENT ON FUNCTION streetgen._plan_styles(name, float8) IS
     'The uppermost rules of theme construction at a scale as properties of SVG, for a plan that is drawn in pixels: by '
     'layer and kind, such as "signal_plan red".';
+
+CREATE OR REPLACE FUNCTION streetgen._pattern_as_svg(marker text, fill text, apart float8, pixel float8)
+    RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    -- Those that are alike have one name.
+    SELECT format('<pattern id="p%s" %s', left(md5(drawn), 12), drawn)
+    FROM (SELECT round(apart::numeric, 4) AS every, round((apart / 2)::numeric, 4) AS half) r,
+        format('patternUnits="userSpaceOnUse" width="%1$s" height="%1$s" patternTransform="rotate(45)">%2$s</pattern>',
+            every, CASE marker WHEN 'hatch' THEN format('<path d="M%s 0v%s" stroke="%s" stroke-width="%s"/>', half,
+                every, fill, round((0.5 * pixel)::numeric, 4))
+            WHEN 'dots' THEN format('<circle cx="%1$s" cy="%1$s" r="%2$s" fill="%3$s"/>', half,
+                round((0.6 * pixel)::numeric, 4), fill) END) drawn $$;
+COMMENT ON FUNCTION streetgen._pattern_as_svg(text, text, float8, float8) IS
+    'The pattern of a marker in SVG, lines half a pixel wide or dots, so far apart; NULL of a marker that is none. A '
+    'pixel is so many metres wide.';
+
+CREATE OR REPLACE FUNCTION streetgen._pattern_name(pattern text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT format('url(#%s)', substring(pattern, 'id="(\w+)"')) $$;
+COMMENT ON FUNCTION streetgen._pattern_name(text) IS 'A pattern of SVG as what fills a shape.';
+
+CREATE OR REPLACE FUNCTION streetgen._mend_frame_tables(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN SELECT format('ALTER TABLE %s DROP CONSTRAINT %I, ADD CONSTRAINT %2$I %s', o.conrelid::regclass,
+            o.conname, pg_get_constraintdef(d.oid))
+        FROM pg_constraint d JOIN pg_constraint o USING (conname, contype)
+        WHERE d.conrelid = 'streetgen.symbol_rule'::regclass AND contype = 'c'
+            AND o.conrelid = to_regclass(format('%I.symbol_rule', model))
+            AND pg_get_constraintdef(d.oid) <> pg_get_constraintdef(o.oid)
+    LOOP
+        EXECUTE part;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._mend_frame_tables(name) IS
+    'Lets the rules of a model of an older build have the themes and markers of this one.';

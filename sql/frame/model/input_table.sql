@@ -74,7 +74,7 @@ CREATE TABLE :"model".symbol_rule (
 COMMENT ON TABLE :"model".symbol_rule IS
     'How this model is drawn otherwise: a row stands for that of streetgen.symbol_rule with the same theme, layer, '
     'kind, from_scale and place, or is drawn beside them. One with neither fill nor line draws nothing';
-COMMENT ON COLUMN :"model".symbol_rule.theme IS 'street, dark or construction';
+COMMENT ON COLUMN :"model".symbol_rule.theme IS 'street, dark, print or construction';
 COMMENT ON COLUMN :"model".symbol_rule.layer IS 'a layer of streetgen.symbol_rule, such as sidewalk';
 COMMENT ON COLUMN :"model".symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN :"model".symbol_rule.from_scale IS 'drawn beyond this scale, as the number below the line';
@@ -82,10 +82,12 @@ COMMENT ON COLUMN :"model".symbol_rule.to_scale IS 'drawn up to this scale';
 COMMENT ON COLUMN :"model".symbol_rule.place IS 'order on its level from below, less than 10; or above all levels';
 COMMENT ON COLUMN :"model".symbol_rule.fill IS 'colour of its ground, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN :"model".symbol_rule.line IS 'colour of its line or border, likewise; NULL: none';
-COMMENT ON COLUMN :"model".symbol_rule.width IS 'width of the line; of a shadow, how far it falls';
+COMMENT ON COLUMN :"model".symbol_rule.width IS
+    'width of the line; of a shadow, how far it falls; of hatching and dots, how far they are apart';
 COMMENT ON COLUMN :"model".symbol_rule.unit IS 'unit of width and dash: metre or pixel';
 COMMENT ON COLUMN :"model".symbol_rule.dash IS 'lengths of dashes and gaps in turn, such as 3 2; NULL: none';
-COMMENT ON COLUMN :"model".symbol_rule.marker IS 'shadow: the geometry falls to the south-east; NULL: as it is';
+COMMENT ON COLUMN :"model".symbol_rule.marker IS
+    'shadow: the geometry falls to the south-east; hatch or dots: of its ground; NULL: as it is';
 COMMENT ON COLUMN :"model".symbol_rule.meaning IS 'what a legend says of it; NULL: nothing';
 COMMENT ON CONSTRAINT symbol_rule_theme_check ON :"model".symbol_rule IS
     'a theme that streetgen.symbol_rule has. SELECT DISTINCT theme FROM streetgen.symbol_rule lists them.';
@@ -114,6 +116,6 @@ COMMENT ON CONSTRAINT symbol_rule_width_has_unit ON :"model".symbol_rule IS
 COMMENT ON CONSTRAINT symbol_rule_dash_check ON :"model".symbol_rule IS
     'lengths of dashes and gaps in turn, with a space between two. Write 3 2, or leave it empty for no gaps.';
 COMMENT ON CONSTRAINT symbol_rule_marker_check ON :"model".symbol_rule IS
-    'shadow. Leave it empty for what falls nowhere.';
+    'shadow, hatch or dots. Leave it empty for what is drawn as it is.';
 COMMENT ON CONSTRAINT symbol_rule_shadow_has_width ON :"model".symbol_rule IS
-    'nothing where there is no width. Fill width and unit: how far the shadow falls.';
+    'nothing where there is no width. Fill both: how far a shadow falls, or hatching is apart.';

@@ -177,7 +177,7 @@ BEGIN
                 FROM (SELECT axis_id, extent FROM line UNION ALL SELECT axis_id, extent FROM own
                     UNION ALL SELECT NULL, box3d(geom) FROM run) l OFFSET 0) m)
         SELECT ARRAY(SELECT axis_id FROM line UNION ALL SELECT axis_id FROM beside
-            UNION ALL SELECT axis_id FROM met_axis JOIN axis USING (axis_id)),
+            UNION ALL SELECT axis_id FROM axis WHERE axis_id = ANY (ARRAY(SELECT axis_id FROM met_axis))),
                ARRAY(SELECT DISTINCT key FROM box, streetgen._districts(west, south, east, north) key),
                ARRAY(SELECT streetgen._axis_key(axis_id) FROM (SELECT unnest(written) AS axis_id
                    UNION SELECT axis_id FROM run) a)

@@ -26,3 +26,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, line, width, unit,
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, meaning) VALUES
     ('construction', 'block', 'island', -1, '#86b35a', 'island'),
     ('construction', 'block', 'strip', -1, '#86b35a', 'strip between carriageways');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, width, unit, marker, meaning) VALUES
+    ('print', 'block', '', 5000, -1, '#909090', 14, 'pixel', 'hatch', 'city block'),
+    ('print', 'block', 'island', 5000, -1, '#606060', 5, 'pixel', 'dots', 'island'),
+    ('print', 'block', 'strip', 5000, -1, '#606060', 5, 'pixel', 'dots', 'strip between carriageways');

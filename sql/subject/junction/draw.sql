@@ -61,3 +61,5 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width,
     ('construction', 'handle', 'continuation', 980, '#bababa', '#bababa', 1, 'pixel', 'where a street goes on'),
     ('construction', 'handle', 'end', 980, '#e0e0e0', '#e0e0e0', 1, 'pixel', 'end of a street'),
     ('construction', 'handle', 'inside', 980, '#0f766e', '#0f766e', 1, 'pixel', 'inside a junction');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
+    ('print', 'rim_marking', 1500, 4, '#000000', '#000000', 0.5, 'pixel');

@@ -40,3 +40,9 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width,
     ('construction', 'handle', 'allowed', 980, '#15803d', '#15803d', 1, 'pixel', 'allowed lane change'),
     ('construction', 'handle', 'forbidden', 980, '#dc2626', '#dc2626', 1, 'pixel', 'forbidden lane change or turn'),
     ('construction', 'handle', 'opposite', 980, '#9ca3af', '#9ca3af', 1, 'pixel', 'lane of the other direction');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, width, unit, marker, meaning) VALUES
+    ('print', 'lane', 'cycle', 5000, 3, '#a8a8a8', NULL, NULL, NULL, 'lane for bicycles'),
+    ('print', 'lane', 'bus', 5000, 3, '#000000', 6, 'pixel', 'hatch', 'lane for buses');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'lane_separator', 1500, 4, '#000000', '#000000', 0.5, 'pixel', 'paint'),
+    ('print', 'marking', 1500, 4, '#000000', '#000000', 0.5, 'pixel', NULL);

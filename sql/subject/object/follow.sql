@@ -39,6 +39,10 @@ BEGIN
         nestloop_before constant text := current_setting('enable_nestloop');
         seqscan_before constant text := current_setting('enable_seqscan');
     BEGIN
+        IF axes IS NOT NULL AND NOT EXISTS (SELECT FROM street_object) AND NOT _has_rules() THEN
+            RETURN QUERY VALUES ('object_edge', 0::bigint, 0::bigint, 0::bigint, 0::bigint, 0::bigint);
+            RETURN;
+        END IF;
         -- Nothing is known of rows just computed: all of them are joined by hash, and a few are looked up by key.
         PERFORM set_config(CASE WHEN axes IS NULL THEN 'enable_nestloop' ELSE 'enable_seqscan' END, 'off', true);
         IF _has_rules() OR EXISTS (SELECT FROM street_object

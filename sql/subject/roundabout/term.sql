@@ -34,8 +34,8 @@ BEGIN
     IF named = '{}' THEN
         RETURN 0.5;
     END IF;
-    SELECT count(*) INTO matching FROM unnest(named) n
-        WHERE EXISTS (SELECT FROM unnest(patterns) p WHERE streetgen._names_roundabout(n, p, folding));
+    SELECT count(*) INTO matching FROM unnest(named) n WHERE CASE folding WHEN 'plain' THEN n ~* ANY (patterns)
+        ELSE EXISTS (SELECT FROM unnest(patterns) p WHERE streetgen._names_roundabout(n, p, folding)) END;
     RETURN CASE WHEN matching > 0.4 * cardinality(named) THEN 1
         WHEN cardinality(named) = cardinality(names) AND named[1] = ALL (named) THEN 0.7
         ELSE 0.5 * (SELECT max(times) FROM (SELECT count(*) AS times FROM unnest(named) n GROUP BY n) t)

@@ -15,4 +15,5 @@ COMMENT ON FUNCTION streetgen._sidewalk_drawn(name, geometry, text[]) IS
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'sidewalk', 5000, 0, '#bbb5aa', '#bbb5aa', 0.7, 'pixel', 'sidewalk'),
     ('dark', 'sidewalk', 5000, 0, '#7d848e', '#7d848e', 0.7, 'pixel', 'sidewalk'),
+    ('print', 'sidewalk', 5000, 0, '#e0e0e0', '#e0e0e0', 0.7, 'pixel', 'sidewalk'),
     ('construction', 'sidewalk', 11000, 0, '#e9d6ac', '#c9b791', 0.4, 'pixel', 'sidewalk');

@@ -22,3 +22,5 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill) VALUES
     ('construction', 'signal_plan', 'amber', 1, '#f59e0b'),
     ('construction', 'signal_plan', 'protected', 1, '#2f9e44'),
     ('construction', 'signal_plan', 'permitted', 1, '#86d19a');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'signal_head', 1500, 905, '#ffffff', '#000000', 1.2, 'pixel', 'signal');

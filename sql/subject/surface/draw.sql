@@ -1,31 +1,5 @@
 -- The roadway is drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._roadway_at_nodes(model name, box geometry)
-    RETURNS TABLE(node_id bigint, importance integer, level integer, surface geometry)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
-    AS $$
-#variable_conflict use_column
-BEGIN
-    PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH arm AS MATERIALIZED (
-        SELECT i.node_id, i.level, i.surface::geometry, e.importance, l.border_line::geometry
-        FROM intersection i, LATERAL (SELECT edge_id, importance, 'start' AS which FROM edge
-                WHERE from_node = i.node_id
-            UNION ALL SELECT edge_id, importance, 'end' FROM edge WHERE to_node = i.node_id) e
-            JOIN section_limit l USING (edge_id, which) WHERE i.surface && box),
-    least AS (SELECT node_id, max(importance) AS importance FROM arm GROUP BY node_id)
-    SELECT * FROM (SELECT DISTINCT ON (node_id) node_id, a.importance, a.level, a.surface
-        FROM arm a JOIN least USING (node_id, importance)) whole
-    UNION ALL SELECT node_id, w.importance, a.level, ST_Intersection(a.surface,
-            ST_ConvexHull(ST_Collect(a.border_line)))
-        FROM (SELECT DISTINCT node_id, importance FROM arm) w JOIN least l USING (node_id) JOIN arm a USING (node_id)
-        WHERE w.importance < l.importance AND a.importance <= w.importance
-        GROUP BY node_id, w.importance, a.level, a.surface HAVING count(*) > 1;
-END $$;
-COMMENT ON FUNCTION streetgen._roadway_at_nodes(name, geometry) IS
-    'Intersections in a box by importance: the whole of each as its least important street, and the ways through it '
-    'from limit to limit of the more important ones.';
-
 CREATE OR REPLACE FUNCTION streetgen._surface_drawn(model name, box geometry, layers text[])
     RETURNS SETOF streetgen.shape
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
@@ -37,12 +11,11 @@ BEGIN
     RETURN QUERY SELECT 'intersection', CASE WHEN method IN ('contested', 'crowded') THEN 'contested'
             WHEN method = 'transition' THEN 'transition' ELSE '' END, level, surface::geometry, node_id
         FROM intersection WHERE 'intersection' = ANY (layers) AND surface && box;
+    -- By the importance of the street, or of the most important one of a node.
     RETURN QUERY SELECT 'roadway', importance::text, s.level, s.surface::geometry, edge_id FROM section s
-        JOIN edge USING (edge_id) WHERE 'roadway' = ANY (layers) AND surface && box;
-    IF 'roadway' = ANY (layers) THEN
-        RETURN QUERY SELECT 'roadway', importance::text, level, surface, node_id
-            FROM streetgen._roadway_at_nodes(model, box);
-    END IF;
+            JOIN edge USING (edge_id) WHERE 'roadway' = ANY (layers) AND surface && box
+        UNION ALL SELECT 'roadway', (SELECT min(importance)::text FROM edge WHERE node_id IN (from_node, to_node)),
+            level, surface, node_id FROM intersection WHERE 'roadway' = ANY (layers) AND surface && box;
     RETURN QUERY SELECT 'limit', '', NULL::integer, border_line::geometry, section_limit_id FROM section_limit
         WHERE 'limit' = ANY (layers) AND method = 'hypothesis' AND border_line && box;
     RETURN QUERY SELECT 'arc', CASE method WHEN 'hypothesis' THEN '' ELSE 'fallback' END, NULL::integer,
@@ -97,3 +70,19 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, line, wi
     ('construction', 'arc', 'fallback', 11000, 902, '#c2410c', 1.5, 'pixel', 'corner of another radius');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'handle', 'limit', 980, '#0f766e', '#0f766e', 1, 'pixel', 'limit to drag');
+-- Black below a white roadway leaves a line along its border.
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'section', 5000, 0.8, '#000000', '#000000', 1.8, 'pixel', NULL),
+    ('print', 'intersection', 5000, 0.8, '#000000', '#000000', 1.8, 'pixel', NULL),
+    ('print', 'section', 5000, 1, '#ffffff', '#ffffff', 0.7, 'pixel', 'roadway'),
+    ('print', 'intersection', 5000, 1, '#ffffff', '#ffffff', 0.7, 'pixel', NULL);
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit, meaning)
+    VALUES
+    ('print', 'roadway', '', 5000, 15000, 1, '#000000', '#000000', 1.6, 'pixel', NULL),
+    ('print', 'roadway', '1', 5000, 15000, 1.3, '#000000', '#000000', 2, 'pixel', NULL),
+    ('print', 'roadway', '2', 5000, 15000, 1.2, '#000000', '#000000', 2, 'pixel', NULL),
+    ('print', 'roadway', '3', 5000, 15000, 1.1, '#000000', '#000000', 2, 'pixel', NULL),
+    ('print', 'roadway', '', 5000, 15000, 2, '#ffffff', '#ffffff', 0.6, 'pixel', 'other street'),
+    ('print', 'roadway', '1', 5000, 15000, 3.0, '#606060', '#606060', 0.6, 'pixel', 'motorway or main road'),
+    ('print', 'roadway', '2', 5000, 15000, 2.9, '#a0a0a0', '#a0a0a0', 0.6, 'pixel', 'primary street'),
+    ('print', 'roadway', '3', 5000, 15000, 2.8, '#d8d8d8', '#d8d8d8', 0.6, 'pixel', 'secondary street');
