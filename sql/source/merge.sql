@@ -231,7 +231,7 @@ BEGIN
             = (_merge_delivery.relation, origin, p.source_ref);
     IF wins = 'source' THEN
         FOR absent IN SELECT t.source_ref FROM pg_temp._import_there t WHERE t.id IS NULL ORDER BY 1 LOOP
-            PERFORM streetgen._insert_delivered(model, relation, source, absent);
+            PERFORM streetgen._insert_delivered(model, relation, source, absent, off_street => true);
         END LOOP;
     END IF;
     DROP TABLE pg_temp._import_merge, pg_temp._import_there;

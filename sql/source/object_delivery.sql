@@ -97,25 +97,33 @@ COMMENT ON FUNCTION streetgen._write_merged_objects(name, text, text) IS
     'Writes the objects that the source changed: what is not by hand as the source has it, of the rest what the '
     'comparison found to be taken, or where the source wins also what is in conflict.';
 
-CREATE OR REPLACE FUNCTION streetgen._insert_object(model name, said jsonb) RETURNS bigint
+CREATE OR REPLACE FUNCTION streetgen._insert_object(model name, said jsonb, off_street boolean) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET streetgen.computes = 'off'
     AS $$
 DECLARE
+    place constant geometry := said ->> 'geom';
     row_id bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- Its view of edits finds the street at which it stands.
-    INSERT INTO street_object_editing (type, geom, orientation, orientation_kind)
-        VALUES (said ->> 'type', (said ->> 'geom')::geometry, (said ->> 'orientation')::float8,
-            CASE WHEN said ->> 'orientation' IS NULL THEN 'axis' ELSE 'absolute' END)
-        RETURNING street_object_id INTO row_id;
+    IF off_street AND streetgen._snapped_axis(model, place) IS NULL THEN
+        INSERT INTO street_object (type, geom, placement, orientation, orientation_kind)
+            VALUES (said ->> 'type', place, 'absolute', coalesce((said ->> 'orientation')::float8, 0), 'absolute')
+            RETURNING street_object_id INTO row_id;
+    ELSE
+        -- Its view of edits finds the street at which it stands.
+        INSERT INTO street_object_editing (type, geom, orientation, orientation_kind)
+            VALUES (said ->> 'type', place, (said ->> 'orientation')::float8,
+                CASE WHEN said ->> 'orientation' IS NULL THEN 'axis' ELSE 'absolute' END)
+            RETURNING street_object_id INTO row_id;
+    END IF;
     UPDATE street_object SET source = said ->> 'source', source_ref = said ->> 'source_ref', placed_by = 'import'
         WHERE street_object_id = row_id;
     RETURN row_id;
 END $$;
-COMMENT ON FUNCTION streetgen._insert_object(name, jsonb) IS
-    'Inserts an object as its source delivered it, at the nearest axis, and returns its key.';
+COMMENT ON FUNCTION streetgen._insert_object(name, jsonb, boolean) IS
+    'Inserts an object as its source delivered it, at the nearest axis, and returns its key. off_street: where there is '
+    'no axis it stays where it lies, also what only a street can place, which is refused else (22023).';
 
 CREATE OR REPLACE FUNCTION streetgen._settle_object(model name, object bigint, column_name text, holds text,
     conflict record) RETURNS void

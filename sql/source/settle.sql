@@ -24,8 +24,8 @@ COMMENT ON FUNCTION streetgen._insert_json(name, name, jsonb) IS
     'Inserts a row, given as streetgen._row_json gives it, into a table of a model, and returns its key: the one that '
     'it had, or a new one where another row has that.';
 
-CREATE OR REPLACE FUNCTION streetgen._insert_delivered(model name, relation name, source text, source_ref text)
-    RETURNS bigint
+CREATE OR REPLACE FUNCTION streetgen._insert_delivered(model name, relation name, source text, source_ref text,
+    off_street boolean DEFAULT false) RETURNS bigint
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -41,7 +41,7 @@ BEGIN
             THEN jsonb_build_object('source_geom', d.source_geom::text) ELSE '{}' END INTO former, said
         FROM delivered d WHERE (d.relation, d.source, d.source_ref)
             = (_insert_delivered.relation, origin, ref);
-    key := CASE relation WHEN 'street_object' THEN streetgen._insert_object(model, said)
+    key := CASE relation WHEN 'street_object' THEN streetgen._insert_object(model, said, off_street)
         ELSE streetgen._insert_json(model, relation, said) END;
     IF key <> former THEN
         UPDATE delivered d SET row_id = key
@@ -54,9 +54,9 @@ BEGIN
     END IF;
     RETURN key;
 END $$;
-COMMENT ON FUNCTION streetgen._insert_delivered(name, name, text, text) IS
+COMMENT ON FUNCTION streetgen._insert_delivered(name, name, text, text, boolean) IS
     'Inserts the row that a source delivered last and returns its key; delivered and a conflict about the whole row '
-    'get it.';
+    'get it. off_street: an object that stands at no street comes too.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_doubling(model name, relation name, row_id bigint, source text,
     source_ref text) RETURNS void

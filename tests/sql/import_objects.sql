@@ -124,6 +124,18 @@ SELECT 'by check_model too', count(*) = 3 FROM streetgen.check_model('town') WHE
 SELECT 'other values of the setting are refused', test.state($$SELECT streetgen.set('town', 'object_names', 'loose')$$) = '22023';
 SELECT 'they have edges', count(*) = (SELECT count(*) FROM town.street_object WHERE method = 'relative') FROM town.object_edge;
 SELECT 'no error of check_model', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
+-- A crossing that was deleted by hand and comes back where there is no street.
+CREATE TABLE zebra AS SELECT 1 AS id, 'SRID=2154;POINT(650030 6860000)'::geometry AS geom;
+SELECT count(*) FROM streetgen.import_objects('town', 'zebra', '{"type": {"value": "crossing"}, "source_ref": "id"}') \g /dev/null
+DELETE FROM town.street_object_editing WHERE street_object_id = (SELECT street_object_id FROM town.street_object WHERE source = 'zebra');
+UPDATE zebra SET geom = 'SRID=2154;POINT(650030 6860500)';
+SELECT streetgen.set('town', 'delivery_wins', 'source') \g /dev/null
+CREATE TABLE zebra_told AS SELECT * FROM streetgen.import_objects('town', 'zebra', '{"type": {"value": "crossing"}, "source_ref": "id"}');
+SELECT 'an import brings back what stands at no street, and tells it', count(*) = 1 AND bool_and(source_refs = '{1}') FROM zebra_told WHERE what = 'object off all axes, kept where it lies';
+SELECT 'where it lies', method = 'absolute' AND ST_Distance(geom, 'SRID=2154;POINT(650030 6860500)') < 1e-6 AND placed_by = 'import' FROM town.street_object WHERE source = 'zebra' AND source_ref = '1';
+SELECT 'check_model tells of it', count(*) = 1 FROM streetgen.check_model('town') WHERE rule ~ 'crossing';
+DELETE FROM town.street_object WHERE source = 'zebra';
+SELECT streetgen.set('town', 'delivery_wins', 'hand') \g /dev/null
 -- Bad input.
 CREATE TABLE kept AS SELECT count(*) FROM town.street_object;
 SELECT 'no such type', (r).state = '22023' AND (r).said ~ '^source row \d has type "rocket"$' FROM (SELECT test.refusal($$SELECT streetgen.import_objects('town', 'lamp', '{"type": {"value": "rocket"}, "source_ref": "id"}')$$) AS r) t;
