@@ -122,8 +122,8 @@ BEGIN
     RETURN row_id;
 END $$;
 COMMENT ON FUNCTION streetgen._insert_object(name, jsonb, boolean) IS
-    'Inserts an object as its source delivered it, at the nearest axis, and returns its key. off_street: where there is '
-    'no axis it stays where it lies, also what only a street can place, which is refused else (22023).';
+    'Inserts an object as its source delivered it, at the nearest axis, and returns its key. off_street: where there '
+    'is no axis it stays where it lies, also what only a street can place, which is refused else (22023).';
 
 CREATE OR REPLACE FUNCTION streetgen._settle_object(model name, object bigint, column_name text, holds text,
     conflict record) RETURNS void

@@ -269,6 +269,15 @@ SELECT 'generate finds all as it was', sum(inserted + updated + deleted) = 0 FRO
 SELECT 'the content is the same', count(*) > 0 AND NOT EXISTS ((TABLE before EXCEPT ALL SELECT test.content('model_a')) UNION ALL (SELECT test.content('model_a') EXCEPT ALL TABLE before)) FROM before;
 SELECT 'an invalid surface is refused by its table', test.state($q$UPDATE model_a.section SET surface = 'SRID=2154;MULTIPOLYGON(((0 0,2 2,2 0,0 2,0 0)))'$q$) = '23514';
 SELECT 'a schema that is no model is not adopted', test.state($q$SELECT streetgen.adopt_model('public')$q$) <> 'none';
+-- A name that ends the quotes of a function.
+SELECT streetgen.create_model('a$body$b$function$c$$', 2154, 3, (SELECT array_agg(subject) FROM streetgen._subject())), streetgen.create_design('a$body$b$function$c$$') \g /dev/null
+INSERT INTO "a$body$b$function$c$$".axis (geom, width) VALUES ('SRID=2154;LINESTRING Z(650000 6860000 0, 650100 6860000 0)', 7);
+CREATE TABLE named_line AS SELECT 1 AS id, 'SRID=2154;LINESTRING Z(650000 6861000 0, 650060 6861000 0)'::geometry AS geom;
+SELECT count(*) FROM streetgen.follow('a$body$b$function$c$$', 'named_line', '{"source_ref": "id"}') \g /dev/null
+UPDATE named_line SET geom = ST_Translate(geom, 0, 1);
+SELECT 'a model may have any name', count(*) = 2 FROM "a$body$b$function$c$$".section;
+SELECT streetgen.drop_model('a$body$b$function$c$$') \g /dev/null
+DROP TABLE named_line;
 SELECT streetgen.create_model('in_way', 2154) \g /dev/null
 CREATE VIEW in_way.kerb AS SELECT 1 AS mine;
 SELECT 'a view by the name of a table is told, with the way out', state = '42809' AND said = 'in_way.kerb stands where a table of the model belongs' AND hint LIKE 'Rename it%in_way.kerb RENAME TO%' FROM test.refusal($q$SELECT streetgen.adopt_model('in_way')$q$);

@@ -32,18 +32,18 @@ COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
     'one may be called by who may use the schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._compose_function(model name, declaration text, result text, body text,
-    signature text, description text) RETURNS void
+    signature text, description text, traits text DEFAULT 'VOLATILE') RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    EXECUTE format('CREATE OR REPLACE FUNCTION %I.%s RETURNS %s LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT '
-        'AS %L', model, declaration, result, body);
+    EXECUTE format('CREATE OR REPLACE FUNCTION %I.%s RETURNS %s LANGUAGE plpgsql %s SET search_path FROM CURRENT AS %L',
+        model, declaration, result, traits, body);
     PERFORM streetgen._own_function(model, signature, description);
 END $$;
-COMMENT ON FUNCTION streetgen._compose_function(name, text, text, text, text, text) IS
+COMMENT ON FUNCTION streetgen._compose_function(name, text, text, text, text, text, text) IS
     'Makes a function in the schema of a model whose statements are put together from the lists of rooms. declaration: '
-    'name and arguments with their names; signature: the same without these.';
+    'name and arguments with their names; signature: the same without these; traits: what CREATE FUNCTION says of it.';
 
 CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name, names name[] DEFAULT NULL) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -13,21 +13,12 @@ BEGIN
             'WHERE b.geom IS DISTINCT FROM a.geom'),
         ('delete', 'SELECT axis_id, geom AS was, NULL::geometry AS now FROM before')) f(event, changed)
     LOOP
-        -- Most updates change no line.
-        EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I.%2$I() RETURNS trigger
-    LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    IF EXISTS (%5$s) THEN
-        PERFORM %1$I.%4$I(array_agg(axis_id ORDER BY axis_id), array_agg(was ORDER BY axis_id),
-            array_agg(now ORDER BY axis_id)) FROM (%5$s) c WHERE EXISTS (SELECT FROM %1$I.%3$I) HAVING count(*) > 0;
-    END IF;
-    RETURN NULL;
-END $body$ $sql$, model, followed.name, relation, follower, followed.changed);
+        PERFORM streetgen._compose_function(model, format('%I()', followed.name), 'trigger',
+            streetgen._fill_template(streetgen._part('follow_axes'), jsonb_build_object(
+                'relation', quote_ident(relation), 'follower', quote_ident(follower), 'changed', followed.changed)),
+            format('%I()', followed.name), 'After an edit of axes: ' || purpose, 'VOLATILE SECURITY DEFINER');
         PERFORM streetgen._make_statement_triggers(model, 'axis', trigger_name, ARRAY[followed.event],
             followed.name || '()', 'before', 'after', 'After an edit: ' || purpose);
-        PERFORM streetgen._own_function(model, format('%I()', followed.name), 'After an edit of axes: ' || purpose);
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._follow_axes(name, text, name, name, text) IS

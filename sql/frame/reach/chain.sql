@@ -45,24 +45,17 @@ CREATE OR REPLACE FUNCTION streetgen._make_chain_keys(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._chain_keys(axes bigint[], written bigint[], touching bigint[], edges bigint[])
-    RETURNS TABLE(axis_id bigint, key integer)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path FROM CURRENT SET jit = off
-    SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    RETURN QUERY WITH touched AS MATERIALIZED (
-        SELECT axis_id, edge_id FROM unnest(touching, edges) t(axis_id, edge_id))
-    %2$s;
-END $body$ $sql$, model, (SELECT coalesce(string_agg(format('SELECT t.axis_id, streetgen._chain_key(%L, t.chain)
-        FROM (%s) t', c.relation, streetgen._fill_template(c.touched, jsonb_build_object('model', quote_ident(model)))),
-        ' UNION ALL '), 'SELECT 0::bigint, 0 WHERE false')
-    FROM streetgen._chain() c WHERE c.relation = ANY (streetgen._computed_tables(model))));
-    PERFORM streetgen._own_function(model, '_chain_keys(bigint[], bigint[], bigint[], bigint[])',
+    PERFORM streetgen._compose_function(model,
+        '_chain_keys(axes bigint[], written bigint[], touching bigint[], edges bigint[])',
+        'TABLE(axis_id bigint, key integer)', streetgen._fill_template(streetgen._part('chain_keys'), (
+            SELECT jsonb_build_object('chains', coalesce(string_agg(format('SELECT t.axis_id, '
+                'streetgen._chain_key(%L, t.chain) FROM (%s) t', c.relation, streetgen._fill_template(c.touched,
+                jsonb_build_object('model', quote_ident(model)))), ' UNION ALL '), 'SELECT 0::bigint, 0 WHERE false'))
+            FROM streetgen._chain() c WHERE c.relation = ANY (streetgen._computed_tables(model)))),
+        '_chain_keys(bigint[], bigint[], bigint[], bigint[])',
         'The keys of all chains that a run may change: the axes that change, all whose rows it writes, and two lists '
-        'side by side, the edges that it changes and for which axis each is looked up; that axis beside each key');
+        'side by side, the edges that it changes and for which axis each is looked up; that axis beside each key',
+        'STABLE STRICT ROWS 100 SET jit = off SET enable_seqscan = off SET plan_cache_mode = force_generic_plan');
 END $$;
 COMMENT ON FUNCTION streetgen._make_chain_keys(name) IS
     'Makes the function of a model that tells which chains a run touches.';

@@ -14,33 +14,23 @@ DECLARE
     later constant text[] := ARRAY(SELECT s FROM unnest(streetgen._later_subjects()) WITH ORDINALITY u(s, n)
         WHERE s = ANY (streetgen._subjects(model)) ORDER BY n);
 BEGIN
-    PERFORM streetgen._use_model(model);
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._note_later(axes bigint[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    RETURN '{}'::bigint[]%2$s;
-END $body$;
-CREATE OR REPLACE FUNCTION %1$I._update_later(axes bigint[], moved bigint[], noted bigint[])
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 5 SET search_path FROM CURRENT
-    AS $body$
-BEGIN
-    %3$s
-END $body$ $sql$, model,
-        (SELECT string_agg(format(' || streetgen.%I(current_schema(), axes)', name), '' ORDER BY n)
+    PERFORM streetgen._compose_function(model, '_note_later(axes bigint[])', 'bigint[]',
+        format(E'\nBEGIN\n    RETURN ARRAY[]::bigint[]%s;\nEND ',
+            (SELECT string_agg(format(' || streetgen.%I(current_schema(), axes)', name), '' ORDER BY n)
             FROM unnest(later) WITH ORDINALITY u(s, n), concat('_note_', s) name
-            WHERE to_regprocedure(format('streetgen.%I(name, bigint[])', name)) IS NOT NULL),
-        (SELECT coalesce(string_agg(format(
+            WHERE to_regprocedure(format('streetgen.%I(name, bigint[])', name)) IS NOT NULL)),
+        '_note_later(bigint[])', 'Before a run for axes: the ids that later subjects note of rows as they are',
+        'STABLE');
+    PERFORM streetgen._compose_function(model, '_update_later(axes bigint[], moved bigint[], noted bigint[])',
+        'TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)',
+        format(E'\nBEGIN\n    %s\nEND ', (SELECT coalesce(string_agg(format(
                 'RETURN QUERY SELECT * FROM streetgen.%I(current_schema(), axes, moved, noted);', name), E'\n    '
                 ORDER BY n), 'RETURN;')
             FROM unnest(later) WITH ORDINALITY u(s, n), concat('_update_', s) name
-            WHERE to_regprocedure(format('streetgen.%I(name, bigint[], bigint[], bigint[])', name)) IS NOT NULL));
-    PERFORM streetgen._own_function(model, '_note_later(bigint[])',
-        'Before a run for axes: the ids that later subjects note of rows as they are'),
-        streetgen._own_function(model, '_update_later(bigint[], bigint[], bigint[])',
-        'After the one statement wrote rows of axes (NULL: of all): brings the later subjects up to date');
+            WHERE to_regprocedure(format('streetgen.%I(name, bigint[], bigint[], bigint[])', name)) IS NOT NULL)),
+        '_update_later(bigint[], bigint[], bigint[])',
+        'After the one statement wrote rows of axes (NULL: of all): brings the later subjects up to date',
+        'VOLATILE ROWS 5');
 END $$;
 COMMENT ON FUNCTION streetgen._make_update_later(name) IS
     'Makes the functions of a model that call functions _note_SUBJECT and _update_SUBJECT of its later subjects.';

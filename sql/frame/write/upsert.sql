@@ -63,7 +63,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], g
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by
     -- hash.
     SET enable_nestloop = off SET enable_mergejoin = off
-    -- The core tells its progress here, in pg_stat_activity; whatever happens, the name of the session comes back.
+    -- The core tells its progress here, in pg_stat_activity. Whatever happens, the name of the session comes back.
     SET application_name = 'streetgen: reading or writing rows' SET streetgen.computes = 'on'
     AS $$
 DECLARE
@@ -90,20 +90,19 @@ BEGIN
     PERFORM streetgen._use_model(model);
     -- In the model's schema, so that a session plans the statement once. Its tables are reached by their keys: no page
     -- is far; its joins stand in their order.
-    EXECUTE format($sql$
-CREATE OR REPLACE FUNCTION %1$I._upsert(written bigint[], gathered bigint[], changed bigint[], may_spread boolean)
-    RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint,
-        moved bigint[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
-    SET enable_seqscan = off SET random_page_cost = 0.01 SET join_collapse_limit = 1
-        SET plan_cache_mode = force_generic_plan
-    AS $body$
-#variable_conflict use_column
-BEGIN
-    FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN %2$s LOOP
-        RETURN NEXT;
-    END LOOP;
-END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(model, 'part')));
+    PERFORM streetgen._compose_function(model,
+        '_upsert(written bigint[], gathered bigint[], changed bigint[], may_spread boolean)',
+        'TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint, '
+            'moved bigint[])',
+        format(E'\n#variable_conflict use_column\nBEGIN\n    FOR relation, inserted, updated, deleted, unchanged, '
+            'fallbacks, moved IN %s LOOP\n        RETURN NEXT;\n    END LOOP;\nEND ',
+            streetgen._upsert_statement(streetgen._upsert_places(model, 'part'))),
+        '_upsert(bigint[], bigint[], bigint[], boolean)',
+        'Computes and upserts what changed axes can change of the axes written, with those gathered around them; '
+            'may_spread: also where the change goes on beyond these, else that is SG001; streetgen.generate and the '
+            'triggers call it',
+        'VOLATILE STRICT ROWS 10 SET jit = off SET enable_seqscan = off SET random_page_cost = 0.01 '
+            'SET join_collapse_limit = 1 SET plan_cache_mode = force_generic_plan');
     CREATE OR REPLACE FUNCTION _spreads_to(axes bigint[]) RETURNS bigint[]
         LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
             SET enable_seqscan = off
@@ -114,10 +113,6 @@ END $body$ $sql$, model, streetgen._upsert_statement(streetgen._upsert_places(mo
     END $body$;
     PERFORM streetgen._own_function(model, '_spreads_to(bigint[])',
         'Of axes that a run wrote those along which the change goes on beyond them: it left them marked as stale');
-    PERFORM streetgen._own_function(model, '_upsert(bigint[], bigint[], bigint[], boolean)',
-        'Computes and upserts what changed axes can change of the axes written, with those gathered around them; '
-        'may_spread: also where the change goes on beyond these, else that is SG001; streetgen.generate and the '
-        'triggers call it');
 END $$;
 COMMENT ON FUNCTION streetgen._make_upsert(name) IS
     'Makes the functions of a model that upsert a part of it, and tell where that was not enough.';
