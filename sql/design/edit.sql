@@ -148,8 +148,6 @@ COMMENT ON FUNCTION streetgen._refuse_computed(name, name, jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._make_design_edit_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    shown record;
 BEGIN
     PERFORM streetgen._use_model(model);
     -- With the rights of the owner of the model: an editor writes rows by hand, the rest follows.
@@ -240,42 +238,23 @@ BEGIN
         PERFORM streetgen._refuse_value(TG_TABLE_SCHEMA, at_table, broken, missing, is_now, SQLSTATE, SQLERRM);
     END $body$;
     PERFORM streetgen._own_function(model, '_edit_design()', 'Turns an edit of a design into rows by hand');
-    FOR shown IN SELECT * FROM streetgen._design_table() LOOP
-        EXECUTE format('CREATE OR REPLACE VIEW %1$I.%2$I WITH (security_invoker = true) AS SELECT %3$s FROM %1$I.%4$I '
-            'WHERE EXISTS (SELECT FROM streetgen.model)', model, shown.relation || '_editing',
-            (SELECT string_agg(quote_ident(c), ', ') FROM unnest(streetgen._design_columns(model, shown.relation)) c),
-            shown.relation);
-        EXECUTE format('COMMENT ON VIEW %I.%I IS %L', model, shown.relation || '_editing',
-            obj_description(format('%I.%I', model, shown.relation)::regclass, 'pg_class') || ', to be edited by hand: '
-            'an edited row stays, a deleted one is rejected, and by_hand false takes either back');
-        EXECUTE (SELECT string_agg(format('COMMENT ON COLUMN %I.%I.%I IS %L', model, shown.relation || '_editing',
-            attname, col_description(attrelid, attnum)), ';') FROM pg_attribute
-            WHERE attrelid = format('%I.%I', model, shown.relation)::regclass
-                AND attname = ANY (streetgen._design_columns(model, shown.relation)));
-        EXECUTE format('CREATE OR REPLACE TRIGGER edit INSTEAD OF INSERT OR UPDATE OR DELETE ON %1$I.%2$I FOR EACH ROW '
-            'EXECUTE FUNCTION %1$I._edit_design()', model, shown.relation || '_editing');
-        EXECUTE format('COMMENT ON TRIGGER edit ON %I.%I IS %L', model, shown.relation || '_editing',
-            'Turns an edit into a row by hand');
-    END LOOP;
+    PERFORM streetgen._make_edit_view(model, (relation || '_editing')::name,
+            format('SELECT %s FROM %I.%I', string_agg(quote_ident(c), ', ' ORDER BY n), model, relation),
+            obj_description(shown, 'pg_class') || ', to be edited by hand: an edited row stays, a deleted one is '
+                'rejected, and by_hand false takes either back',
+            array_agg(col_description(shown, attnum) ORDER BY n), format('%I._edit_design', model),
+            'Turns an edit into a row by hand')
+        FROM (SELECT relation, format('%I.%I', model, relation)::regclass AS shown FROM streetgen._design_table()) d
+            CROSS JOIN LATERAL unnest(streetgen._design_columns(model, relation)) WITH ORDINALITY u(c, n)
+            JOIN pg_attribute ON (attrelid, attname) = (shown, c) GROUP BY relation, shown;
 END $$;
 COMMENT ON FUNCTION streetgen._make_design_edit_views(name) IS
     'Makes the views to edit a design by hand, and their trigger, again and again.';
 
 CREATE OR REPLACE FUNCTION streetgen._grant_design_views(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$
-DECLARE
-    held record;
-BEGIN
-    FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role,
-        privilege_type AS privilege, t.relation
-        FROM pg_class c, aclexplode(c.relacl), streetgen._design_table() t
-        WHERE streetgen._has_design(model) AND c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner
-            AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
-    LOOP
-        EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.relation || '_editing', held.role);
-    END LOOP;
-END $$;
+    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._grant_views(model, ARRAY(SELECT (relation || '_editing')::name
+            FROM streetgen._design_table())) WHERE streetgen._has_design(model) $$;
 COMMENT ON FUNCTION streetgen._grant_design_views(name) IS
     'Who may read or write the axes of a model may do so with the editing views of its design.';
 

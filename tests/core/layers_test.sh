@@ -58,8 +58,8 @@ rule 'lines of SQL end at 120 characters' '! awk "length > 120 { print FILENAME 
 
 # Statements stand in strings only where names or pieces of them vary.  The counts only fall; the aim is 600 lines, no text over five and 120.
 quoted=$(python3 "$root/tests/core/quoted_sql.py" "$root/sql")
-rule 'SQL in quoted text: at most 350 lines, 5 texts of more than five lines and 141 EXECUTE format' \
-  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 350 ] && [ "${BASH_REMATCH[2]}" -le 5 ] && [ "${BASH_REMATCH[3]}" -le 141 ] || { echo "$quoted" >&2; false; }'
+rule 'SQL in quoted text: at most 290 lines, no text of more than five lines and 122 EXECUTE format' \
+  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 290 ] && [ "${BASH_REMATCH[2]}" -le 0 ] && [ "${BASH_REMATCH[3]}" -le 122 ] || { echo "$quoted" >&2; false; }'
 
 # The frame serves every subject and names none: a subject gives to its lists by functions that are found by their names.  The list of subjects
 # itself is not counted.  The count only falls; the aim is 0.
@@ -75,6 +75,14 @@ rule 'calls between rooms of SQL: no arrow against the order, no rooms in a knot
 # A colour stands in streetgen.symbol_rule alone.
 outside=$(python3 "$root/tests/core/colours.py" "$root")
 rule 'colours outside streetgen.symbol_rule: none' '[ "$outside" = "0 outside the table" ] || { echo "$outside" >&2; false; }'
+
+# Views by name that the SQL makes in a model; data/renew.sql drops them before the extension that they read.
+views_kept() {
+  grep -rhoE 'CREATE OR REPLACE VIEW [a-z_]+' "$root/sql" | cut -d' ' -f5 | sort -u | while read -r view; do
+    grep -q "'$view'" "$root/data/renew.sql" || echo "$view"
+  done
+}
+rule 'data/renew.sql names each view that the SQL makes in a model' '! views_kept | grep . >&2'
 
 rule 'each room of SQL has a page of one screen that says what stands there' 'python3 "$root/tests/core/room_pages.py" "$root" >&2'
 

@@ -37,55 +37,61 @@ COMMENT ON FUNCTION streetgen._on_side(geometry, geometry, float8, float8) IS
     'Whether a place lies at a node, within 1 mm, or beside it counter-clockwise from one direction to the other '
     '(radians).';
 
+CREATE OR REPLACE FUNCTION streetgen._make_edit_view(model name, view name, query text, description text,
+    columns text[], called text, purpose text) RETURNS void
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    -- By its registry the view hangs on the extension: both go together.
+    EXECUTE format('CREATE OR REPLACE VIEW %1$s WITH (security_invoker = true) AS SELECT * FROM (%2$s) v '
+        'WHERE EXISTS (SELECT FROM streetgen.model); COMMENT ON VIEW %1$s IS %3$L; CREATE OR REPLACE TRIGGER edit '
+        'INSTEAD OF INSERT OR UPDATE OR DELETE ON %1$s FOR EACH ROW EXECUTE FUNCTION %4$s(); '
+        'COMMENT ON TRIGGER edit ON %1$s IS %5$L', format('%I.%I', model, view), query, description, called, purpose);
+    EXECUTE (SELECT string_agg(format('COMMENT ON COLUMN %I.%I.%I IS %L', model, view, attname, columns[attnum]), '; ')
+        FROM pg_attribute WHERE attrelid = format('%I.%I', model, view)::regclass AND attnum > 0);
+END $$;
+COMMENT ON FUNCTION streetgen._make_edit_view(name, name, text, text, text[], text, text) IS
+    'Makes a view that is edited, again and again: its query, its comment and those of its columns, and the function '
+    'that its trigger calls, with what that is for.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_edit_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    layer record;
-    attribute record;
 BEGIN
-    FOR layer IN SELECT v.* FROM streetgen.model m, streetgen._edit_view(m.name, m.srid) v,
-        unnest(streetgen._subjects(model)) computed WHERE m.name = model AND v.subject = computed
-    LOOP
-        -- By its registry the view hangs on the extension: both go together.
-        EXECUTE format('CREATE OR REPLACE VIEW %I.%I WITH (security_invoker = true) AS SELECT * FROM (%s) v WHERE '
-            'EXISTS (SELECT FROM streetgen.model)', model, layer.name, layer.query);
-        EXECUTE format('COMMENT ON VIEW %I.%I IS %L', model, layer.name, layer.description);
-        FOR attribute IN SELECT attname, attnum FROM pg_attribute
-            WHERE attrelid = format('%I.%I', model, layer.name)::regclass AND attnum > 0 LOOP
-            EXECUTE format('COMMENT ON COLUMN %I.%I.%I IS %L', model, layer.name, attribute.attname,
-                layer.columns[attribute.attnum]);
-        END LOOP;
-        EXECUTE format('CREATE OR REPLACE TRIGGER edit INSTEAD OF INSERT OR UPDATE OR DELETE ON %I.%I FOR EACH ROW '
-            'EXECUTE FUNCTION streetgen.%I()',
-            model, layer.name, '_edit_' || replace(layer.name, '_editing', ''));
-        EXECUTE format('COMMENT ON TRIGGER edit ON %I.%I IS %L', model, layer.name,
-            'Turns an edit into a change of axes or overrides');
-    END LOOP;
+    PERFORM streetgen._make_edit_view(model, v.name::name, v.query, v.description, v.columns,
+            format('streetgen.%I', '_edit_' || replace(v.name, '_editing', '')),
+            'Turns an edit into a change of axes or overrides')
+        FROM streetgen.model m, streetgen._edit_view(m.name, m.srid) v, unnest(streetgen._subjects(model)) computed
+        WHERE m.name = model AND v.subject = computed;
 END $$;
 COMMENT ON FUNCTION streetgen._make_edit_views(name) IS
     'Makes the edit views of a model and their triggers, again and again.';
 
-CREATE OR REPLACE FUNCTION streetgen._grant_edit_views(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._grant_views(model name, views name[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
     held record;
 BEGIN
     FOR held IN SELECT CASE grantee WHEN 0 THEN 'PUBLIC' ELSE grantee::regrole::text END AS role,
-        privilege_type AS privilege, v.name AS view
-        FROM pg_class c, aclexplode(c.relacl)
-            JOIN streetgen._edit_view('m', 0) v ON true
-            JOIN unnest(streetgen._subjects(model)) computed ON computed = v.subject
-        WHERE c.oid = format('%I.axis', model)::regclass AND grantee <> c.relowner
-            AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE')
+            string_agg(DISTINCT privilege_type, ', ') AS privileges
+        FROM pg_class c, aclexplode(c.relacl) WHERE c.oid = format('%I.axis', model)::regclass
+            AND grantee <> c.relowner AND privilege_type IN ('SELECT', 'INSERT', 'UPDATE', 'DELETE') GROUP BY grantee
     LOOP
-        EXECUTE format('GRANT %s ON %I.%I TO %s', held.privilege, model, held.view, held.role);
+        EXECUTE (SELECT string_agg(format('GRANT %s ON %I.%I TO %s', held.privileges, model, view, held.role), '; ')
+            FROM unnest(views) view);
         EXECUTE format('GRANT SELECT ON %1$I.edit_log, %1$I.override_place TO %2$s', model, held.role);
     END LOOP;
 END $$;
+COMMENT ON FUNCTION streetgen._grant_views(name, name[]) IS
+    'Who may read or write the axes of a model may do so with these views, and read its log.';
+
+CREATE OR REPLACE FUNCTION streetgen._grant_edit_views(model name) RETURNS void
+    LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._grant_views(model, ARRAY(SELECT name FROM streetgen._edit_view('m', 0)
+        WHERE subject = ANY (streetgen._subjects(model)))::name[]) $$;
 COMMENT ON FUNCTION streetgen._grant_edit_views(name) IS
-    'Who may read or write the axes of a model may do so with its edit views, and read its log.';
+    'Who may read or write the axes of a model may do so with its edit views.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_edit_number(subject text, value float8, minimum float8, maximum float8,
     unit text, way_out text) RETURNS void

@@ -97,8 +97,8 @@ BEGIN
                 current_user);
     END IF;
     PERFORM streetgen._only_own_functions(model);
-    EXECUTE format('CREATE SCHEMA %I', model);
-    EXECUTE format('COMMENT ON SCHEMA %I IS %L', model, 'Street model of StreetGen: axes in, streets out');
+    EXECUTE format('CREATE SCHEMA %1$I; COMMENT ON SCHEMA %1$I IS %2$L', model,
+        'Street model of StreetGen: axes in, streets out');
     PERFORM streetgen._register_model(model, srid, dimension);
     PERFORM streetgen._make_tables(model, '{kept_table,table}', '{frame,axis}'::text[] || wanted),
         streetgen._make_tables(model, '{input_table}', streetgen._rooms());
@@ -232,7 +232,7 @@ CREATE OR REPLACE FUNCTION streetgen._take_back(model name, role name) RETURNS v
 DECLARE
     -- 0 is everybody.
     holder constant oid := coalesce((SELECT oid FROM pg_roles WHERE rolname = role), 0);
-    held record;
+    held text;
 BEGIN
     IF role <> 'public' AND holder = 0 THEN
         RAISE EXCEPTION 'role "%" does not exist', role USING ERRCODE = '42704',
@@ -242,22 +242,20 @@ BEGIN
             HINT = format('Another role owns it after ALTER SCHEMA %I OWNER TO …, and the same for its tables and '
                 'views.', model);
     END IF;
-    FOR held IN SELECT c.oid::regclass AS relation FROM pg_class c
+    FOR held IN
+        SELECT c.oid::regclass::text FROM pg_class c
         WHERE relnamespace = quote_ident(model)::regnamespace AND relkind IN ('r', 'p', 'v', 'm', 'f', 'S')
             AND relowner <> holder
             AND (EXISTS (SELECT FROM aclexplode(relacl) a WHERE a.grantee = holder)
                 OR EXISTS (SELECT FROM pg_attribute, aclexplode(attacl) a WHERE attrelid = c.oid
                     AND a.grantee = holder))
-    LOOP
-        EXECUTE format('REVOKE ALL ON %s FROM %I CASCADE', held.relation, role);
-    END LOOP;
-    FOR held IN SELECT p.oid::regprocedure AS routine FROM pg_namespace n JOIN pg_proc p ON pronamespace = n.oid
+        UNION ALL SELECT 'ROUTINE ' || p.oid::regprocedure FROM pg_namespace n JOIN pg_proc p ON pronamespace = n.oid
         WHERE nspname = model AND proowner = nspowner
             AND EXISTS (SELECT FROM aclexplode(proacl) a WHERE a.grantee = holder)
+        UNION ALL SELECT format('SCHEMA %I', model)
     LOOP
-        EXECUTE format('REVOKE ALL ON ROUTINE %s FROM %I CASCADE', held.routine, role);
+        EXECUTE format('REVOKE ALL ON %s FROM %I CASCADE', held, role);
     END LOOP;
-    EXECUTE format('REVOKE ALL ON SCHEMA %I FROM %I CASCADE', model, role);
 END $$;
 COMMENT ON FUNCTION streetgen._take_back(name, name) IS
     'Takes all rights on the schema of a model and on what is in it from a role. An unknown role: 42704; the owner '
@@ -275,8 +273,8 @@ BEGIN
         RAISE EXCEPTION 'unknown kind of right "%"', kind USING ERRCODE = '22023', HINT = 'reader or editor';
     END IF;
     PERFORM streetgen._take_back(model, role);
-    EXECUTE format('GRANT USAGE ON SCHEMA %I TO %I', model, role);
-    EXECUTE format('GRANT SELECT ON ALL TABLES IN SCHEMA %I TO %I', model, role);
+    EXECUTE format('GRANT USAGE ON SCHEMA %1$I TO %2$I; GRANT SELECT ON ALL TABLES IN SCHEMA %1$I TO %2$I', model,
+        role);
     IF kind = 'editor' THEN
         FOREACH relation IN ARRAY streetgen._edited_tables(model) LOOP
             EXECUTE format('GRANT INSERT, UPDATE, DELETE ON %I.%I TO %I', model, relation, role);

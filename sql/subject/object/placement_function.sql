@@ -4,14 +4,13 @@ CREATE OR REPLACE FUNCTION streetgen._own_placements(model name, edges bigint[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    value text;
+    value constant text := streetgen._setting_text(model, 'placement_function');
     called text;
     placed streetgen.placement;
     known boolean;
     length float8;
 BEGIN
-    EXECUTE format('SELECT value FROM %I.setting WHERE name = ''placement_function''', model) INTO value;
-    IF coalesce(value, 'none') = 'none' THEN
+    IF value = 'none' THEN
         RETURN;
     END IF;
     called := streetgen._called_function(model, 'placement_function', value);
