@@ -56,10 +56,10 @@ for header in "$root"/include/streetgen/*.hpp; do
 done
 rule 'lines of SQL end at 120 characters' '! awk "length > 120 { print FILENAME \":\" FNR }" "$root"/sql/*/*.sql "$root"/sql/*/*/*.sql | grep . >&2'
 
-# Statements stand in strings only where names or pieces of them vary.  The counts only fall; the aim is 600 lines, no text over five and 120.
+# Statements stand in strings only where names or pieces of them vary.  The counts only fall.
 quoted=$(python3 "$root/tests/core/quoted_sql.py" "$root/sql")
-rule 'SQL in quoted text: at most 290 lines, no text of more than five lines and 122 EXECUTE format' \
-  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 290 ] && [ "${BASH_REMATCH[2]}" -le 0 ] && [ "${BASH_REMATCH[3]}" -le 122 ] || { echo "$quoted" >&2; false; }'
+rule 'SQL in quoted text: at most 290 lines, no text of more than five lines and 120 EXECUTE format' \
+  '[[ $quoted =~ ^([0-9]+)\ lines[^,]*,\ ([0-9]+)\ texts[^,]*,\ ([0-9]+)\  ]] && [ "${BASH_REMATCH[1]}" -le 290 ] && [ "${BASH_REMATCH[2]}" -le 0 ] && [ "${BASH_REMATCH[3]}" -le 120 ] || { echo "$quoted" >&2; false; }'
 
 # The frame serves every subject and names none: a subject gives to its lists by functions that are found by their names.  The list of subjects
 # itself is not counted.  The count only falls; the aim is 0.

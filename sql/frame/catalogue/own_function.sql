@@ -8,8 +8,6 @@ DECLARE
     body text;
     begins integer;
 BEGIN
-    EXECUTE format('ALTER FUNCTION %s OWNER TO %s', named, (SELECT nspowner::regrole FROM pg_namespace
-        WHERE nspname = model));
     SELECT prosrc INTO body FROM pg_proc WHERE oid = named AND prosecdef;
     IF FOUND THEN
         -- Its first declaration, before anything there finds a function by search_path.
@@ -23,8 +21,9 @@ BEGIN
             'streetgen._only_own_functions(%L);', model) || regexp_replace(substr(body, begins), '^\n *DECLARE', ''));
         EXECUTE format('REVOKE ALL ON FUNCTION %s FROM PUBLIC', named);
     END IF;
-    EXECUTE format('ALTER FUNCTION %1$s DEPENDS ON EXTENSION streetgen; COMMENT ON FUNCTION %1$s IS %2$L', named,
-        description);
+    EXECUTE format('ALTER FUNCTION %1$s DEPENDS ON EXTENSION streetgen; COMMENT ON FUNCTION %1$s IS %2$L; '
+        'ALTER FUNCTION %1$s OWNER TO %3$s', named, description,
+        (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
 END $$;
 COMMENT ON FUNCTION streetgen._own_function(name, text, text) IS
     'Gives a function in the schema of a model to its owner, with a comment; it goes with the extension. One that '
