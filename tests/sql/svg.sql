@@ -16,8 +16,8 @@ SELECT call || ' is refused', state = '22023' AND hint <> '' FROM unnest('{theme
 SELECT 'a theme has colours of its rules alone', count(*) > 3 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.theme = t.theme AND colour IN (r.fill, r.line))) FROM (VALUES ('street'), ('dark'), ('construction')) t(theme), streetgen.svg('drawn', legend => true, theme => t.theme) svg, regexp_matches(svg, '#[0-9a-fA-F]{3,8}', 'g') m, LATERAL (SELECT m[1] AS colour) c;
 SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '(_drawn|_svg|_drawing)$' AND prosrc ~ format('''%s[ '']', layer))) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink', 'name', 'handle')) l;
 SELECT 'and each layer that a room draws has a rule', count(*) > 20 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.layer = m[1])) FROM pg_proc, regexp_matches(prosrc, '''(\w+)'' = ANY \(layers\)', 'g') m WHERE proname ~ '^_\w+_drawn$';
-SELECT 'a colour that is none is refused: ' || colour, test.state(format('INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES (''street'', ''mud'', 0, %L)', colour)) = '23514' FROM unnest('{red,#fff,#GGGGGG,"#12345678 "}'::text[]) colour;
-SELECT 'so is a rule that is drawn at no scale', test.state('INSERT INTO streetgen.symbol_rule (theme, layer, place, from_scale, to_scale) VALUES (''street'', ''mud'', 0, 10, 10)') = '23514';
+SELECT 'a colour that is none is refused: ' || colour, test.state(format('INSERT INTO drawn.symbol_rule (theme, layer, place, fill) VALUES (''street'', ''mud'', 0, %L)', colour)) = '23514' FROM unnest('{red,#fff,#GGGGGG,"#12345678 "}'::text[]) colour;
+SELECT 'so is a rule that is drawn at no scale', test.state('INSERT INTO drawn.symbol_rule (theme, layer, place, from_scale, to_scale) VALUES (''street'', ''mud'', 0, 10, 10)') = '23514';
 SELECT 'plans are drawn by rules of theme construction', styles ->> 'signal_plan red' = format('fill:%s;fill-rule:evenodd', fill) AND styles ->> 'mud' IS NULL FROM streetgen.symbol_rule, streetgen._plan_styles('drawn', 1) styles WHERE (theme, layer, kind) = ('construction', 'signal_plan', 'red');
 SELECT 'an extent in another reference is refused', state = '22023' AND said = 'the extent has SRID 4326, the model 2154' AND hint <> '' FROM test.refusal($$SELECT streetgen.svg('drawn', ST_MakeEnvelope(2, 48, 3, 49, 4326))$$);
 SELECT 'one without a reference is the model''s', streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859950, 650100, 6860050)) = streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859950, 650100, 6860050, 2154));
@@ -54,7 +54,7 @@ INSERT INTO drawn.symbol_rule (theme, layer, kind, place, fill) VALUES ('street'
 \setenv PGOPTIONS
 DELETE FROM drawn.symbol_rule;
 SELECT 'without them it is drawn as before', before.svg = streetgen.svg('drawn', scale => 300) FROM before;
-CREATE ROLE streetgen_test_drawer;
+CREATE ROLE streetgen_test_drawer ROLE CURRENT_USER;
 DO $$ BEGIN PERFORM streetgen.grant('drawn', 'streetgen_test_drawer', 'editor'); END $$;
 SELECT 'an editor reads rules and writes none', has_table_privilege('streetgen_test_drawer', 'drawn.symbol_rule', 'SELECT') AND NOT has_table_privilege('streetgen_test_drawer', 'drawn.symbol_rule', 'INSERT') AND NOT has_table_privilege('streetgen_test_drawer', 'streetgen.symbol_rule', 'INSERT');
 REVOKE SELECT ON drawn.symbol_rule FROM streetgen_test_drawer;
@@ -78,7 +78,7 @@ ALTER TABLE drawn.symbol_rule ADD own integer;
 SELECT 'a column of the user is borne', streetgen.svg('drawn', scale => 300) LIKE '%#ff0000%';
 ALTER TABLE drawn.symbol_rule DROP own;
 DELETE FROM drawn.symbol_rule;
-SELECT 'a number that is none is refused: ' || attribute, test.state(format('INSERT INTO streetgen.symbol_rule (theme, layer, place, fill, unit, width) SELECT ''street'', ''section'', 5, ''#ffffff'', ''metre'', 1 UNION ALL SELECT ''street'', ''section'', %s, ''#ffffff'', ''metre'', %s', place, width)) = '23514' FROM (VALUES ('''NaN''::float8', '1', 'place'), ('6', '''NaN''::float8', 'width NaN'), ('6', '''Infinity''::float8', 'width')) v(place, width, attribute);
+SELECT 'a number that is none is refused: ' || attribute, test.state(format('INSERT INTO drawn.symbol_rule (theme, layer, place, fill, unit, width) SELECT ''street'', ''section'', 5, ''#ffffff'', ''metre'', 1 UNION ALL SELECT ''street'', ''section'', %s, ''#ffffff'', ''metre'', %s', place, width)) = '23514' FROM (VALUES ('''NaN''::float8', '1', 'place'), ('6', '''NaN''::float8', 'width NaN'), ('6', '''Infinity''::float8', 'width')) v(place, width, attribute);
 SELECT 'paint keeps the four corners of its stripes', count(*) > 0 AND bool_and(regexp_count(streetgen._shape_as_svg(surface, 650000, 6860000, 0.42), '-?[0-9.]+') >= 8 * ST_NumGeometries(surface)) FROM drawn.lane_separator WHERE NOT ST_IsEmpty(surface);
 SELECT streetgen.create_model('unlaned', 2154, subjects => '{bridge}') \g /dev/null
 CREATE TABLE public.lane_separator (edge_id text);
