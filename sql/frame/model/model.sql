@@ -223,8 +223,8 @@ COMMENT ON FUNCTION streetgen.adopt_model(name) IS
     'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its '
     'views and triggers back, with their comments and readers, also those by which it follows a table (a warning for '
     'one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, '
-    'also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501. A lock_timeout '
-    'that ends: 55P03, naming who holds the model.';
+    'also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501; a view by the '
+    'name of one of its tables: 42809. A lock_timeout that ends: 55P03, naming who holds the model.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_back(model name, role name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
