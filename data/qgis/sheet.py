@@ -51,8 +51,6 @@ def tell_meanings(layout, item, ink):
     """A legend of what is seen on the map, and nothing else."""
     legend = QgsLayoutItemLegend(layout)
     legend.setId('legend')
-    legend.setLinkedMap(item)
-    legend.setLegendFilterByMapEnabled(True)
     legend.setResizeToContents(True)
     for part, points in ((QgsLegendStyle.Group, 9), (QgsLegendStyle.Subgroup, 8), (QgsLegendStyle.SymbolLabel, 8)):
         style = legend.style(part)
@@ -67,6 +65,9 @@ def tell_meanings(layout, item, ink):
             root.removeChildNode(group)
     for node in (*root.children(), *root.findLayers()):
         QgsLegendRenderer.setNodeLegendStyle(node, QgsLegendStyle.Hidden)
+    # Last, as each change of a legend that is filtered looks through all that the map shows.
+    legend.setLegendFilterByMapEnabled(True)
+    legend.setLinkedMap(item)
     return place(layout, legend, WIDE - MARGIN - COLUMN, MARGIN + 24, COLUMN, HIGH - 110)
 
 
