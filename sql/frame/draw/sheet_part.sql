@@ -89,37 +89,51 @@ COMMENT ON FUNCTION streetgen._sheet_grid(geometry, geometry, geometry, float8) 
     'The frames of a panel and of a map that shows a box of ground, with ticks, crosses and coordinates of round '
     'numbers of metres.';
 
+CREATE OR REPLACE FUNCTION streetgen._wrapped(words text, wide float8) RETURNS text[]
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    lines text[] := '{}';
+    line text;
+    longer text;
+    word text;
+BEGIN
+    FOREACH word IN ARRAY string_to_array(words, ' ') LOOP
+        longer := concat_ws(' ', line, word);
+        IF (SELECT max(ends) FROM streetgen._letters(longer)) > wide AND line IS NOT NULL THEN
+            lines := lines || line;
+            longer := word;
+        END IF;
+        line := longer;
+    END LOOP;
+    RETURN lines || line;
+END $$;
+COMMENT ON FUNCTION streetgen._wrapped(text, float8) IS
+    'A text as lines, each no longer than that, in heights of the font, but for a word that is longer.';
+
 CREATE OR REPLACE FUNCTION streetgen._sheet_title(part geometry, name text, lines text[]) RETURNS text
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    wide constant float8 := ST_XMax(part) - ST_XMin(part);
-    -- The letters of lines that are too long get smaller, down to this; the others are wrapped.
-    size constant float8 := 2.8;
-    y float8 := ST_YMin(part) + 5.5;
-    svg text := streetgen._fitted_text(name, ST_XMin(part), y, 6, wide, ' font-weight="bold"');
-    written text;
-    line text;
-    word text;
+    x constant float8 := ST_XMin(part);
+    y constant float8 := ST_YMin(part) + 5.5;
+    wide constant float8 := ST_XMax(part) - x;
+    size float8 := 2.8;
+    written text[];
 BEGIN
-    y := y + 2;
-    FOREACH line IN ARRAY lines LOOP
-        written := '';
-        FOREACH word IN ARRAY string_to_array(line, ' ') || NULL::text LOOP
-            IF word IS NULL OR written <> '' AND size * (SELECT max(ends) FROM streetgen._letters(written || ' '
-                    || word)) > wide THEN
-                y := y + 4;
-                svg := svg || streetgen._fitted_text(written, ST_XMin(part), y, size, wide);
-                written := '';
-            END IF;
-            written := concat_ws(' ', nullif(written, ''), word);
-        END LOOP;
-        y := y + 0.8;
+    LOOP
+        written := ARRAY(SELECT w FROM unnest(lines) WITH ORDINALITY l(line, n), unnest(streetgen._wrapped(line, wide
+            / size)) WITH ORDINALITY u(w, m) ORDER BY n, m);
+        EXIT WHEN y + 2 + 1.6 * size * cardinality(written) <= ST_YMax(part) OR size < 0.5;
+        -- Many lines get smaller letters.
+        size := 0.9 * size;
     END LOOP;
-    RETURN format(E'<g class="title">\n%s</g>\n', svg);
+    RETURN format(E'<g class="title">\n%s%s</g>\n', streetgen._fitted_text(name, x, y, 6, wide, ' font-weight="bold"'),
+        (SELECT string_agg(streetgen._fitted_text(w, x, y + 2 + 1.6 * size * n, size, wide), '' ORDER BY n)
+            FROM unnest(written) WITH ORDINALITY u(w, n)));
 END $$;
 COMMENT ON FUNCTION streetgen._sheet_title(geometry, text, text[]) IS
-    'The title of a sheet: a name, and lines, each wrapped to the width of the part.';
+    'The title of a sheet: a name, and lines, wrapped to the width of the part and no higher than it is.';
 
 CREATE OR REPLACE FUNCTION streetgen._sheet_legend(part geometry, model name, theme text, scale float8,
     symbols bigint[]) RETURNS text
