@@ -5,7 +5,7 @@
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
-local tags = { 'name', 'lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_ways', 'lanes:reversible',
+local tags = { 'name', 'ref', 'lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_ways', 'lanes:reversible',
                'width', 'oneway', 'junction',
                'layer', 'bridge', 'tunnel', 'maxspeed', 'area',
                'turn:lanes', 'turn:lanes:forward', 'turn:lanes:backward',

@@ -25,18 +25,21 @@ CORNER_KIND = "CASE WHEN method = 'hypothesis' THEN '' ELSE 'fallback' END"
 PATH_KIND = "CASE WHEN plausible THEN '' ELSE 'implausible' END"
 RING_KIND = "CASE WHEN accepted THEN '' ELSE 'refused' END"
 GROUND_LEVEL = "(SELECT value::integer FROM @.setting WHERE name = 'ground_level')"
-LEAST_IMPORTANCE = '(SELECT min(importance)::text FROM @.edge WHERE node_id IN (from_node, to_node))'
+MODEL = '(parse_ident($model$@$model$))[1]'
+ALL = f'{MODEL}, streetgen._model_extent({MODEL})'
+# Decks and tunnels go on over nodes, so they are the pieces of a union.
+DECKS = "(SELECT row_number() OVER (ORDER BY id, ST_XMin(geom), ST_YMin(geom)) AS n, d.* FROM streetgen._bridge_drawn(" + ALL + ", '{{{0}}}') d) d"
 DECK = "@.bridge b JOIN @.edge e USING (edge_id) JOIN @.{0} p USING (edge_id)"
 ON_DECK = dict(layer='deck_paint', geometry='ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3)', where="b.method = 'overpass'")
 
 GROUNDS = (
     Shape('block', ('block',), 'block_id', 'kind', GROUND_LEVEL),
     Shape('sidewalk', ('sidewalk', 'kerb'), 'sidewalk_id', geometry='w.surface', rows='@.sidewalk w JOIN @.kerb USING (edge_id, side, part)'),
-    Shape('kerb', ('kerb',), 'kerb_id'),
+    Shape('kerb', ('kerb',), 'kerb_id', where="method <> 'level_change'"),
     Shape('section', ('section',), 'edge_id', SECTION_KIND),
     Shape('intersection', ('intersection',), 'node_id', INTERSECTION_KIND),
     Shape('roadway', ('section',), 'edge_id', 'importance::text', 's.level', rows='@.section s ' + EDGE),
-    Shape('roadway', ('intersection',), 'node_id', LEAST_IMPORTANCE),
+    Shape('roadway', ('intersection',), '(100 * node_id + importance)', 'importance::text', rows=f'streetgen._roadway_at_nodes({ALL})'),
     Shape('junction', ('junction', 'intersection'), 'junction_id', level='i.level', geometry='j.surface', where="j.method <> 'hypothesis'",
           rows='@.junction j JOIN @.intersection i ON node_id = junction_id'),
     Shape('lane', ('lane',), 'lane_id', 'kind', geometry='l.surface', where="kind IN ('bus', 'cycle')", rows='@.lane l ' + EDGE),
@@ -45,10 +48,9 @@ GROUNDS = (
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
     Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
     Shape('crossing', ('pedestrian_crossing',), 'street_object_id', level='0', geometry='stripes'),
-    Shape('bridge', ('bridge',), 'bridge_id', 'b.method', geometry='b.surface', rows='@.bridge b ' + EDGE),
+    *(Shape(layer, ('bridge',), 'n', 'kind', geometry='geom', rows=DECKS.format(layer)) for layer in ('bridge_shadow', 'bridge', 'parapet', 'tunnel', 'tunnel_wall')),
     Shape(key='lane_separator_id', relations=('bridge', 'lane_separator'), rows=DECK.format('lane_separator'), **ON_DECK),
     Shape(key='marking_id', relations=('bridge', 'marking'), rows=DECK.format('marking'), **ON_DECK),
-    Shape('tunnel', ('tunnel',), 'tunnel_id', level='0'),
 )
 
 
@@ -66,12 +68,12 @@ def grounds(relations, levels):
 
 
 # Objects at true size: points with their shape, and stretches.
-OBJECT = '@.street_object o JOIN @.object_type t USING (type)'
-OBJECT_POINTS = ("SELECT street_object_id, type, coalesce(category, '') AS kind, size, CASE WHEN symbol IN ('circle', 'tree') THEN 'circle' "
+OBJECT = f'@.street_object o JOIN @.object_type t USING (type) LEFT JOIN streetgen._object_kinds({MODEL}) k USING (type)'
+OBJECT_POINTS = ("SELECT street_object_id, type, coalesce(k.kind, '') AS kind, size, CASE WHEN symbol IN ('circle', 'tree') THEN 'circle' "
                  "WHEN symbol IN ('rectangle', 'square', 'triangle', 'arrow', 'star') THEN symbol ELSE 'diamond' END AS shape, "
                  "CASE WHEN symbol IN ('circle', 'tree') THEN 0 ELSE coalesce(angle, 0) END AS turn, o.geom "
                  f"FROM {OBJECT} WHERE symbol NOT IN ('crossing', 'bay') AND ST_Dimension(o.geom) = 0")
-OBJECT_LINES = ("SELECT street_object_id, type, coalesce(category, '') AS kind, size, o.geom "
+OBJECT_LINES = ("SELECT street_object_id, type, coalesce(k.kind, '') AS kind, size, o.geom "
                 f"FROM {OBJECT} WHERE symbol NOT IN ('crossing', 'bay') AND ST_Dimension(o.geom) = 1")
 SIGNALS = "SELECT 2 * lane_id + along_axis::integer AS signal_head_id, lane_id, '' AS kind, 1.2 AS size, geom FROM @.signal_head"
 # Streets as lines, and the names that stand along them.

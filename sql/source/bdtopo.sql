@@ -9,13 +9,15 @@ COMMENT ON FUNCTION streetgen._number(text, float8, float8) IS
 
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
-        name text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
+        name text, ref text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
         source_ref text, label text, left_out text, unread text[])
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT s.geom, streetgen._number(s.width, 0, 200), streetgen._number(s.lane_count, 0, 30)::integer, direction,
     streetgen._number(s.speed, 0, 400),
     CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END, nullif(s.name, ''),
+    -- NC: not classified; NR: not known; SN: without a number.
+    CASE WHEN s.ref !~* '^\s*(NC|NR|SN)?\s*$' THEN btrim(s.ref) END,
     CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
         ELSE 0 END,
     s.class, CASE s.class WHEN 'Rond-point' THEN s.class END,
@@ -62,8 +64,8 @@ DECLARE
         '"sens": ["sens_de_circulation", "sens"], "speed": ["vitesse_moyenne_vl", "vit_moy_vl"], '
         '"importance": ["importance"], "level": ["position_par_rapport_au_sol", "pos_sol"], "class": ["nature"], '
         '"name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_coll_g", "nom_1_g", '
-        '"nom_rue_g", "nom_voie_g"], "fictif": ["fictif"], "bus": ["reserve_aux_bus", "bus"], '
-        '"cycle": ["bande_cyclable", "cyclable"]}';
+        '"nom_rue_g", "nom_voie_g"], "ref": ["cpx_numero", "numero"], "fictif": ["fictif"], '
+        '"bus": ["reserve_aux_bus", "bus"], "cycle": ["bande_cyclable", "cyclable"]}';
     present text[] := (SELECT array_agg(attname::text ORDER BY attnum) FROM pg_attribute WHERE attrelid = source
         AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source
@@ -88,7 +90,8 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT geom, %s, source_ref, label, '
         'left_out, unread FROM streetgen._bdtopo_rows(%L)', (SELECT string_agg(name, ', ')
         FROM (VALUES ('width', '{width}'::text[]), ('lane_count', '{lane_count}'), ('direction', '{sens}'),
-            ('speed', '{speed}'), ('importance', '{importance}'), ('name', '{name}'), ('level', '{level}'),
+            ('speed', '{speed}'), ('importance', '{importance}'), ('name', '{name}'), ('ref', '{ref}'),
+            ('level', '{level}'),
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle}'),
             ('kind_backward', '{bus,cycle}')) c(name, wants)
         WHERE jsonb_strip_nulls(found) ?| wants), streetgen._driving_side(model)));
@@ -96,6 +99,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS
     'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, '
-    'position against the ground, nature, street name, bus and cycle lanes. Fictitious axes are left out and counted; '
-    'a width, speed or number of lanes that means nothing is unknown, and reported. A table that is no BD TOPO, or '
-    'bad rows: 22023; then the model stays as it was.';
+    'position against the ground, nature, street name, number of the route, bus and cycle lanes. Fictitious axes are '
+    'left out and counted; a width, speed or number of lanes that means nothing is unknown, and reported. A table '
+    'that is no BD TOPO, or bad rows: 22023; then the model stays as it was.';

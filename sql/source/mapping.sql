@@ -1,14 +1,14 @@
 -- Columns of a user's own table as columns of axes.
 
 CREATE OR REPLACE FUNCTION streetgen._axis_input() RETURNS TABLE(name text, type text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 26 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 27 SET search_path = pg_catalog
     AS $$ VALUES ('width', 'float8'), ('width_end', 'float8'), ('roadway_offset', 'float8'), ('lane_count', 'integer'),
         ('direction', 'text'), ('speed', 'float8'), ('importance', 'integer'), ('name', 'text'), ('level', 'integer'),
         ('kind', 'text'), ('radius', 'float8'), ('lanes_forward', 'integer'), ('lanes_backward', 'integer'),
         ('lanes_both', 'integer'), ('kind_forward', 'text'), ('kind_backward', 'text'), ('lane_width_forward', 'text'),
         ('lane_width_backward', 'text'), ('turn_forward', 'text'), ('turn_backward', 'text'),
         ('change_forward', 'text'), ('change_backward', 'text'), ('sidewalk_left', 'float8'),
-        ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roundabout_tag', 'text') $$;
+        ('sidewalk_right', 'float8'), ('flow', 'float8'), ('roundabout_tag', 'text'), ('ref', 'text') $$;
 COMMENT ON FUNCTION streetgen._axis_input() IS 'The columns of axis that a source may fill besides geom.';
 
 CREATE OR REPLACE FUNCTION streetgen._taken_value(name text, alias text) RETURNS text

@@ -116,7 +116,7 @@ DECLARE
         'sidewalk_right_width', 'sidewalk_both_width', 'placement', 'placement_forward', 'placement_backward',
         'change_lanes', 'change_lanes_forward', 'change_lanes_backward'];
     there constant text := (SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
-        FROM unnest(possible) tag LEFT JOIN pg_attribute
+        FROM unnest(possible || 'ref'::text) tag LEFT JOIN pg_attribute
             ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS
@@ -128,7 +128,7 @@ COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
     'Copies the lines of an OSM table to where import_osm reads them, each with the wording of all of its tags.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_rows(driving_side text, lane_width float8)
-    RETURNS TABLE(geom geometry, name text, source_ref text, label text, width float8, roadway_offset float8,
+    RETURNS TABLE(geom geometry, name text, ref text, source_ref text, label text, width float8, roadway_offset float8,
         lane_count integer, direction text, roundabout_tag text, speed float8, level integer, class text,
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
@@ -285,7 +285,7 @@ FROM (SELECT DISTINCT ON (wording) * FROM pg_temp._import_line ORDER BY wording)
              THEN placement END), CASE driving_side WHEN 'right' THEN ahead + shared ELSE 0 END, back,
                  ahead + back + shared,
              lane_each) AS offset_backward) placed)
-SELECT geom, name, way_id::text, way_id::text, meaning.width, meaning.roadway_offset, meaning.lane_count,
+SELECT geom, name, ref, way_id::text, way_id::text, meaning.width, meaning.roadway_offset, meaning.lane_count,
     meaning.direction, meaning.roundabout_tag, meaning.speed, meaning.level, meaning.class, meaning.lanes_forward,
     meaning.lanes_backward, meaning.lanes_both, meaning.kind_forward, meaning.kind_backward,
     meaning.lane_width_forward, meaning.lane_width_backward, meaning.turn_forward, meaning.turn_backward,
@@ -332,9 +332,9 @@ END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
     'search_path or named with its schema (gis.osm): lanes (lanes:both_ways and lanes:reversible: in the middle, for '
-    'both directions), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, class; '
-    'turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; sidewalk and '
-    'sidewalk:left, :right and :both with their :width; and the turn '
+    'both directions), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, ref, '
+    'class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; sidewalk '
+    'and sidewalk:left, :right and :both with their :width; and the turn '
     'restrictions of PREFIX_restriction and the signals, signs and crossings of PREFIX_control. A tag that means '
     'nothing (width abc, or over 200 m) is unknown, and reported '
     'by way.';

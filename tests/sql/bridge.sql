@@ -23,7 +23,23 @@ SELECT 'a deck covers all that the two roads share', bool_and(ST_Area(ST_Differe
         SELECT ST_Union(d.surface) AS surface FROM town.bridge d WHERE d.edge_id = o.edge_above) u ON true WHERE b.level >= 0;
 SELECT 'a second run changes no row', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 SELECT 'the summary counts them', count(*) = 5 FROM streetgen.summary('town') WHERE subject ~ '^(bridge|tunnel)s, ';
-SELECT 'a picture has decks, shadows and tunnels', bool_and(drawing ~ class) FROM (SELECT streetgen.svg('town', legend => true) AS drawing) s, unnest(ARRAY['class="bridge"', 'class="bridge"[^>]* transform="translate', 'class="tunnel"']) class;
+SELECT 'a picture has decks, shadows and tunnels', bool_and(drawing ~ class) FROM (SELECT streetgen.svg('town', legend => true) AS drawing) s, unnest(ARRAY['class="bridge"', 'class="bridge_shadow"[^>]* transform="translate', 'class="tunnel"', 'class="tunnel_wall"[^>]*dasharray']) class;
+
+-- A bridge whose street goes on from both its ends, of two pieces, with sidewalks; a tunnel that no block covers.
+SELECT streetgen.create_model('ends', 2154, subjects => '{bridge,sidewalk}') \g /dev/null
+INSERT INTO ends.axis (axis_id, geom, width, level, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 8, 0, 2, 2), (2, 'SRID=2154;LINESTRING(650100 6860000,650150 6860000)', 8, 1, 2, 2), (3, 'SRID=2154;LINESTRING(650150 6860000,650200 6860000)', 8, 1, 2, 2),
+  (4, 'SRID=2154;LINESTRING(650200 6860000,650300 6860000)', 8, 0, 2, 2), (5, 'SRID=2154;LINESTRING(650130 6859900,650130 6860100)', 8, 0, 2, 2), (6, 'SRID=2154;LINESTRING(650000 6859800,650300 6859800)', 8, -1, 0, 0);
+DO $$ BEGIN PERFORM streetgen.generate('ends'); END $$;
+CREATE TEMPORARY TABLE drawn AS SELECT s.* FROM streetgen._shapes('ends', ST_MakeEnvelope(649900, 6859700, 650400, 6860200, 2154), ARRAY(SELECT DISTINCT layer FROM streetgen.symbol_rule)) s;
+SELECT 'the pieces of a bridge are one deck, with its sidewalks', count(*) = 1 AND bool_and(ST_Covers(ST_Buffer(geom, 1e-6), ST_MakeEnvelope(650101, 6859994.5, 650199, 6860005.5, 2154))) FROM drawn WHERE layer = 'bridge';
+SELECT 'parapets stand along both sides of it', count(*) = 1 AND bool_and(ST_Area(geom) BETWEEN 95 AND 101) FROM drawn WHERE layer = 'parapet';
+SELECT 'and nothing lies across the street at its ends: ' || layer, count(*) > 0 AND NOT bool_or(ST_Intersects(geom, ST_MakeEnvelope(x - 3, 6859997, x + 3, 6860003, 2154))) FROM drawn, unnest('{650100,650200}'::float8[]) x WHERE layer IN ('parapet', 'kerb') GROUP BY layer ORDER BY layer;
+SELECT 'its shadow falls on no street that it goes on to', count(*) = 1 AND bool_and(NOT ST_Intersects(ST_Translate(geom, 2, -2), a.surface)) FROM drawn, (SELECT ST_Union(surface) AS surface FROM ends.section JOIN ends.edge USING (edge_id) WHERE axis_id IN (1, 4)) a WHERE layer = 'bridge_shadow' GROUP BY layer;
+SELECT 'but on what it passes over', bool_and(ST_Area(ST_Intersection(ST_Translate(drawn.geom, 2, -2), s.surface)) > 8 * 8) FROM drawn, ends.section s JOIN ends.edge USING (edge_id) WHERE layer = 'bridge_shadow' AND axis_id = 5;
+SELECT 'a veil lies over all of a tunnel', count(*) = 1 AND bool_and(d.level = -1 AND ST_Covers(ST_Buffer(d.geom, 0.001), s.surface)) FROM drawn d, ends.section s JOIN ends.edge e USING (edge_id) WHERE d.layer = 'tunnel' AND axis_id = 6;
+SELECT 'above its paint and below the ground: ' || theme, min(place) FILTER (WHERE layer = 'tunnel') > max(place) FILTER (WHERE layer IN ('section', 'lane', 'lane_separator', 'marking')) AND max(place) FILTER (WHERE layer = 'tunnel') < 10 + min(place) FILTER (WHERE layer = 'block') FROM streetgen.symbol_rule WHERE place < 10 GROUP BY theme ORDER BY theme;
+DROP TABLE drawn;
+SELECT streetgen.drop_model('ends') \g /dev/null
 
 -- Any path gives the same bridges.
 CREATE FUNCTION pg_temp.same_from_scratch() RETURNS boolean LANGUAGE plpgsql AS $$

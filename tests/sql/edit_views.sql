@@ -42,6 +42,10 @@ SELECT 'their streets are there', (SELECT count(*) = 4 FROM town.section) AND (S
 SELECT 'what is left out is as in the table', direction = 'both' AND level = 0 AND speed IS NULL FROM town.axis WHERE axis_id = 1;
 UPDATE town.axis_editing SET width = 9, lane_count = 3, name = 'rue' WHERE axis_id = 1;
 SELECT 'the street has the width and lanes of its axis', (SELECT width = 9 FROM town.edge WHERE axis_id = 1) AND (SELECT count(*) = 3 FROM town.lane WHERE edge_id = pg_temp.edge(1)) AND (SELECT name = 'rue' FROM town.axis WHERE axis_id = 1);
+CREATE TEMPORARY TABLE computed AS SELECT edge_id, e.xmin AS edge_by, s.xmin AS section_by FROM town.edge e JOIN town.section s USING (edge_id);
+UPDATE town.axis_editing SET ref = 'D 906' WHERE axis_id = 1;
+SELECT 'the number of a route moves no street', (SELECT ref = 'D 906' FROM town.axis WHERE axis_id = 1) AND NOT EXISTS (SELECT FROM computed c JOIN town.edge e USING (edge_id) JOIN town.section s USING (edge_id) WHERE (c.edge_by, c.section_by) IS DISTINCT FROM (e.xmin, s.xmin)) AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule LIKE 'stale: the axis changed%');
+DROP TABLE computed;
 UPDATE town.axis_editing SET width = 7, lane_count = 2, direction = NULL WHERE axis_id = 1;
 SELECT * FROM pg_temp.refused('a width of NaN', $q$UPDATE town.axis_editing SET width = 'NaN' WHERE axis_id = 1$q$, '23514');
 SELECT * FROM pg_temp.refused('a width out of range', $q$UPDATE town.axis_editing SET width = 201 WHERE axis_id = 1$q$, '23514');

@@ -28,8 +28,11 @@ INSERT INTO import_bdtopo3 VALUES
   ('B', 'Rond-point', NULL, '5', false, NULL, NULL, '-1', 'Sens direct', 0, 'SRID=32631;LINESTRING Z(0 100 -1000, 100 100 -1000)'),
   ('C', 'Bretelle', NULL, '3', false, 4, 1, 'Gué ou radier', 'Sens inverse', 70, 'SRID=32631;LINESTRING Z(0 200 5, 100 200 NaN)'),
   ('D', 'Bretelle', NULL, '3', true, 4, 1, '0', 'Sens inverse', 70, 'SRID=32631;LINESTRING Z(0 300 5, 100 300 5)');
+ALTER TABLE import_bdtopo3 ADD cpx_numero text;
+UPDATE import_bdtopo3 SET cpx_numero = CASE cleabs WHEN 'A' THEN 'D2' WHEN 'B' THEN 'NC' END;
 DROP TABLE import_report;
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_bdtopo('import_v3', 'import_bdtopo3');
+SELECT 'version 3: the number of a route', (SELECT array_agg(ref ORDER BY source_ref) = '{D2,NULL,NULL}' FROM import_v3.axis);
 SELECT 'version 3: the nature of a roundabout is its tag, and the direction stays', (SELECT (direction, roundabout_tag) = ('direct', 'Rond-point') FROM import_v3.axis WHERE source_ref = 'B');
 SELECT 'version 3: taken are roads that are not fictitious', (SELECT string_agg(source_ref, ',' ORDER BY source_ref) = 'A,B,C' FROM import_v3.axis);
 SELECT 'version 3: directions', (SELECT string_agg(direction, ',' ORDER BY source_ref) = 'both,direct,reverse' FROM import_v3.axis);

@@ -74,7 +74,7 @@ DO $$ BEGIN
   PERFORM streetgen.create_model('import_' || side, 32631), streetgen.set('import_' || side, 'driving_side', side) FROM unnest(ARRAY['right', 'left']) side;
 END $$;
 CREATE TABLE centre_line (LIKE import_line);
-ALTER TABLE centre_line ADD lanes_both_ways text, ADD lanes_reversible text, ADD width_lanes_forward text, ADD bus_lanes_forward text;
+ALTER TABLE centre_line ADD lanes_both_ways text, ADD lanes_reversible text, ADD width_lanes_forward text, ADD bus_lanes_forward text, ADD ref text;
 INSERT INTO centre_line (way_id, class, geom, oneway, lanes, lanes_forward, lanes_backward, lanes_both_ways, turn_lanes_forward, width_lanes_forward, bus_lanes_forward)
 SELECT way_id, 'primary', ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 32631), oneway, lanes, forward, backward, both_ways, turns, widths, buses FROM (VALUES
   (1::bigint, NULL, '5', '2', '2', '1', 'through|right', '3|3.5', '|designated'), (2, NULL, '3', NULL, NULL, '1', NULL, NULL, NULL), (3, NULL, NULL, '1', '1', '1', NULL, NULL, NULL),
@@ -86,8 +86,10 @@ SELECT way_id, 'primary', ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), 
 UPDATE centre_line SET lanes_reversible = '2' WHERE way_id = 10;
 UPDATE centre_line SET cycleway = 'lane', parking_right = 'lane' WHERE way_id = 12;
 UPDATE centre_line SET busway = 'lane' WHERE way_id = 13;
+UPDATE centre_line SET ref = 'D 906;E 5' WHERE way_id = 14;
 CREATE TABLE centre_report AS SELECT * FROM streetgen.import_osm('import_right', 'centre');
 SELECT streetgen.import_osm('import_left', 'centre') \g /dev/null
+SELECT 'the number of a route', array_agg(ref) FILTER (WHERE source_ref = '14') = '{D 906;E 5}' AND count(ref) = 1 FROM import_right.axis;
 SELECT format('way %s: %s lanes, %s forward, %s backward, %s for both directions', source_ref, forward + backward + both_ways, forward, backward, both_ways),
        (u.lane_count, u.lanes_forward, u.lanes_backward, u.lanes_both) = (forward + backward + both_ways, forward, backward, both_ways)
   FROM (VALUES ('1', 2, 2, 1), ('2', 1, 1, 1), ('3', 1, 1, 1), ('4', 1, 2, 1), ('5', 2, 1, 1), ('6', 2, 0, 0), ('7', 1, 1, 1), ('8', 1, 1, 0), ('10', 1, 1, 2), ('11', 0, 0, 1), ('12', 0, 0, 1), ('13', 2, 2, 0), ('14', 0, 0, 1))

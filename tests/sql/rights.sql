@@ -50,7 +50,7 @@ SELECT 'nobody else may call these but for the locks of objects: ' || role, coal
 SELECT 'temporary tables are named as such', coalesce(string_agg(DISTINCT name, ', '), '') = '' FROM public.routine, regexp_matches(prosrc, 'CREATE TEMPORARY (?:TABLE|VIEW) (_\w+)', 'g') made
   WHERE prosrc ~ format('(FROM|JOIN|INTO|UPDATE|ON|USING|DROP TABLE|ANALYZE|,)\s+%s\M', made[1]);
 -- Casts of format(…) take names of tables and functions of models; what stands in a row, or comes as an argument, becomes a name of the catalogue here alone.
-SELECT 'text becomes the name of a function, table or type in known places alone', string_agg(DISTINCT split_part(name, '(', 1), ' ' ORDER BY split_part(name, '(', 1)) = 'streetgen._adopt_source streetgen._function_named' FROM public.routine, regexp_matches(prosrc, '(\w+)::reg(?:class|proc|type|oper)|to_reg(?:class|proc|type|oper)\w*\((\w[\w.]*) *[,)|]', 'g') m
+SELECT 'text becomes the name of a function, table or type in known places alone', string_agg(DISTINCT split_part(name, '(', 1), ' ' ORDER BY split_part(name, '(', 1)) = 'streetgen._adopt_source streetgen._function_named streetgen._relation_named' FROM public.routine, regexp_matches(prosrc, '(\w+)::reg(?:class|proc|type|oper)|to_reg(?:class|proc|type|oper)\w*\((\w[\w.]*) *[,)|]', 'g') m
   WHERE home = 'streetgen' AND coalesce(m[1], m[2]) !~* 'oid$|relid$';
 
 -- Each public function of a model, called by each role: no more happens than that.

@@ -14,7 +14,7 @@ SELECT 'a scale gives the width, a pixel for 0.28 mm', svg LIKE format('%%width=
 SELECT 'half a pixel is not drawn', svg NOT LIKE '%<path%' FROM streetgen.svg('drawn', ST_MakeEnvelope(550000, 6760000, 750000, 6960000, 2154), width => 300) svg;
 SELECT call || ' is refused', state = '22023' AND hint <> '' FROM unnest('{theme => ''night'',scale => 0,scale => ''NaN'',scale => 1e9,width => 15,width => 20001}'::text[]) call, test.refusal('SELECT streetgen.svg(''drawn'', ' || call || ')');
 SELECT 'a theme has colours of its rules alone', count(*) > 3 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.theme = t.theme AND colour IN (r.fill, r.line))) FROM (VALUES ('street'), ('dark'), ('construction')) t(theme), streetgen.svg('drawn', legend => true, theme => t.theme) svg, regexp_matches(svg, '#[0-9a-fA-F]{3,8}', 'g') m, LATERAL (SELECT m[1] AS colour) c;
-SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '(_drawn|_svg|_drawing)$' AND prosrc ~ format('''%s[ '']', layer))) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink', 'name', 'handle')) l;
+SELECT 'a rule is of a layer that a room draws', count(*) > 20 AND bool_and(EXISTS (SELECT FROM pg_proc WHERE proname ~ '(_drawn|_svg|_drawing)$' AND prosrc ~ format('''%s[ '']', layer))) FROM (SELECT DISTINCT layer FROM streetgen.symbol_rule WHERE layer NOT IN ('ground', 'paper', 'ink', 'name', 'ref', 'handle')) l;
 SELECT 'and each layer that a room draws has a rule', count(*) > 20 AND bool_and(EXISTS (SELECT FROM streetgen.symbol_rule r WHERE r.layer = m[1])) FROM pg_proc, regexp_matches(prosrc, '''(\w+)'' = ANY \(layers\)', 'g') m WHERE proname ~ '^_\w+_drawn$';
 SELECT 'a colour that is none is refused: ' || colour, test.state(format('INSERT INTO drawn.symbol_rule (theme, layer, place, fill) VALUES (''street'', ''mud'', 0, %L)', colour)) = '23514' FROM unnest('{red,#fff,#GGGGGG,"#12345678 "}'::text[]) colour;
 SELECT 'so is a rule that is drawn at no scale', test.state('INSERT INTO drawn.symbol_rule (theme, layer, place, from_scale, to_scale) VALUES (''street'', ''mud'', 0, 10, 10)') = '23514';
@@ -31,9 +31,15 @@ SELECT 'lanes between crossed limits are drawn as paths', (SELECT count(*) > 0 F
 SELECT 'a legend says each thing that is drawn, once: ' || theme, (SELECT array_agg(DISTINCT meaning ORDER BY meaning) FROM regexp_matches(map, 'class="(\w+) ?(\w*)"', 'g') m JOIN streetgen.symbol_rule r ON (r.layer, r.kind, r.theme) = (m[1], m[2], t.theme) AND from_scale < 300 AND to_scale >= 300 WHERE meaning IS NOT NULL) = (SELECT array_agg(m[1] ORDER BY m[1]) FROM regexp_matches(beside, '<text x="44"[^>]*>([^<]*)<', 'g') m)
 FROM unnest('{street,construction}'::text[]) t(theme), LATERAL (SELECT split_part(svg, '<svg x=', 1) AS map, split_part(svg, '<svg x=', 2) AS beside FROM streetgen.svg('drawn', legend => true, theme => t.theme, scale => 300) svg) s;
 SELECT 'the map beside it is the same', strpos(with_legend, regexp_replace(without, '^<svg xmlns="[^"]*"', '<svg')) > 0 FROM streetgen.svg('drawn') without, streetgen.svg('drawn', legend => true) with_legend;
-SELECT 'a picture with a legend is XML, and as much wider as the legend is', xml_is_well_formed_document(svg) AND svg LIKE '<svg xmlns="http://www.w3.org/2000/svg" width="750" %' FROM streetgen.svg('drawn', width => 600, legend => true) svg;
+SELECT 'a picture with a legend is XML, and as much wider as the legend is', xml_is_well_formed_document(svg) AND bool_and(svg LIKE format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" %%', w + legend[1]::integer)) FROM unnest('{600,1200}'::integer[]) w, streetgen.svg('drawn', width => w, legend => true) svg, regexp_match(svg, '<svg x="' || w || '" width="(\d+)"') legend GROUP BY svg ORDER BY length(svg);
+SELECT 'the letters of a legend are 14 pixels high whatever the width', count(DISTINCT font) = 1 AND min(font) = '14' FROM unnest('{200,1200,3000}'::integer[]) w, LATERAL (SELECT (regexp_match(streetgen.svg('drawn', width => w, legend => true), '<svg x="\d+" width="\d+" height="\d+" font-family="[^"]*" font-size="(\d+)"'))[1]) f(font);
+INSERT INTO drawn.symbol_rule (theme, layer, place, fill, meaning) VALUES ('street', 'section', 2, '#ff0000', repeat('W', 60));
+SELECT 'its column holds the longest words', legend[1]::float8 > 44 + 60 * 14 * 0.9 FROM regexp_match(streetgen.svg('drawn', width => 300, scale => 300, legend => true), '<svg x="300" width="(\d+)"') legend;
+UPDATE drawn.symbol_rule SET meaning = repeat('W', 5000);
+SELECT 'and words without end are cut', length(words[1]) = 80 FROM regexp_match(streetgen.svg('drawn', width => 300, scale => 300, legend => true), '>(W+…)<') words;
+DELETE FROM drawn.symbol_rule;
 SELECT 'a map of a town has the roadway alone in its legend', svg LIKE '%>roadway<%' AND (SELECT count(*) = 1 FROM regexp_matches(svg, '<text x="44"', 'g')) FROM streetgen.svg('drawn', ST_MakeEnvelope(648000, 6859000, 652000, 6861000, 2154), legend => true, theme => 'construction') svg;
-SELECT 'the bar of the scale is as long as it says', abs(bar[1]::float8 * 200 / 1200 - bar[2]::float8) < 0.01 AND bar[2]::float8 IN (10, 20) FROM regexp_match(streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859900, 650200, 6860000), legend => true), 'M0 0v8h([\d.]+)v-8.*>(\d+) m</text>') bar;
+SELECT 'the bar of the scale is as long as it says', abs(bar[1]::float8 * 200 / 1200 - bar[2]::float8) < 0.01 AND bar[2]::float8 IN (10, 20) AND bar[1]::float8 BETWEEN 72 AND 180 FROM regexp_match(streetgen.svg('drawn', ST_MakeEnvelope(650000, 6859900, 650200, 6860000), legend => true), 'M0 0v8h([\d.]+)v-8.*>(\d+) m</text>') bar;
 -- The model's own rules.
 CREATE TEMPORARY TABLE before AS SELECT streetgen.svg('drawn', scale => 300) AS svg;
 INSERT INTO drawn.symbol_rule SELECT theme, layer, kind, from_scale, to_scale, place, '#123456', line, width, unit, dash, marker, meaning FROM streetgen.symbol_rule WHERE (theme, layer, kind) = ('street', 'section', '');
@@ -71,6 +77,12 @@ SELECT 'without ground, paper and ink the streets are drawn', svg LIKE '%class="
 UPDATE drawn.symbol_rule SET place = 1, fill = '#abcdef' WHERE layer = 'ground';
 SELECT 'a second ground lies over the first', strpos(svg, '#abcdef') > strpos(svg, '#f1ebdf') AND strpos(svg, '#f1ebdf') > 0 FROM streetgen.svg('drawn', scale => 300) svg;
 DELETE FROM drawn.symbol_rule;
+SELECT 'where nothing is the picture says so: ' || coalesce(box, 'a model without axes'), svg LIKE '%>nothing here at 1:%<%' AND xml_is_well_formed_document(svg) FROM unnest('{"BOX(660000 6860000,660100 6860100)","BOX(0 0,1 1)","BOX(650000 6890000,650001 6890001)",NULL}'::text[]) box,
+  LATERAL (SELECT streetgen.svg(CASE WHEN box IS NULL THEN 'bare' ELSE 'drawn' END, box::box2d::geometry) AS svg) s;
+SELECT 'where something is it does not: ' || box, svg NOT LIKE '%nothing here%' AND svg LIKE '%<path%' AND xml_is_well_formed_document(svg) FROM unnest('{"BOX(650050 6860000,650051 6860001)","BOX(550000 6760000,750000 6960000)"}'::text[]) box, streetgen.svg('drawn', box::box2d::geometry, scale => CASE WHEN box LIKE 'BOX(55%' THEN 50000 END) svg;
+SELECT 'a point is drawn with a metre of ground about it', svg LIKE '%width="1200" height="1200" viewBox="0 0 1.000 1.000"%' AND svg LIKE '%class="section"%' FROM streetgen.svg('drawn', 'POINT(650050 6860001)') svg;
+SELECT 'a picture higher than can be drawn is refused', state = '22023' AND said LIKE '%pixels wide and % high%' AND hint <> '' FROM test.refusal($$SELECT streetgen.svg('drawn', ST_MakeEnvelope(650000, 6800000, 650001, 6900000))$$);
+SELECT 'a long street from south to north is drawn less wide', svg LIKE '%height="20000"%' FROM streetgen.svg('drawn', ST_MakeEnvelope(650000, 6860000, 650010, 6861000)) svg;
 SELECT 'a box without streets has its ground', svg LIKE '%<rect %fill="#f1ebdf"%' FROM streetgen.svg('drawn', ST_MakeEnvelope(660000, 6860000, 660100, 6860100)) svg;
 INSERT INTO drawn.symbol_rule (theme, layer, place, fill, meaning) VALUES ('street', 'section', 2, '#ff0000', '<script>"R&D"</script>'), ('street', 'section', 3, '#ff0001', NULL);
 SELECT 'words of a rule are no markup', svg LIKE '%>&lt;script>&quot;R&amp;D&quot;&lt;/script><%' AND xml_is_well_formed_document(svg) FROM streetgen.svg('drawn', scale => 300, legend => true) svg;
@@ -101,3 +113,79 @@ SELECT 'what does not fit is shortened', count(*) = 1 FROM written WHERE words =
 SELECT 'or left out', NOT EXISTS (SELECT FROM written WHERE words LIKE 'long%' OR words LIKE 'Too%');
 SELECT 'at night they are the same', count(*) = (SELECT count(*) FROM written) FROM pg_temp.named(streetgen.svg('named', scale => 1000, theme => 'dark'));
 SELECT 'a construction has none', streetgen.svg('named', scale => 1000, theme => 'construction') NOT LIKE '%class="name%' AND streetgen.svg('drawn', scale => 300) NOT LIKE '%class="name%';
+-- Both carriageways of one street, a ring, and a street across which people go.
+SELECT streetgen.create_model('twice', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO twice.axis (geom, width, direction, name, roundabout_tag) SELECT ST_SetSRID(ST_Translate(line::geometry, 650000, 6860000), 2154), 7, direction, name, tag FROM (VALUES
+  ('LINESTRING(0 0,260 0)', 'direct', 'Dual Way', NULL), ('LINESTRING(260 14,0 14)', 'direct', 'Dual Way', NULL), ('LINESTRING(0 -200,170 -200)', 'both', 'Crossed Way', NULL)) v(line, direction, name, tag)
+  UNION ALL SELECT ST_SetSRID(ST_LineSubstring(ring, n / 3.0, (n + 1) / 3.0), 2154), 7, 'direct', 'Round Place', 'roundabout' FROM ST_Reverse(ST_ExteriorRing(ST_Buffer('POINT(650400 6860000)'::geometry, 60, 32))) ring, generate_series(0, 2) n
+  UNION ALL SELECT ST_SetSRID(ST_MakeLine(ST_PointN(ring, 1 + 43 * n), ST_Translate(ST_PointN(ring, 1 + 43 * n), 50 * (n - 1), 60)), 2154), 6, 'both', 'Arm ' || n, NULL FROM ST_Reverse(ST_ExteriorRing(ST_Buffer('POINT(650400 6860000)'::geometry, 60, 32))) ring, generate_series(0, 2) n;
+DO $$ BEGIN PERFORM streetgen.generate('twice'); END $$;
+SELECT 'both carriageways of a street have its name once', count(*) FILTER (WHERE words = 'DualWay') = 1 FROM pg_temp.named(streetgen.svg('twice', ST_MakeEnvelope(649990, 6859800, 650270, 6860100), scale => 2000));
+SELECT 'a long street has its name again', count(*) FILTER (WHERE words = 'DualWay') > 1 FROM pg_temp.named(streetgen.svg('twice', scale => 500));
+SELECT 'a roundabout has its name once, at 1:' || scale, count(*) FILTER (WHERE words = 'RoundPlace') = 1 FROM unnest('{250,500,1000,2500}'::integer[]) scale, LATERAL pg_temp.named(streetgen.svg('twice', scale => scale)) GROUP BY scale ORDER BY scale;
+CREATE FUNCTION pg_temp.place(svg text, starts text) RETURNS float8 LANGUAGE sql AS $$ SELECT (regexp_match(svg, '<text transform="translate\(([-\d.]+) [^>]*>' || starts || '<'))[1]::float8 $$;
+CREATE TEMPORARY TABLE uncrossed AS SELECT pg_temp.place(svg, 'C') + 649990 AS starts FROM streetgen.svg('twice', ST_MakeEnvelope(649990, 6859790, 650180, 6859810), scale => 1000) svg;
+INSERT INTO twice.street_object (type, axis_id, abscissa) SELECT 'crossing', axis_id, 85 FROM twice.axis WHERE name = 'Crossed Way';
+DO $$ BEGIN PERFORM streetgen.generate('twice'); END $$;
+SELECT 'a name leaves a crossing clear where another place is free', u.starts BETWEEN 650060 AND 650085 AND (now.starts > 650087 OR now.starts < 650085 - 11 * 0.55 * 3) AND svg LIKE '%class="crossing"%' FROM uncrossed u, LATERAL (SELECT svg, pg_temp.place(svg, 'C') + 649990 AS starts FROM streetgen.svg('twice', ST_MakeEnvelope(649990, 6859790, 650180, 6859810), scale => 1000) svg) now;
+-- Numbers of routes.
+UPDATE twice.axis SET ref = CASE name WHEN 'Dual Way' THEN 'D 906;E 5' WHEN 'Crossed Way' THEN '<b>&' END, importance = CASE name WHEN 'Dual Way' THEN 1 WHEN 'Crossed Way' THEN 3 ELSE 5 END, name = NULL;
+DO $$ BEGIN PERFORM streetgen.generate('twice'); END $$;
+CREATE FUNCTION pg_temp.numbered(svg text) RETURNS TABLE(number text, x float8, y float8, width float8, height float8) LANGUAGE sql AS $$ SELECT m[5], m[1]::float8, m[2]::float8, m[3]::float8, m[4]::float8 FROM regexp_matches(svg, '<g class="ref"><rect [^>]*x="([-\d.]+)" y="([-\d.]+)" width="([\d.]+)" height="([\d.]+)"[^>]*/><text [^>]*>([^<]*)</text></g>', 'g') m $$;
+SELECT 'a number stands in a box on its road, the first of several, at 1:' || scale, array_agg(number) @> '{D 906}' AND bool_and(number IN ('D 906', '&lt;b>&amp;')) AND xml_is_well_formed_document(min(svg)) FROM unnest('{500,5000,25000}'::integer[]) scale, streetgen.svg('twice', ST_MakeEnvelope(649800, 6859700, 650600, 6860300), scale => scale) svg, pg_temp.numbered(svg) GROUP BY scale ORDER BY scale;
+SELECT 'beyond 1:25,000 there is none', svg NOT LIKE '%class="ref"%' FROM streetgen.svg('twice', scale => 25001, width => 2000) svg;
+WITH n AS MATERIALIZED (SELECT * FROM pg_temp.numbered(streetgen.svg('twice', ST_MakeEnvelope(649990, 6859700, 650270, 6860100), scale => 2500)))
+SELECT 'no box lies over another, and both carriageways have one', NOT EXISTS (SELECT FROM n a, n b WHERE (a.x, a.y) < (b.x, b.y) AND abs(a.x + a.width / 2 - b.x - b.width / 2) < (a.width + b.width) / 2 AND abs(a.y - b.y) < (a.height + b.height) / 2) AND count(*) FILTER (WHERE number = 'D 906') = 1 FROM n;
+UPDATE twice.axis SET importance = 5;
+SELECT 'a street that is not important shows none', streetgen.svg('twice', scale => 1000) NOT LIKE '%class="ref"%';
+
+-- Objects by kind.
+INSERT INTO twice.object_type (type, parent, category, symbol, geometry) VALUES ('oak', 'tree', NULL, 'circle', 'point'), ('planter', NULL, 'green', 'square', 'point'), ('plane tree', NULL, NULL, 'tree', 'point'), ('statue', NULL, 'art', 'star', 'point'), ('kiosk for flowers', 'kiosk', NULL, 'square', 'point');
+INSERT INTO twice.street_object (type, placement, geom) SELECT type, 'absolute', ST_SetSRID(ST_MakePoint(650000 + 5 * n, 6860050), 2154) FROM unnest('{tree,oak,plane tree,planter,lamp,sign,traffic_light,bench,kiosk for flowers,bollard,statue}'::text[]) WITH ORDINALITY t(type, n);
+CREATE FUNCTION pg_temp.drawn_kind(drawn_type text) RETURNS text LANGUAGE sql AS $$ SELECT kind FROM streetgen._shapes('twice', ST_MakeEnvelope(649000, 6859000, 651000, 6861000, 2154), '{object}') JOIN twice.street_object ON street_object_id = id WHERE type = drawn_type $$;
+SELECT 'an object is drawn by the rules of its type, one above it, its symbol or its category: ' || type, pg_temp.drawn_kind(type) = kind FROM (VALUES ('tree', 'tree'), ('oak', 'tree'), ('plane tree', 'tree'), ('planter', 'green'), ('lamp', 'lamp'), ('sign', 'sign'), ('traffic_light', 'traffic_light'), ('bench', 'furniture'), ('kiosk for flowers', 'furniture'), ('bollard', 'protection'), ('statue', '')) v(type, kind);
+INSERT INTO twice.symbol_rule (theme, layer, kind, place, fill, meaning) VALUES ('street', 'object', 'statue', 952, '#aa7700', 'work of art');
+SELECT 'and by a rule that the model has for it', pg_temp.drawn_kind('statue') = 'statue' AND streetgen.svg('twice', scale => 500, legend => true) LIKE '%>work of art<%';
+SELECT 'a legend tells kinds apart: ' || theme, words @> '{tree,street lamp,traffic sign,signal,street furniture,bollard or barrier}' FROM unnest('{street,dark,construction}'::text[]) theme, LATERAL (SELECT array_agg(m[1]) AS words FROM regexp_matches(streetgen.svg('twice', scale => 500, legend => true, theme => theme), '<text x="44"[^>]*>([^<]*)<', 'g') m) w;
+SELECT 'what is small on paper is seen in a construction: ' || kind, bool_and(width >= 2 AND unit = 'pixel' AND line IS NOT NULL) FROM streetgen.symbol_rule WHERE (theme, layer) = ('construction', 'object') AND kind NOT IN ('tree', 'green', 'arrow') GROUP BY kind ORDER BY kind;
+
+-- Junctions by importance.
+SELECT streetgen.create_model('ranked', 2154, subjects => '{}') \g /dev/null
+INSERT INTO ranked.axis (geom, width, importance) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 12, 2), ('SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 12, 2), ('SRID=2154;LINESTRING(650100 6860000,650100 6859900)', 7, 5), ('SRID=2154;LINESTRING(650200 6860000,650200 6859900)', 7, 5);
+DO $$ BEGIN PERFORM streetgen.generate('ranked'); END $$;
+CREATE TEMPORARY TABLE ranked AS SELECT * FROM streetgen._shapes('ranked', ST_MakeEnvelope(649000, 6859000, 651000, 6861000, 2154), '{roadway}');
+SELECT 'an important street does not stick into a side street', ST_YMin(geom) BETWEEN 6859993.5 AND 6859994.5 AND ST_Area(geom) > 12 * 12 FROM (SELECT ST_Union(geom) AS geom FROM ranked WHERE kind = '2' AND geom && ST_MakeEnvelope(650050, 6859900, 650150, 6860100, 2154)) r;
+SELECT 'and goes on through the junction', ST_Covers(ST_Buffer(geom, 1e-6), ST_MakeEnvelope(650000, 6859994.1, 650150, 6860005.9, 2154)) FROM (SELECT ST_Union(geom) AS geom FROM ranked WHERE kind = '2') r;
+SELECT 'all of a junction is drawn', abs(ST_Area(ST_Union(r.geom)) - (SELECT sum(ST_Area(surface)) FROM (SELECT surface FROM ranked.section UNION ALL SELECT surface FROM ranked.intersection) s)) < 0.01 FROM ranked r;
+
+-- Buildings of a table of the user's.
+CREATE SCHEMA streetgen_test_town;
+CREATE TABLE streetgen_test_town."Buil""dings" (id integer, place geometry(Point, 4326), walls geometry(MultiPolygon, 4326));
+INSERT INTO streetgen_test_town."Buil""dings" SELECT 1, NULL, ST_Multi(ST_Transform(ST_MakeEnvelope(650020, 6859970, 650040, 6859980, 2154), 4326));
+CREATE VIEW streetgen_test_town.house AS SELECT ST_Transform(walls, 2154)::geometry AS geom FROM streetgen_test_town."Buil""dings";
+CREATE TABLE streetgen_test_town.tree (geom geometry(Point, 2154));
+SELECT 'no table of buildings, no building', streetgen.svg('ranked', scale => 1000) NOT LIKE '%class="building"%';
+SELECT 'a table of buildings must be one with polygons: ' || value, state = '22023' AND hint <> '' AND (detail LIKE '%no column of polygons%') = (value LIKE '%.tree') FROM unnest('{streetgen_test_town.tree,streetgen_test_town.none,"no name at all;","(SELECT 1)",a.b.c.d,""}'::text[]) value, test.refusal(format('SELECT streetgen.set(''ranked'', ''building_table'', %L)', value));
+SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town."Buil""dings"') \g /dev/null
+SELECT 'polygons in another reference are drawn where they lie: ' || theme, svg LIKE '%class="building"%' AND svg LIKE '%>building<%' FROM unnest('{street,dark,construction}'::text[]) theme, streetgen.svg('ranked', scale => 1000, theme => theme, legend => true) svg;
+SELECT 'as large as they are', count(*) = 1 AND bool_and(abs(ST_Area(geom) - 200) < 0.01 AND ST_Within(geom, ST_MakeEnvelope(650019.9, 6859969.9, 650040.1, 6859980.1, 2154))) FROM streetgen._shapes('ranked', ST_MakeEnvelope(650030, 6859975, 650400, 6860100, 2154), '{building}');
+SELECT 'and none outside the picture', count(*) = 0 FROM streetgen._shapes('ranked', ST_MakeEnvelope(650050, 6859975, 650400, 6860100, 2154), '{building}');
+SELECT 'below all but the blocks: ' || theme, min(place) FILTER (WHERE layer = 'building') < min(place) FILTER (WHERE layer NOT IN ('building', 'block', 'ground', 'paper', 'ink')) FROM streetgen.symbol_rule GROUP BY theme ORDER BY theme;
+SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town.house') \g /dev/null
+SELECT 'so are those of a view, of no declared reference', streetgen.svg('ranked', scale => 1000) LIKE '%class="building"%';
+CREATE ROLE streetgen_test_drawer;
+DO $$ BEGIN PERFORM streetgen.grant('ranked', 'streetgen_test_drawer', 'reader'); END $$;
+SET ROLE streetgen_test_drawer;
+SELECT 'who may not read them gets the streets', svg LIKE '%class="section"%' AND svg NOT LIKE '%class="building"%' FROM streetgen.svg('ranked', scale => 1000) svg;
+RESET ROLE;
+GRANT USAGE, CREATE ON SCHEMA streetgen_test_town TO streetgen_test_drawer;
+SET ROLE streetgen_test_drawer;
+CREATE FUNCTION streetgen_test_town.who() RETURNS boolean LANGUAGE plpgsql AS $$ BEGIN RAISE EXCEPTION 'ran as %', current_user; END $$;
+CREATE VIEW streetgen_test_town.trap AS SELECT ST_MakeEnvelope(650020, 6859970, 650040, 6859980, 2154) AS geom WHERE streetgen_test_town.who();
+RESET ROLE;
+SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town.trap') \g /dev/null
+SELECT 'functions of a view run with no rights that its owner has not', svg LIKE '%class="section"%' AND svg NOT LIKE '%class="building"%' FROM streetgen.svg('ranked', scale => 1000) svg;
+DROP SCHEMA streetgen_test_town CASCADE;
+SELECT 'a table that is gone leaves the streets', svg LIKE '%class="section"%' AND svg NOT LIKE '%class="building"%' FROM streetgen.svg('ranked', scale => 1000) svg;
+SELECT 'which are computed as before', count(*) > 0 FROM streetgen.generate('ranked');
+DROP OWNED BY streetgen_test_drawer; DROP ROLE streetgen_test_drawer;

@@ -150,7 +150,7 @@ COMMENT ON FUNCTION streetgen._tolerance(name) IS 'Setting tolerance of a model,
 
 CREATE OR REPLACE FUNCTION streetgen._frame_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
     ('reach', '60', 'm', 'an edit changes nothing farther away along the network, or than max_arc_distance', 10, 1000,
         NULL::text[]),
@@ -159,6 +159,8 @@ CREATE OR REPLACE FUNCTION streetgen._frame_setting()
         'places', 50, 5000, NULL),
     ('lock_timeout', '5', 's', 'an edit waits so long for another session where its own lock_timeout is 0', 0.1, 3600,
         NULL),
+    ('building_table', 'none', NULL, 'the buildings that pictures show: none, or a table or view with a geometry '
+        'column of polygons, with its schema', NULL, NULL, ARRAY['none']),
     ('log', 'off', NULL, 'rows in edit_log of who edits what: off or on', NULL, NULL, ARRAY['off', 'on']),
     ('attribution', '', NULL, 'whose data the model shows, as a sheet says it', NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._frame_setting() IS 'The settings of every model, with their defaults and ranges.';
@@ -173,7 +175,7 @@ COMMENT ON FUNCTION streetgen._setting_beside() IS
     'The settings that streets do not depend on, from functions _ROOM_setting_beside.';
 
 CREATE OR REPLACE FUNCTION streetgen._frame_setting_beside() RETURNS TABLE(name text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES ('cell_size'), ('lock_timeout'), ('log'), ('attribution') $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    AS $$ VALUES ('building_table'), ('cell_size'), ('lock_timeout'), ('log'), ('attribution') $$;
 COMMENT ON FUNCTION streetgen._frame_setting_beside() IS
-    'The settings of locks, of the log and of sheets.';
+    'The settings of locks, of the log, of pictures and of sheets.';

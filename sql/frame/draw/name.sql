@@ -29,7 +29,7 @@ COMMENT ON FUNCTION streetgen._short_name(text) IS
     'The name of a street as maps shorten it: by the word for street that it begins or ends with.';
 
 CREATE OR REPLACE FUNCTION streetgen._names(model name, box geometry)
-    RETURNS TABLE(name text, importance integer, geom geometry)
+    RETURNS TABLE(name text, importance integer, geom geometry, apart float8)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -44,7 +44,24 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._names(name, geometry) IS
     'The names that can be written in a box of a model, from functions _ROOM_named (model, box): the line along which '
-    'one stands, and how important it is, 1 the most.';
+    'one stands, how important it is, 1 the most, and within how many metres it is not written again.';
+
+CREATE OR REPLACE FUNCTION streetgen._kept_clear(model name, box geometry) RETURNS SETOF geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN SELECT format('SELECT * FROM streetgen._%s_kept_clear($1, $2)', room)
+        FROM unnest(streetgen._rooms_of(model)) room
+        WHERE to_regprocedure(format('streetgen._%s_kept_clear(name, geometry)', room)) IS NOT NULL
+    LOOP
+        RETURN QUERY EXECUTE part USING model, box;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._kept_clear(name, geometry) IS
+    'What names leave clear in a box of a model where another place is free, from functions _ROOM_kept_clear (model, '
+    'box).';
 
 CREATE OR REPLACE FUNCTION streetgen._name_along(line geometry, middle float8, long float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -79,26 +96,32 @@ COMMENT ON FUNCTION streetgen._letters_as_svg(text, geometry, float8, float8, fl
     'A text along a line, letter by letter, as SVG, its middle on the line; size: of the font, metres; x and y are '
     'those of the upper left corner of the picture.';
 
-CREATE OR REPLACE FUNCTION streetgen._svg_names(model name, box geometry, pixel float8, theme text, scale float8)
-    RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._svg_names(model name, box geometry, pixel float8, theme text, scale float8,
+    OUT svg text, OUT taken geometry[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- The name of a long street stands again after so many pixels.
-    again constant float8 := 450;
+    -- The name of a long street stands again after so many pixels, and nowhere within a part of that.
+    again constant float8 := 450 * pixel;
     named record;
     words text;
     long float8;
     parts integer;
     piece geometry;
-    ground geometry;
-    taken geometry[] := '{}';
-    svg text := '';
+    clear constant geometry[] := ARRAY(SELECT streetgen._kept_clear(model, box));
+    reach geometry;
+    beside geometry[];
+    around geometry[];
+    same geometry[];
+    written text[] := '{}';
+    middles geometry[] := '{}';
 BEGIN
+    svg := '';
+    taken := '{}';
     FOR named IN WITH rule AS (SELECT * FROM streetgen._symbols(model, theme, scale) r WHERE r.layer = 'name')
-        SELECT n.name, l.geom, ST_Length(l.geom) AS length, size, format('%s;paint-order:stroke;'
-            'stroke-linejoin:round;font:%spx DejaVu Sans,sans-serif', streetgen._as_css(s.fill, s.line, size / 4,
-            'metre', NULL, pixel), round(size::numeric, 4)) AS style
+        SELECT n.name, l.geom, ST_Length(l.geom) AS length, greatest(n.apart, 0.6 * again) AS apart, size,
+            format('%s;paint-order:stroke;stroke-linejoin:round;font:%spx DejaVu Sans,sans-serif',
+                streetgen._as_css(s.fill, s.line, size / 4, 'metre', NULL, pixel), round(size::numeric, 4)) AS style
         FROM rule s JOIN streetgen._names(model, box) n ON s.kind = CASE WHEN n.importance::text IN (SELECT r.kind
             FROM rule r) THEN n.importance::text ELSE '' END, ST_Dump(ST_Intersection(n.geom, box)) l,
             streetgen._metres(s.width, s.unit, pixel) size
@@ -111,22 +134,32 @@ BEGIN
             long := (SELECT max(ends) FROM streetgen._letters(words)) * named.size;
         END IF;
         CONTINUE WHEN long > named.length;
-        parts := greatest(1, floor(named.length / (again * pixel)));
+        parts := greatest(1, floor(named.length / greatest(again, named.apart)));
+        reach := ST_Expand(named.geom, 0.6 * named.size);
+        beside := ARRAY(SELECT c FROM unnest(clear) c WHERE c && reach
+            AND ST_DWithin(c, named.geom, 0.6 * named.size));
         FOR part IN 1 .. parts LOOP
-            SELECT along, ST_Buffer(along, 0.55 * named.size, 'endcap=square') INTO piece, ground
-            FROM unnest('{0,-0.12,0.12,-0.24,0.24,-0.36,0.36}'::float8[]) WITH ORDINALITY o(beside, turn),
+            around := ARRAY(SELECT t FROM unnest(taken) t WHERE t && reach);
+            same := ARRAY(SELECT w.middle FROM unnest(written, middles) w(name, middle) WHERE w.name = named.name);
+            SELECT along INTO piece
+            FROM unnest('{0,-0.12,0.12,-0.24,0.24,-0.36,0.36,-0.48,0.48}'::float8[]) WITH ORDINALITY o(aside, turn),
                 streetgen._name_along(named.geom, greatest(long / 2, least(named.length - long / 2, named.length
-                    / parts * (part - 0.5 + beside))), long) along
-            WHERE along IS NOT NULL AND NOT EXISTS (SELECT FROM unnest(taken) t
-                WHERE ST_DWithin(t, along, 0.6 * named.size)) ORDER BY turn LIMIT 1;
+                    / parts * (part - 0.5 + aside))), long) along
+            WHERE along IS NOT NULL AND NOT EXISTS (SELECT FROM unnest(around) t
+                    WHERE ST_DWithin(t, along, 0.6 * named.size))
+                AND NOT EXISTS (SELECT FROM unnest(same) s
+                    WHERE ST_DWithin(s, ST_LineInterpolatePoint(along, 0.5), named.apart))
+            ORDER BY EXISTS (SELECT FROM unnest(beside) c WHERE ST_DWithin(c, along, 0.6 * named.size)), turn LIMIT 1;
             CONTINUE WHEN piece IS NULL;
-            taken := taken || ground;
+            taken := taken || ST_Buffer(piece, 0.55 * named.size, 'endcap=square');
+            written := written || named.name;
+            middles := middles || ST_LineInterpolatePoint(piece, 0.5);
             svg := svg || format(E'<g class="name" style="%s">%s</g>\n', named.style, streetgen._letters_as_svg(words,
                 piece, named.size, ST_XMin(box), ST_YMax(box)));
         END LOOP;
     END LOOP;
-    RETURN svg;
 END $$;
 COMMENT ON FUNCTION streetgen._svg_names(name, geometry, float8, text, float8) IS
     'The names of a drawing as SVG, in metres from its upper left corner: important and long streets first, each name '
-    'along its street, upright, shortened where it would not fit, and none over another.';
+    'along its street, upright, shortened where it would not fit, none over another, and once for both carriageways; '
+    'taken: the ground that they stand on.';

@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._shapes(model name, box geometry, layers te
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    rooms constant text[] := streetgen._rooms_of(model);
+    rooms constant text[] := '{frame}'::text[] || streetgen._rooms_of(model);
     part text;
     instead text[];
 BEGIN
@@ -32,8 +32,8 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(model name, theme text, scale f
             ELSE '%1$s<rect style="%2$s" width="32" height="16"/><path fill="none" stroke="currentColor" '
                 'stroke-opacity=".3" d="M0 0h32v16h-32z"/>' END, pattern,
             streetgen._as_css(coalesce(streetgen._pattern_name(pattern), fill), CASE WHEN marker IS NULL THEN line END,
-                CASE WHEN unit = 'pixel' THEN width WHEN fill IS NULL THEN 2.5 ELSE 1 END, 'metre', CASE unit
-                WHEN 'pixel' THEN dash END, 1)), streetgen._as_xml(meaning)
+                CASE WHEN unit = 'pixel' THEN width WHEN fill IS NULL THEN 2.5 ELSE 1 END, 'metre', dash, 1)),
+            streetgen._as_xml(CASE WHEN length(meaning) > 80 THEN left(meaning, 79) || '…' ELSE meaning END)
     FROM (SELECT DISTINCT ON (meaning) * FROM streetgen._symbols(model, theme, scale)
         WHERE symbol = ANY (symbols) AND meaning IS NOT NULL ORDER BY meaning, symbol) s,
         streetgen._pattern_as_svg(marker, fill, streetgen._metres(width, unit, 1), 1) pattern
@@ -46,23 +46,24 @@ CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(model name, map text, wi
     pixel float8, theme text, scale float8, symbols bigint[]) RETURNS text
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-    -- The legend is drawn in units of a 1200th of the width, the scale bar up to 180 of them.
+    -- As wide as its longest words want, and as the scale bar, which is up to 180 pixels long.
     WITH legend AS MATERIALIZED (SELECT * FROM streetgen._svg_legend(model, theme, scale, symbols))
-    SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width + ceil(300 * unit),
-        greatest(height, ceil(tall * unit))) || E'\n<rect width="100%" height="100%" fill="' || paper || E'"/>\n' || map
-        || format('<svg x="%s" width="%s" height="%s" viewBox="0 0 300 %s" font-family="sans-serif" font-size="14" '
-            'fill="%s">', width, ceil(300 * unit), ceil(tall * unit), tall, ink) || E'\n'
+    SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width + wide,
+        greatest(height, tall)) || E'\n<rect width="100%" height="100%" fill="' || paper || E'"/>\n' || map
+        || format('<svg x="%s" width="%s" height="%s" font-family="DejaVu Sans,sans-serif" font-size="14" fill="%s">',
+            width, wide, tall, ink) || E'\n'
         || coalesce((SELECT string_agg(format('<g transform="translate(16 %s)">%s<text x="44" y="13">%s</text></g>',
             26 * l.turn - 10, l.swatch, l.words), E'\n' ORDER BY l.turn) FROM legend l), '') || E'\n'
         || format('<path transform="translate(16 %s)" d="M0 0v8h%sv-8" fill="none" stroke="%s" '
-            'stroke-width="1.5"/><text x="16" y="%s">%s m</text>', tall - 44, round((metres / (pixel * unit))::numeric,
-            2), ink, tall - 18, metres::numeric) || E'\n</svg>\n</svg>\n'
-    FROM (SELECT width / 1200.0 AS unit, 26 * (SELECT count(*) FROM legend) + 72 AS tall,
-        180 * pixel * width / 1200.0 AS longest) size,
+            'stroke-width="1.5"/><text x="16" y="%s">%s m</text>', tall - 44, round((metres / pixel)::numeric, 2), ink,
+            tall - 18, metres::numeric) || E'\n</svg>\n</svg>\n'
+    FROM (SELECT 26 * count(*) + 72 AS tall, greatest(212, 76 + ceil(14 * max((SELECT max(ends)
+            FROM streetgen._letters(words))))) AS wide, 180 * pixel AS longest FROM legend) size,
         streetgen._round_length(longest) metres, streetgen._page(model, theme, scale) page
     $$;
 COMMENT ON FUNCTION streetgen._svg_beside_legend(name, text, integer, numeric, float8, text, float8, bigint[]) IS
-    'A map (SVG of width by height, in pixels of so many metres) with the legend of its symbols and a scale beside it.';
+    'A map (SVG of width by height, in pixels of so many metres) with the legend of its symbols and a scale beside it, '
+    'whose letters are 14 pixels high whatever the width.';
 
 CREATE OR REPLACE FUNCTION streetgen._curve_as_svg(curve geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -111,7 +112,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR unused IN SELECT DISTINCT r.layer, r.kind FROM symbol_rule r WHERE r.theme = _tell_unused_rules.theme
-        AND scale > r.from_scale AND scale <= r.to_scale AND r.kind <> '' AND r.layer <> 'name'
+        AND scale > r.from_scale AND scale <= r.to_scale AND r.kind <> '' AND r.layer NOT IN ('name', 'ref')
         AND (r.layer, r.kind) NOT IN (SELECT a.layer, a.kind FROM streetgen.symbol_rule a)
         AND (r.layer, r.kind) NOT IN (SELECT s.layer, s.kind FROM streetgen._symbols(model, theme, scale) s
             WHERE s.symbol = ANY (symbols)) ORDER BY 1, 2
@@ -156,8 +157,14 @@ BEGIN
             h.level)
     SELECT coalesce((SELECT string_agg(format(E'<rect width="100%%" height="100%%" fill="%s"/>\n', s.fill), ''
             ORDER BY s.symbol) FROM symbol s WHERE s.layer = 'ground' AND s.fill IS NOT NULL), '')
-        || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n', '')
-        || streetgen._svg_names(model, box, pixel, theme, scale), ARRAY(SELECT DISTINCT d.symbol FROM drawn d)
+        || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n',
+            -- Where nothing is, the picture says so.
+            (SELECT format(E'<text x="%s" y="%s" fill="%s" text-anchor="middle" style="font:%spx DejaVu Sans,'
+                'sans-serif">nothing here at 1:%s</text>\n', (ST_XMax(box) - ST_XMin(box)) / 2,
+                (ST_YMax(box) - ST_YMin(box)) / 2, s.fill, round((16 * pixel)::numeric, 4), round(scale))
+            FROM symbol s WHERE s.layer = 'ink' AND s.fill IS NOT NULL ORDER BY s.symbol DESC LIMIT 1), '')
+        || (SELECT n.svg || streetgen._svg_refs(model, box, pixel, theme, scale, n.taken)
+            FROM streetgen._svg_names(model, box, pixel, theme, scale) n), ARRAY(SELECT DISTINCT d.symbol FROM drawn d)
         INTO drawing, symbols;
     PERFORM streetgen._tell_unused_rules(model, box, theme, scale, symbols);
 END $$;
@@ -177,7 +184,7 @@ COMMENT ON FUNCTION streetgen._model_extent(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NULL, width integer DEFAULT NULL,
     legend boolean DEFAULT false, theme text DEFAULT 'street', scale float8 DEFAULT NULL) RETURNS text
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 DECLARE
     box geometry;
@@ -196,16 +203,24 @@ BEGIN
     END IF;
     box := ST_SetSRID(coalesce(ST_Envelope(extent), streetgen._model_extent(model),
         ST_MakeEnvelope(0, 0, 1, 1)), (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
-    wide := greatest(ST_XMax(box) - ST_XMin(box), 1);
-    high := greatest(ST_YMax(box) - ST_YMin(box), 1);
+    -- A metre of ground at least, about what was asked for.
+    box := ST_Expand(box, greatest(0, 0.5 - (ST_XMax(box) - ST_XMin(box)) / 2),
+        greatest(0, 0.5 - (ST_YMax(box) - ST_YMin(box)) / 2));
+    wide := ST_XMax(box) - ST_XMin(box);
+    high := ST_YMax(box) - ST_YMin(box);
     width := coalesce(width, CASE WHEN scale > 0
-        THEN greatest(16, round(least(wide / scale / streetgen._pixel_on_paper(), 1e6))) ELSE 1200 END);
+        THEN greatest(16, round(least(wide / scale / streetgen._pixel_on_paper(), 1e6)))
+        ELSE greatest(16, least(1200, floor(20000 * wide / high))) END);
     IF width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', width USING ERRCODE = '22023',
             HINT = 'The default is 1200, or as the scale says.';
     END IF;
     pixel := wide / width;
     height := greatest(1, round((width * high / wide)::numeric));
+    IF height > 20000 THEN
+        RAISE EXCEPTION 'the picture would be % pixels wide and % high, expected up to 20000', width, height
+            USING ERRCODE = '22023', HINT = 'Take a smaller width, a greater scale, or an extent that is less high.';
+    END IF;
     scale := coalesce(scale, pixel / streetgen._pixel_on_paper());
     map := streetgen._svg_map(model, box, pixel, theme, scale);
     frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, height, round(wide::numeric, 3),

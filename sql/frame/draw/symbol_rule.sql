@@ -14,7 +14,7 @@ CREATE TABLE streetgen.symbol_rule (
     meaning text,
     PRIMARY KEY (theme, layer, kind, from_scale, place),
     CONSTRAINT symbol_rule_scales CHECK (from_scale < to_scale),
-    CONSTRAINT symbol_rule_name_has_size CHECK (layer <> 'name' OR width IS NOT NULL),
+    CONSTRAINT symbol_rule_name_has_size CHECK (layer NOT IN ('name', 'ref') OR width IS NOT NULL),
     CONSTRAINT symbol_rule_width_has_unit CHECK (num_nulls(width, unit) IN (0, 2)),
     CONSTRAINT symbol_rule_line_has_width CHECK (line IS NULL OR width IS NOT NULL),
     CONSTRAINT symbol_rule_shadow_has_width CHECK (marker IS NULL OR width IS NOT NULL));
@@ -26,8 +26,9 @@ COMMENT ON COLUMN streetgen.symbol_rule.theme IS
     'street: as one sees it from above; dark: the same at night; print: in black and white, for printers and copies; '
     'construction: how it was computed, for engineers';
 COMMENT ON COLUMN streetgen.symbol_rule.layer IS
-    'name of what is drawn, such as sidewalk; name: those of streets; ground lies below all, paper and ink are those '
-    'of a legend; handle: what one edits or looks through in QGIS';
+    'name of what is drawn, such as sidewalk; name: those of streets; ref: numbers of routes in a box, whose border '
+    'and letters have the colour of the line; ground lies below all, paper and ink are those of a legend; '
+    'handle: what one edits or looks through in QGIS';
 COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN streetgen.symbol_rule.from_scale IS
     'drawn beyond this scale, as the number below the line: 1500 is 1:1,500';
@@ -37,7 +38,7 @@ COMMENT ON COLUMN streetgen.symbol_rule.fill IS 'colour of its ground, #rrggbb o
 COMMENT ON COLUMN streetgen.symbol_rule.line IS 'colour of its line or border, #rrggbb or #rrggbbaa; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.width IS
     'width of the line; of a shadow, how far it falls to the south-east; of hatching and dots, how far they are apart; '
-    'of names, the size of the font';
+    'of names and refs, the size of the font';
 COMMENT ON COLUMN streetgen.symbol_rule.unit IS 'unit of width and dash: metre or pixel';
 COMMENT ON COLUMN streetgen.symbol_rule.dash IS 'lengths of dashes and gaps in turn, such as 3 2; NULL: none';
 COMMENT ON COLUMN streetgen.symbol_rule.marker IS
@@ -53,6 +54,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, place, fill) VALUES
     ('construction', 'paper', 0, '#ffffff'),
     ('street', 'ink', 0, '#1f2937'), ('dark', 'ink', 0, '#e5e7eb'), ('print', 'ink', 0, '#000000'),
     ('construction', 'ink', 0, '#1f2937');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'building', 15000, -0.8, '#d8c9b4', '#b09c80', 0.7, 'pixel', 'building'),
+    ('dark', 'building', 15000, -0.8, '#343b46', '#4a5361', 0.7, 'pixel', 'building'),
+    ('print', 'building', 15000, -0.8, '#ffffff', '#000000', 0.5, 'pixel', 'building'),
+    ('construction', 'building', 11000, -0.8, '#e3ddd2', '#bdb4a4', 0.7, 'pixel', 'building');
 
 -- In QGIS one drags, types in or looks through these.
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES

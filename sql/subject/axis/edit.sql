@@ -28,13 +28,14 @@ BEGIN
         END IF;
     END IF;
     IF TG_OP = 'INSERT' AND NEW.axis_id IS NULL THEN
-        INSERT INTO axis (geom, width, lane_count, direction, speed, importance, name, level)
-            VALUES (NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level)
+        INSERT INTO axis (geom, width, lane_count, direction, speed, importance, name, level, ref)
+            VALUES (NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level,
+            NEW.ref)
             RETURNING axis_id INTO NEW.axis_id;
     ELSIF TG_OP = 'INSERT' THEN
-        INSERT INTO axis (axis_id, geom, width, lane_count, direction, speed, importance, name, level)
-            VALUES (NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
-            NEW.name, NEW.level);
+        INSERT INTO axis (axis_id, geom, width, lane_count, direction, speed, importance, name, level,
+            ref) VALUES (NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
+            NEW.name, NEW.level, NEW.ref);
     ELSE
         -- What this edit leaves alone another session may be changing. A loop: what is refused does not show the
         -- statement whole.
@@ -189,8 +190,8 @@ CREATE OR REPLACE FUNCTION streetgen._axis_edit_view()
         ARRAY['key; NULL for a new axis', 'the axis of the road', 'width kerb to kerb, metres; NULL: estimated',
             'number of lanes of both directions; NULL: estimated', 'both, direct or reverse',
               'km/h; NULL: estimated', 'importance, 1 the highest; NULL: that of the class', 'name of the street',
-                  'level above the ground'],
-        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level
+                  'level above the ground', 'number of the route'],
+        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level, ref
             FROM {model}.axis$sql$, 'network'),
     ('node_editing', 'Edit layer: drag a node, and all axes that meet there follow',
         ARRAY['key', 'place'],

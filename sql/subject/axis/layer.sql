@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_layer()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     (2, 'axes', 'LINESTRING', true,
-        'axis_id AS id, name, kind, u.importance, u.level, u.direction, u.width, u.width_end, '
+        'axis_id AS id, name, ref, kind, u.importance, u.level, u.direction, u.width, u.width_end, '
         'u.roadway_offset AS offset_m, '
         'u.lane_count, '
         'u.lanes_forward AS lanes_fwd, u.lanes_backward AS lanes_bwd, u.lanes_both, u.sidewalk_left AS walk_left, '

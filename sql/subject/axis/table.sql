@@ -80,6 +80,7 @@ CREATE TABLE :"model".axis (
     roundabout_tag text, source text, source_ref text, source_geom geometry, source_hash bigint,
     width_by_hand boolean NOT NULL DEFAULT false, source_width float8, source_width_end float8,
     UNIQUE (source, source_ref));
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS ref text;
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;
@@ -116,6 +117,7 @@ COMMENT ON COLUMN :"model".axis.importance IS 'importance, 1 the highest; NULL: 
 COMMENT ON CONSTRAINT axis_importance_check ON :"model".axis IS
     '1 to 99, 1 the highest. Leave it empty to take that of the class.';
 COMMENT ON COLUMN :"model".axis.name IS 'name of the street';
+COMMENT ON COLUMN :"model".axis.ref IS 'number of the route, such as D 906; several with ; between';
 COMMENT ON COLUMN :"model".axis.level IS 'level above the ground, for bridges and tunnels';
 COMMENT ON CONSTRAINT axis_level_check ON :"model".axis IS '-50 to 50. Leave it out for 0, the ground.';
 COMMENT ON COLUMN :"model".axis.kind IS 'class of the source, see axis_class';

@@ -18,18 +18,36 @@ COMMENT ON FUNCTION streetgen._network_drawn(name, geometry, text[]) IS
     'What can be drawn of the network in a box: axis; street, the same by importance; and report.';
 
 CREATE OR REPLACE FUNCTION streetgen._network_named(model name, box geometry)
-    RETURNS TABLE(name text, importance integer, geom geometry)
+    RETURNS TABLE(name text, importance integer, geom geometry, apart float8)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT s.name, s.importance, line.geom FROM (
-        SELECT a.name, min(e.importance) AS importance, ST_LineMerge(ST_Collect(ST_Force2D(e.geom))) AS lines
-        FROM edge e JOIN axis a USING (axis_id) WHERE e.geom && box AND a.name ~ '\S' GROUP BY a.name) s,
-        ST_Dump(s.lines) line;
+    -- The two carriageways of a street are less than 60 m apart; all of a ring is one place.
+    RETURN QUERY SELECT s.name, s.importance, line.geom, CASE WHEN s.ring OR ST_IsClosed(line.geom)
+            THEN greatest(60, ST_Perimeter(ST_Envelope(line.geom))) ELSE 60 END
+        FROM (SELECT a.name, a.roundabout_tag IS NOT NULL AS ring, min(e.importance) AS importance,
+                ST_LineMerge(ST_Collect(ST_Force2D(e.geom))) AS lines
+            FROM edge e JOIN axis a USING (axis_id) WHERE e.geom && box AND a.name ~ '\S' GROUP BY a.name, ring) s,
+            ST_Dump(s.lines) line;
 END $$;
 COMMENT ON FUNCTION streetgen._network_named(name, geometry) IS
     'The names of streets in a box, each along the axes that bear it.';
+
+CREATE OR REPLACE FUNCTION streetgen._network_numbered(model name, box geometry)
+    RETURNS TABLE(ref text, importance integer, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    -- A route of several numbers shows the first.
+    RETURN QUERY SELECT r.ref, r.importance, line.geom FROM (
+        SELECT first AS ref, min(e.importance) AS importance, ST_LineMerge(ST_Collect(ST_Force2D(e.geom))) AS lines
+        FROM edge e JOIN axis a USING (axis_id), LATERAL (SELECT btrim(split_part(a.ref, ';', 1)) AS first) f
+        WHERE e.geom && box AND first ~ '\S' GROUP BY first) r, ST_Dump(r.lines) line;
+END $$;
+COMMENT ON FUNCTION streetgen._network_numbered(name, geometry) IS
+    'The numbers of routes in a box, each along the axes that bear it.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, place, line, width, unit, meaning) VALUES
     ('street', 'street', '1', 15000, 910, '#d9822b', 2.4, 'pixel', 'motorway or main road'),
@@ -60,3 +78,13 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, pla
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'handle', 'axis', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'axis to edit'),
     ('construction', 'handle', 'node', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'node to drag');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit) VALUES
+    ('street', 'ref', '1', 25000, 970, '#b3541e', '#ffffff', 10, 'pixel'),
+    ('street', 'ref', '2', 25000, 970, '#f6c878', '#3a2a08', 10, 'pixel'),
+    ('street', 'ref', '3', 25000, 970, '#ffffff', '#3f454d', 9, 'pixel'),
+    ('dark', 'ref', '1', 25000, 970, '#c98a4a', '#14171c', 10, 'pixel'),
+    ('dark', 'ref', '2', 25000, 970, '#5d4a2a', '#f1e3c4', 10, 'pixel'),
+    ('dark', 'ref', '3', 25000, 970, '#262b33', '#d5d9df', 9, 'pixel'),
+    ('print', 'ref', '1', 25000, 970, '#000000', '#ffffff', 10, 'pixel'),
+    ('print', 'ref', '2', 25000, 970, '#ffffff', '#000000', 10, 'pixel'),
+    ('print', 'ref', '3', 25000, 970, '#ffffff', '#000000', 9, 'pixel');

@@ -1,14 +1,34 @@
 -- Objects along streets are drawn by these rules.
 
+CREATE OR REPLACE FUNCTION streetgen._object_kinds(model name) RETURNS TABLE(type text, kind text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH RECURSIVE above AS (
+        SELECT o.type, o.type AS word, o.parent, o.symbol, o.category, 1 AS turn FROM object_type o
+        UNION ALL SELECT a.type, o.type, o.parent, o.symbol, o.category, a.turn + 1
+            FROM above a JOIN object_type o ON o.type = a.parent WHERE a.turn < 20),
+    word AS (
+        SELECT a.type, v.word, a.turn + v.after AS turn
+        FROM above a, LATERAL (VALUES (a.word, 0), (a.symbol, 100), (a.category, 200)) v(word, after))
+    SELECT DISTINCT ON (w.type) w.type, w.word FROM word w
+    WHERE w.word IN (SELECT r.kind FROM streetgen.symbol_rule r WHERE r.layer = 'object'
+        UNION ALL SELECT r.kind FROM symbol_rule r WHERE r.layer = 'object') ORDER BY w.type, w.turn;
+END $$;
+COMMENT ON FUNCTION streetgen._object_kinds(name) IS
+    'The kind by whose rules objects of a type are drawn: the type, one above it, a symbol or a category of these, the '
+    'first that a rule of layer object names; no row: none is named.';
+
 CREATE OR REPLACE FUNCTION streetgen._object_drawn(model name, box geometry, layers text[])
     RETURNS SETOF streetgen.shape
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT 'object', coalesce(category, ''), NULL::integer,
+    RETURN QUERY SELECT 'object', coalesce(kind, ''), NULL::integer,
             streetgen._object_symbol(o.geom, angle, symbol, size), street_object_id
-        FROM street_object o JOIN object_type USING (type)
+        FROM street_object o JOIN object_type USING (type) LEFT JOIN streetgen._object_kinds(model) k USING (type)
         WHERE 'object' = ANY (layers) AND symbol NOT IN ('crossing', 'bay') AND o.geom && box;
     RETURN QUERY SELECT 'crossing', '', 0, stripes::geometry, street_object_id FROM pedestrian_crossing
         WHERE 'crossing' = ANY (layers) AND stripes && box;
@@ -16,15 +36,56 @@ BEGIN
         WHERE 'bay' = ANY (layers) AND surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
-    'What can be drawn of objects in a box: object, by category of its type; crossing, the stripes; and bay.';
+    'What can be drawn of objects in a box: object, by kind; crossing, the stripes; and bay.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_kept_clear(model name, box geometry) RETURNS SETOF geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT stripes::geometry FROM pedestrian_crossing WHERE stripes && box;
+END $$;
+COMMENT ON FUNCTION streetgen._object_kept_clear(name, geometry) IS
+    'The crossings in a box, over which no name stands where another place is free.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, width, unit, marker) VALUES
-    ('street', 'object', 'green', 2500, 950, '#00000033', 1, 'metre', 'shadow'),
-    ('dark', 'object', 'green', 2500, 950, '#00000080', 1, 'metre', 'shadow');
+    ('street', 'object', 'tree', 2500, 949, '#0000001f', 1.5, 'metre', 'shadow'),
+    ('street', 'object', 'tree', 2500, 950, '#00000026', 0.9, 'metre', 'shadow'),
+    ('street', 'object', 'green', 2500, 950, '#00000033', 0.4, 'metre', 'shadow'),
+    ('dark', 'object', 'tree', 2500, 950, '#00000080', 1, 'metre', 'shadow'),
+    ('dark', 'object', 'green', 2500, 950, '#00000080', 0.4, 'metre', 'shadow');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'object', 'green', 2500, 951, '#6f9d57d9', '#4f7a3a', 0.5, 'pixel', 'tree or hedge'),
-    ('dark', 'object', 'green', 2500, 951, '#2f5a35d9', '#3f7a46', 0.5, 'pixel', 'tree or hedge'),
-    ('construction', 'object', 'green', 2000, 951, '#4d7c0f99', '#3f6212', 0.5, 'pixel', 'tree or hedge');
+    ('street', 'object', 'tree', 2500, 953, '#6f9d57d9', '#4f7a3a', 0.5, 'pixel', 'tree'),
+    ('street', 'object', 'green', 2500, 951, '#6f9d57', '#4f7a3a', 0.5, 'pixel', 'hedge'),
+    ('street', 'object', 'lamp', 1500, 952, '#f4c542', '#5a4a12', 0.06, 'metre', 'street lamp'),
+    ('street', 'object', 'traffic_light', 1500, 952, '#c92a2a', '#ffffff', 0.06, 'metre', 'signal'),
+    ('street', 'object', 'sign', 1500, 952, '#2f5fb3', '#ffffff', 0.06, 'metre', 'traffic sign'),
+    ('street', 'object', 'bus_stop', 1500, 952, '#1d4ed8', '#ffffff', 0.1, 'metre', 'bus stop'),
+    ('dark', 'object', 'tree', 2500, 953, '#2f5a35d9', '#3f7a46', 0.5, 'pixel', 'tree'),
+    ('dark', 'object', 'green', 2500, 951, '#2f5a35', '#3f7a46', 0.5, 'pixel', 'hedge'),
+    ('dark', 'object', 'lamp', 1500, 952, '#ffd873', '#ffd87366', 0.5, 'metre', 'street lamp'),
+    ('construction', 'object', 'tree', 2000, 951, '#4d7c0f99', '#3f6212', 0.5, 'pixel', 'tree'),
+    ('construction', 'object', 'green', 2000, 951, '#4d7c0f', '#4d7c0f', 1.5, 'pixel', 'hedge'),
+    ('construction', 'object', 'lamp', 2000, 952, '#b45309', '#b45309', 3, 'pixel', 'street lamp'),
+    ('construction', 'object', 'traffic_light', 2000, 952, '#dc2626', '#dc2626', 3, 'pixel', 'signal'),
+    ('construction', 'object', 'sign', 2000, 952, '#2563eb', '#2563eb', 3, 'pixel', 'traffic sign'),
+    ('construction', 'object', 'bus_stop', 2000, 952, '#0e7490', '#0e7490', 3, 'pixel', 'bus stop'),
+    ('construction', 'object', 'furniture', 2000, 952, '#7c3aed', '#7c3aed', 3, 'pixel', 'street furniture'),
+    ('construction', 'object', 'protection', 2000, 952, '#475569', '#475569', 2, 'pixel', 'bollard or barrier'),
+    ('construction', 'object', 'manhole', 2000, 952, '#64748b', '#64748b', 2, 'pixel', 'manhole'),
+    ('construction', 'object', 'arrow', 2000, 952, '#ffffff', '#ffffff', 0.5, 'pixel', 'paint');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
+    ('street', 'object', 'furniture', 1500, 952, '#7a4f2a', 'street furniture'),
+    ('street', 'object', 'protection', 1500, 952, '#3f454d', 'bollard or barrier'),
+    ('street', 'object', 'manhole', 1500, 948, '#5f636a', 'manhole'),
+    ('street', 'object', 'arrow', 1500, 948, '#fbfbf8', 'paint'),
+    ('dark', 'object', 'traffic_light', 1500, 952, '#ff5a4a', 'signal'),
+    ('dark', 'object', 'sign', 1500, 952, '#6d9eeb', 'traffic sign'),
+    ('dark', 'object', 'bus_stop', 1500, 952, '#7aa2ff', 'bus stop'),
+    ('dark', 'object', 'furniture', 1500, 952, '#b08a5f', 'street furniture'),
+    ('dark', 'object', 'protection', 1500, 952, '#8d949e', 'bollard or barrier'),
+    ('dark', 'object', 'manhole', 1500, 948, '#262b32', 'manhole'),
+    ('dark', 'object', 'arrow', 1500, 948, '#dfe2e6', 'paint');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('street', 'object', 1500, 952, '#3f454d', 'object'),
     ('street', 'crossing', 5000, 7, '#fbfbf8', 'crossing'),
@@ -33,7 +94,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning)
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'bay', 1500, 3.5, '#73777f', '#fbfbf8', 0.1, 'metre', 'parking bay'),
     ('dark', 'bay', 1500, 3.5, '#454b54', '#dfe2e6', 0.1, 'metre', 'parking bay'),
-    ('construction', 'object', 2000, 952, '#7c3aed', '#4c1d95', 0.8, 'pixel', 'object'),
+    ('construction', 'object', 2000, 952, '#9333ea', '#9333ea', 3, 'pixel', 'object'),
     ('construction', 'bay', 2000, 3.5, '#b4bac3', '#ffffff', 1.2, 'pixel', 'parking bay');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('construction', 'crossing', 2000, 7, '#ffffff');
@@ -48,7 +109,13 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width,
     ('construction', 'handle', 'bus_stop', 980, '#0f766e', '#0f766e', 1, 'pixel', 'bus stop'),
     ('construction', 'handle', 'arrow', 980, '#52575f', '#52575f', 1, 'pixel', 'arrow');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('print', 'object', 'tree', 2500, 953, '#d0d0d0b3', '#000000', 0.5, 'pixel', 'tree or hedge'),
     ('print', 'object', 'green', 2500, 951, '#d0d0d0b3', '#000000', 0.5, 'pixel', 'tree or hedge');
+-- In black and white their shapes tell them apart.
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning)
+    SELECT 'print', 'object', kind, 1500, 952, '#000000', CASE kind WHEN 'arrow' THEN 'paint'
+        ELSE 'lamp, signal, sign or furniture' END
+    FROM unnest('{lamp,traffic_light,sign,bus_stop,furniture,protection,manhole,arrow}'::text[]) kind;
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('print', 'object', 1500, 952, '#000000', 'object'),
     ('print', 'crossing', 2500, 7, '#000000', 'crossing');

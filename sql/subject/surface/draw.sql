@@ -1,5 +1,31 @@
 -- The roadway is drawn by these rules.
 
+CREATE OR REPLACE FUNCTION streetgen._roadway_at_nodes(model name, box geometry)
+    RETURNS TABLE(node_id bigint, importance integer, level integer, surface geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH arm AS MATERIALIZED (
+        SELECT i.node_id, i.level, i.surface::geometry, e.importance, l.border_line::geometry
+        FROM intersection i, LATERAL (SELECT edge_id, importance, 'start' AS which FROM edge
+                WHERE from_node = i.node_id
+            UNION ALL SELECT edge_id, importance, 'end' FROM edge WHERE to_node = i.node_id) e
+            JOIN section_limit l USING (edge_id, which) WHERE i.surface && box),
+    least AS (SELECT node_id, max(importance) AS importance FROM arm GROUP BY node_id)
+    SELECT * FROM (SELECT DISTINCT ON (node_id) node_id, a.importance, a.level, a.surface
+        FROM arm a JOIN least USING (node_id, importance)) whole
+    UNION ALL SELECT node_id, w.importance, a.level, ST_Intersection(a.surface,
+            ST_ConvexHull(ST_Collect(a.border_line)))
+        FROM (SELECT DISTINCT node_id, importance FROM arm) w JOIN least l USING (node_id) JOIN arm a USING (node_id)
+        WHERE w.importance < l.importance AND a.importance <= w.importance
+        GROUP BY node_id, w.importance, a.level, a.surface HAVING count(*) > 1;
+END $$;
+COMMENT ON FUNCTION streetgen._roadway_at_nodes(name, geometry) IS
+    'Intersections in a box by importance: the whole of each as its least important street, and the ways through it '
+    'from limit to limit of the more important ones.';
+
 CREATE OR REPLACE FUNCTION streetgen._surface_drawn(model name, box geometry, layers text[])
     RETURNS SETOF streetgen.shape
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
@@ -11,11 +37,12 @@ BEGIN
     RETURN QUERY SELECT 'intersection', CASE WHEN method IN ('contested', 'crowded') THEN 'contested'
             WHEN method = 'transition' THEN 'transition' ELSE '' END, level, surface::geometry, node_id
         FROM intersection WHERE 'intersection' = ANY (layers) AND surface && box;
-    -- By the importance of the street, or of the most important one of a node.
     RETURN QUERY SELECT 'roadway', importance::text, s.level, s.surface::geometry, edge_id FROM section s
-            JOIN edge USING (edge_id) WHERE 'roadway' = ANY (layers) AND surface && box
-        UNION ALL SELECT 'roadway', (SELECT min(importance)::text FROM edge WHERE node_id IN (from_node, to_node)),
-            level, surface, node_id FROM intersection WHERE 'roadway' = ANY (layers) AND surface && box;
+        JOIN edge USING (edge_id) WHERE 'roadway' = ANY (layers) AND surface && box;
+    IF 'roadway' = ANY (layers) THEN
+        RETURN QUERY SELECT 'roadway', importance::text, level, surface, node_id
+            FROM streetgen._roadway_at_nodes(model, box);
+    END IF;
     RETURN QUERY SELECT 'limit', '', NULL::integer, border_line::geometry, section_limit_id FROM section_limit
         WHERE 'limit' = ANY (layers) AND method = 'hypothesis' AND border_line && box;
     RETURN QUERY SELECT 'arc', CASE method WHEN 'hypothesis' THEN '' ELSE 'fallback' END, NULL::integer,
