@@ -17,3 +17,9 @@ CREATE TEMPORARY TABLE picture AS SELECT scale, theme, streetgen.svg('quarter', 
 SELECT format('at 1:%s no name stands over another, in theme %s', scale, theme), count(w) > 3 AND test.collisions(min(svg)) = 0 FROM picture, test.written(svg) w GROUP BY scale, theme ORDER BY 1;
 SELECT format('at 1:%s no name is upside down, in theme %s', scale, theme), count(*) > 3 AND bool_and(upright) FROM picture, test.written(svg) GROUP BY scale, theme ORDER BY 1;
 SELECT 'at 1:1,000 streets of 80 m and more have their name but for one of thirty', count(*) > 30 AND count(*) FILTER (WHERE NOT written) <= 0.03 * count(*) FROM picture, test.streets_written('quarter', ST_SetSRID(streetgen._model_extent('quarter'), 2154), svg, 80) WHERE scale = 1000 AND theme = 'street';
+
+-- Streets that end in a hairpin, with names of all lengths.
+SELECT streetgen.create_model('hairpin', 2154, subjects => '{}') \g /dev/null
+INSERT INTO hairpin.axis (geom, width, name) SELECT ST_SetSRID(ST_Translate('LINESTRING(0 0,60 0,57 1.5)'::geometry, 650000, 6860000 + 20 * n), 2154), 7, repeat('o', n) FROM generate_series(20, 36) n;
+DO $$ BEGIN PERFORM streetgen.generate('hairpin'); END $$;
+SELECT 'no letter turns back at a hairpin', count(*) > 8 AND bool_and(upright) FROM test.written(streetgen.svg('hairpin', scale => 1000));

@@ -69,9 +69,12 @@ CREATE OR REPLACE FUNCTION streetgen._name_along(line geometry, middle float8, l
     SELECT CASE WHEN ST_X(ST_EndPoint(piece)) < ST_X(ST_StartPoint(piece)) THEN ST_Reverse(piece) ELSE piece END
     FROM (SELECT ST_LineSubstring(line, greatest(0, (middle - long / 2) / length), least(1, (middle + long / 2)
             / length)) AS piece FROM (SELECT ST_Length(line) AS length) l) p
-    -- Text round a sharp bend is not read.
+    -- Text round a sharp bend is not read, nor a letter that turns by more than 60 degrees.
     WHERE GeometryType(piece) = 'LINESTRING'
-        AND ST_Length(piece) < 1.08 * ST_Distance(ST_StartPoint(piece), ST_EndPoint(piece)) $$;
+        AND ST_Length(piece) < 1.08 * ST_Distance(ST_StartPoint(piece), ST_EndPoint(piece))
+        AND NOT EXISTS (SELECT FROM ST_DumpSegments(ST_LineFromMultiPoint(ST_LineInterpolatePoints(piece, 0.04))) part
+            WHERE cos(ST_Azimuth(ST_StartPoint(piece), ST_EndPoint(piece))
+                - ST_Azimuth(ST_StartPoint(part.geom), ST_EndPoint(part.geom))) < 0.5) $$;
 COMMENT ON FUNCTION streetgen._name_along(geometry, float8, float8) IS
     'The piece of a line on which a text stands upright, about an abscissa and so long, in metres; NULL where the line '
     'bends too much.';
