@@ -97,7 +97,8 @@ CREATE OR REPLACE FUNCTION streetgen._shape_as_svg(geom geometry, x float8, y fl
     AS $$ SELECT CASE GeometryType(geom) WHEN 'COMPOUNDCURVE' THEN streetgen._curve_as_svg(geom, x, y)
         -- A line of paint is a decimetre wide; a point that an intersection leaves beside its surface is no path.
         ELSE ST_AsSVG(ST_Translate(ST_RemoveRepeatedPoints(ST_CollectionExtract(geom),
-            CASE WHEN pixel > 1 THEN pixel / 4 ELSE least(pixel / 4, 0.03) END), -x, -y), 1, greatest(0, least(3, ceil(log(8 / pixel))::integer))) END $$;
+            CASE WHEN pixel > 1 THEN pixel / 4 ELSE least(pixel / 4, 0.03) END), -x, -y), 1,
+            greatest(0, least(3, ceil(log(8 / pixel))::integer))) END $$;
 COMMENT ON FUNCTION streetgen._shape_as_svg(geometry, float8, float8, float8) IS
     'A geometry as a path of SVG, to an eighth of a pixel (metres); x and y are those of the upper left corner of the '
     'picture.';
