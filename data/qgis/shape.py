@@ -1,4 +1,8 @@
-"""What the map has of each relation of a model.  tests/qgis holds that grounds are the shapes that streetgen.svg draws."""
+"""What the map has of each relation of a model.  tests/qgis holds that grounds are the shapes that streetgen.svg draws.
+
+QGIS asks for a box at each move, and an index must find the rows.  Decks from wall to wall, and junctions cut by importance, are computed of many
+rows: here stretches and whole junctions stand for them.
+"""
 import dataclasses
 import typing
 
@@ -26,9 +30,9 @@ PATH_KIND = "CASE WHEN plausible THEN '' ELSE 'implausible' END"
 RING_KIND = "CASE WHEN accepted THEN '' ELSE 'refused' END"
 GROUND_LEVEL = "(SELECT value::integer FROM @.setting WHERE name = 'ground_level')"
 MODEL = '(parse_ident($model$@$model$))[1]'
-ALL = f'{MODEL}, streetgen._model_extent({MODEL})'
-# Decks and tunnels go on over nodes, so they are the pieces of a union.
-DECKS = "(SELECT row_number() OVER (ORDER BY id, ST_XMin(geom), ST_YMin(geom)) AS n, d.* FROM streetgen._bridge_drawn(" + ALL + ", '{{{0}}}') d) d"
+LEAST_IMPORTANCE = '(SELECT min(importance)::text FROM @.edge WHERE node_id IN (from_node, to_node))'
+BRIDGE = dict(relations=('bridge',), key='bridge_id', kind='b.method', geometry='b.surface', rows='@.bridge b ' + EDGE)
+TUNNEL = dict(relations=('tunnel',), key='tunnel_id', geometry='t.surface', rows='@.tunnel t ' + EDGE)
 DECK = "@.bridge b JOIN @.edge e USING (edge_id) JOIN @.{0} p USING (edge_id)"
 ON_DECK = dict(layer='deck_paint', geometry='ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3)', where="b.method = 'overpass'")
 
@@ -39,7 +43,7 @@ GROUNDS = (
     Shape('section', ('section',), 'edge_id', SECTION_KIND),
     Shape('intersection', ('intersection',), 'node_id', INTERSECTION_KIND),
     Shape('roadway', ('section',), 'edge_id', 'importance::text', 's.level', rows='@.section s ' + EDGE),
-    Shape('roadway', ('intersection',), '(100 * node_id + importance)', 'importance::text', rows=f'streetgen._roadway_at_nodes({ALL})'),
+    Shape('roadway', ('intersection',), 'node_id', LEAST_IMPORTANCE),
     Shape('junction', ('junction', 'intersection'), 'junction_id', level='i.level', geometry='j.surface', where="j.method <> 'hypothesis'",
           rows='@.junction j JOIN @.intersection i ON node_id = junction_id'),
     Shape('lane', ('lane',), 'lane_id', 'kind', geometry='l.surface', where="kind IN ('bus', 'cycle')", rows='@.lane l ' + EDGE),
@@ -48,7 +52,10 @@ GROUNDS = (
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
     Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
     Shape('crossing', ('pedestrian_crossing',), 'street_object_id', level='0', geometry='stripes'),
-    *(Shape(layer, ('bridge',), 'n', 'kind', geometry='geom', rows=DECKS.format(layer)) for layer in ('bridge_shadow', 'bridge', 'parapet', 'tunnel', 'tunnel_wall')),
+    Shape('bridge_shadow', **BRIDGE),
+    Shape('bridge', **BRIDGE),
+    Shape('tunnel', **TUNNEL),
+    Shape('tunnel_wall', level='0', **TUNNEL),
     Shape(key='lane_separator_id', relations=('bridge', 'lane_separator'), rows=DECK.format('lane_separator'), **ON_DECK),
     Shape(key='marking_id', relations=('bridge', 'marking'), rows=DECK.format('marking'), **ON_DECK),
 )
