@@ -92,6 +92,7 @@ ALTER TABLE drawn.symbol_rule DROP own;
 DELETE FROM drawn.symbol_rule;
 SELECT 'a number that is none is refused: ' || attribute, test.state(format('INSERT INTO drawn.symbol_rule (theme, layer, place, fill, unit, width) SELECT ''street'', ''section'', 5, ''#ffffff'', ''metre'', 1 UNION ALL SELECT ''street'', ''section'', %s, ''#ffffff'', ''metre'', %s', place, width)) = '23514' FROM (VALUES ('''NaN''::float8', '1', 'place'), ('6', '''NaN''::float8', 'width NaN'), ('6', '''Infinity''::float8', 'width')) v(place, width, attribute);
 SELECT 'a point beside a surface is no path', streetgen._shape_as_svg('GEOMETRYCOLLECTION(POLYGON((0 0,1 0,1 1,0 0)),POINT(5 5))', 0, 0, 0.1) = streetgen._shape_as_svg('POLYGON((0 0,1 0,1 1,0 0))', 0, 0, 0.1);
+SELECT 'a shadow is filled with its colour, and no pattern: ' || marker, (streetgen._pattern_as_svg(marker, '#000000', 1, 1) IS NULL) = (marker = 'shadow') FROM unnest('{shadow,hatch,dots}'::text[]) marker;
 SELECT 'paint keeps the four corners of its stripes', count(*) > 0 AND bool_and(regexp_count(streetgen._shape_as_svg(surface, 650000, 6860000, 0.42), '-?[0-9.]+') >= 8 * ST_NumGeometries(surface)) FROM drawn.lane_separator WHERE NOT ST_IsEmpty(surface);
 SELECT streetgen.create_model('unlaned', 2154, subjects => '{bridge}') \g /dev/null
 CREATE TABLE public.lane_separator (edge_id text);

@@ -169,7 +169,8 @@ CREATE OR REPLACE FUNCTION streetgen._pattern_as_svg(marker text, fill text, apa
             every, CASE marker WHEN 'hatch' THEN format('<path d="M%s 0v%s" stroke="%s" stroke-width="%s"/>', half,
                 every, fill, round((0.5 * pixel)::numeric, 4))
             WHEN 'dots' THEN format('<circle cx="%1$s" cy="%1$s" r="%2$s" fill="%3$s"/>', half,
-                round((0.6 * pixel)::numeric, 4), fill) END) drawn $$;
+                round((0.6 * pixel)::numeric, 4), fill) END) drawn
+    WHERE marker IN ('hatch', 'dots') $$;
 COMMENT ON FUNCTION streetgen._pattern_as_svg(text, text, float8, float8) IS
     'The pattern of a marker in SVG, lines half a pixel wide or dots, so far apart; NULL of a marker that is none. A '
     'pixel is so many metres wide.';
