@@ -119,9 +119,9 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, wi
     SELECT theme, layer, 'overpass', to_scale, 4.5, fill, width, unit, marker FROM streetgen.symbol_rule
     WHERE layer = 'bridge_shadow';
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
-    ('street', 'bridge', 5000, -0.4, '#7d8188'),
-    ('dark', 'bridge', 5000, -0.4, '#3a4049'),
-    ('construction', 'bridge', 11000, -0.4, '#c9ccd1');
+    ('street', 'bridge', 5000, -0.4, '#73777f'),
+    ('dark', 'bridge', 5000, -0.4, '#454b54'),
+    ('construction', 'bridge', 11000, -0.4, '#b4bac3');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill)
     SELECT theme, layer, 'overpass', to_scale, 5.5, fill FROM streetgen.symbol_rule WHERE layer = 'bridge';
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
