@@ -114,7 +114,8 @@ BEGIN
             string_agg(streetgen._of_new_row(condition, n.attributes), ' AND ' ORDER BY attribute, condition)
                 AS condition
         FROM (SELECT oid, relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace
-            AND relname = ANY (streetgen._edited_tables(model) || '{axis_class,symbol_rule}'::name[]) OFFSET 0) c
+            AND relname = ANY (streetgen._edited_tables(model) || '{axis_class,symbol_rule}'::name[]
+                || ARRAY(SELECT w.relation FROM streetgen._written() w WHERE w.privilege = 'INSERT')) OFFSET 0) c
         CROSS JOIN LATERAL streetgen._conditions(c.oid) n
         -- Columns that others added keep to their constraints: a trigger would bar them from being dropped or altered.
         JOIN streetgen.template t ON relation = relname AND n.attributes <@ t.attributes GROUP BY c.oid
@@ -127,4 +128,5 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._make_refusals(name) IS
-    'Makes the triggers on the input tables of a model that say what is wrong with a row and what to do.';
+    'Makes the triggers on the input tables of a model, and on others where editors may insert, that say what is wrong '
+    'with a row and what to do.';
