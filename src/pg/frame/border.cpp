@@ -3,6 +3,8 @@
 #include "frame/varlena.hpp"
 
 extern "C" {
+#include <storage/procsignal.h>
+
 __attribute__((visibility("default"))) extern const Pg_magic_struct* Pg_magic_func(void);
 PG_MODULE_MAGIC;
 }
@@ -25,7 +27,24 @@ int sqlstate_of(ErrorKind kind) noexcept {
   return ERRCODE_INTERNAL_ERROR;
 }
 
-bool cancel_requested() noexcept { return QueryCancelPending || ProcDiePending; }
+// A session that drops a database waits until each other one has closed its files: a long call does so on the way.
+// No error of PostgreSQL leaves this function; what failed is due again at the end of the call.
+static void answer_other_sessions() noexcept {
+  const MemoryContext context = CurrentMemoryContext;
+  PG_TRY();
+  { ProcessProcSignalBarrier(); }
+  PG_CATCH();
+  {
+    MemoryContextSwitchTo(context);
+    FlushErrorState();
+  }
+  PG_END_TRY();
+}
+
+bool cancel_requested() noexcept {
+  if (ProcSignalBarrierPending && INTERRUPTS_CAN_BE_PROCESSED()) answer_other_sessions();
+  return QueryCancelPending || ProcDiePending;
+}
 
 void report(const Outcome& outcome) {
   if (outcome.sqlstate == 0) return;
