@@ -15,8 +15,9 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
     AS $$
 SELECT s.geom, streetgen._number(s.width, 0, 200), streetgen._number(s.lane_count, 0, 30)::integer, direction,
     streetgen._number(s.speed, 0, 400),
-    CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END, nullif(s.name, ''),
+    CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END,
     -- NC: not classified; NR: not known; SN: without a number.
+    CASE WHEN s.name !~* '^\s*(NC|NR|SN)?\s*$' THEN s.name END,
     CASE WHEN s.ref !~* '^\s*(NC|NR|SN)?\s*$' THEN btrim(s.ref) END,
     CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
         ELSE 0 END,

@@ -8,7 +8,7 @@ END $$;
 CREATE TABLE import_bdtopo2 (id text, nature text, nom_rue_g text, importance text, fictif text, largeur float8, nb_voies smallint, pos_sol smallint, sens text, geom geometry(MultiLineStringZM, 32631));
 INSERT INTO import_bdtopo2 VALUES
   ('A', 'Route à 1 chaussée', 'R DE LA GARE', '4', 'Non', 6, 2, 0, 'Double', 'SRID=32631;MULTILINESTRING ZM((0 0 -2e38 0, 100 0 5 0))'),
-  ('B', 'Bretelle', NULL, '3', 'Non', 0, 1, 1, 'Inverse', 'SRID=32631;MULTILINESTRING ZM((0 100 5 0, 100 100 5 0))'),
+  ('B', 'Bretelle', 'NR', '3', 'Non', 0, 1, 1, 'Inverse', 'SRID=32631;MULTILINESTRING ZM((0 100 5 0, 100 100 5 0))'),
   ('C', 'Autoroute', NULL, 'NC', 'Non', 20, 2, -1, 'Direct', 'SRID=32631;MULTILINESTRING ZM((0 200 5 0, 100 200 5 0))'),
   ('D', 'Route à 1 chaussée', NULL, '5', 'Oui', 4, 1, 0, 'Double', 'SRID=32631;MULTILINESTRING ZM((0 300 5 0, 100 300 5 0))'),
   ('E', 'Sentier', NULL, '5', 'Non', 2, 1, 0, 'Double', 'SRID=32631;MULTILINESTRING ZM((0 400 5 0, 100 400 5 0))');
@@ -18,6 +18,7 @@ SELECT 'version 2: directions', (SELECT string_agg(direction, ',' ORDER BY sourc
 SELECT 'version 2: levels', (SELECT string_agg(level::text, ',' ORDER BY source_ref) = '0,1,-1' FROM import_v2.axis);
 SELECT 'version 2: importance, where it is a number', (SELECT array_agg(importance ORDER BY source_ref) = '{4,3,NULL}' FROM import_v2.axis);
 SELECT 'version 2: width, lanes and name', (SELECT width = 6 AND lane_count = 2 AND name = 'R DE LA GARE' FROM import_v2.axis WHERE source_ref = 'A');
+SELECT 'version 2: a name that is not known is none', (SELECT name IS NULL FROM import_v2.axis WHERE source_ref = 'B');
 SELECT 'version 2: a width of zero and one beyond the lanes are named',
        (SELECT source_refs = '{B}' FROM import_report WHERE what LIKE 'width of zero%') AND (SELECT source_refs = '{C}' FROM import_report WHERE what = 'width not believed');
 

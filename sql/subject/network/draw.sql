@@ -72,9 +72,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
     ('street', 'name', 3000, 960, '#20242b', '#ffffffd9', 11, 'pixel'),
     ('print', 'name', 3000, 960, '#000000', '#ffffff', 11, 'pixel'),
     ('dark', 'name', 3000, 960, '#f1f3f5', '#14171cd9', 11, 'pixel');
+INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, to_scale, place, fill, line, width, unit)
+    SELECT theme, layer, 3000, 6000, place, fill, line, 9, unit FROM streetgen.symbol_rule WHERE layer = 'name';
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit)
     SELECT theme, layer, street.kind, 3000, 15000, place, fill, line, 10, unit FROM streetgen.symbol_rule,
-        unnest('{1,2,3,4}'::text[]) street(kind) WHERE layer = 'name';
+        unnest('{1,2,3,4}'::text[]) street(kind) WHERE layer = 'name' AND from_scale = 0;
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'handle', 'axis', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'axis to edit'),
     ('construction', 'handle', 'node', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'node to drag');
