@@ -16,6 +16,11 @@ def literal(value):
     return "'%s'" % value.replace("'", "''")
 
 
+def of_model(query, model):
+    """A query of a model: @ stands for its schema, @name for its name as a value, and @@ for the letter."""
+    return re.sub('@@|@name|@', lambda place: {'@@': '@', '@name': literal(model)}.get(place[0], identifier(model)), query)
+
+
 class Database:
     def __init__(self, connection):
         self.uri = QgsDataSourceUri(connection)
@@ -53,6 +58,20 @@ class Database:
         least, most = self.ask(f'SELECT least(-1, min(level) - 1), greatest(2, max(level) + 1) FROM {identifier(model)}.axis')[0]
         return range(max(least, -10), min(most, 10) + 1)
 
+    def buildings(self, model):
+        """What the layer of buildings reads, where a setting names a table that one may read: a row or none."""
+        rows = self.ask(f'''
+            SELECT n.nspname, c.relname, p.name, nullif(p.srid, 0), (
+                SELECT attname FROM pg_index JOIN pg_attribute ON attrelid = indrelid AND attnum = indkey[0] WHERE indrelid = c.oid AND indisprimary AND indnkeyatts = 1)
+            FROM streetgen.setting({literal(model)}) s, streetgen._relation_named(s.value) relation JOIN pg_class c ON c.oid = relation
+                JOIN pg_namespace n ON n.oid = relnamespace, streetgen._polygon_column(relation) p
+            WHERE s.name = 'building_table' AND has_table_privilege(relation, 'SELECT')''')
+        for schema, table, column, srid, key in ([None if value == NULL else value for value in row] for row in rows):
+            # Rows without a key are numbered as they come.
+            keyed = (f'{identifier(key)}, ', key) if key else ('row_number() OVER () AS building_id, ', 'building_id')
+            query = f'SELECT {keyed[0]}{identifier(column)} FROM {identifier(schema)}.{identifier(table)}'
+            yield query.replace('@', '@@'), keyed[1], column, 'MultiPolygon', srid
+
     def symbols(self, model, theme):
         """The rules of a theme, from scale to scale."""
         rows = self.ask(f'''
@@ -79,12 +98,12 @@ class Database:
         """Where a layer comes from. The key is named, since a view tells none."""
         uri = QgsDataSourceUri(self.uri)
         if layer.query:
-            uri.setDataSource('', '(%s)' % layer.query.replace('@', identifier(model)), layer.geometry, '', layer.key)
+            uri.setDataSource('', '(%s)' % of_model(layer.query, model), layer.geometry, '', layer.key)
             uri.setWkbType(QgsWkbTypes.parseType(layer.kind))
         else:
             uri.setDataSource(model, layer.relation, layer.geometry, '', layer.key)
         if layer.geometry:
-            uri.setSrid(str(srid))
+            uri.setSrid(str(layer.srid or srid))
             uri.setUseEstimatedMetadata(True)
         # Keys are known, and looking through all rows for them takes long.
         uri.setParam('checkPrimaryKeyUnicity', '0')

@@ -2,8 +2,8 @@
 import dataclasses
 import typing
 
-from shape import CORNER_KIND, INTERSECTION_KIND, NAMES, OBJECT_LINES, OBJECT_POINTS, PATH_KIND, REPORT, RING_KIND, SECTION_KIND, SIGNALS, STREETS, grounds, shown_of
-from style import along_lines, as_wide_as, at_true_size, by_rule, fill, level_by_level, line, nothing, outline, point, rules, shaded, single, turned, with_arrow
+from shape import CORNER_KIND, INTERSECTION_KIND, NAMES, NUMBERS, OBJECT_LINES, OBJECT_POINTS, PATH_KIND, REPORT, RING_KIND, SECTION_KIND, SIGNALS, STREETS, grounds, shown_of
+from style import along_lines, as_wide_as, at_true_size, boxes_on_lines, by_rule, fill, level_by_level, line, nothing, outline, point, rules, shaded, single, turned, with_arrow
 
 
 @dataclasses.dataclass(frozen=True)
@@ -17,9 +17,10 @@ class Layer:
     writable: typing.Optional[tuple] = None
     shown: bool = False  # in the map theme of its group
     scale: int = 0  # drawn only when nearer than 1 : scale
-    # A layer that no relation holds has these rows, @ being the model, and this type of geometry; it is there with a relation.
+    # A layer that no relation holds has these rows, @ being the model and @name its name as a value, and this type of geometry; it is there with a relation.
     query: typing.Optional[str] = None
     kind: typing.Optional[str] = None
+    srid: typing.Optional[int] = None  # where it is not that of the model
     needs: typing.Optional[str] = None
     labels: typing.Optional[typing.Callable] = None  # of the rules of a theme
     tip: str = ''  # what is told where the pointer rests
@@ -139,6 +140,8 @@ def by_hand(relation, columns):
 
 # The map, as streetgen.svg draws it; below it the streets themselves.
 MAP = (
+    Layer('map', 'route_number', 'edge_id', 'geom', lambda look: nothing(), query=NUMBERS, kind='LineString', needs='edge', theme='street',
+          labels=lambda look: boxes_on_lines(look.of('ref'), 'ref', '"kind"', '10 - "importance"')),
     Layer('map', 'street_name', 'edge_id', 'geom', lambda look: nothing(), query=NAMES, kind='LineString', needs='edge', theme='street',
           labels=lambda look: along_lines(look.of('name'), 'name', '"kind"', '9 - "importance"')),
     Layer('map', 'street_object', 'street_object_id', 'geom', drawn('object', dot, '"kind"'), query=OBJECT_POINTS, kind='Point', needs='street_object', theme='street'),
@@ -156,7 +159,13 @@ def street(relations, levels):
                  query=grounds(relations, levels), kind='MultiPolygon', needs='edge', theme='street')
 
 
-HILL_SHADE = Layer('map', 'terrain', 'hill_shade_id', 'geom', lambda look: single(shaded('grey')), query="SELECT * FROM streetgen.hill_shade((parse_ident('@'))[1])", kind='Polygon',
+def building(source):
+    """The polygons of the table that setting building_table names: its query, key, column, type and SRID."""
+    query, key, column, kind, srid = source
+    return Layer('map', 'building', key, column, drawn('building', fill), query=query, kind=kind, srid=srid, needs='edge', theme='street')
+
+
+HILL_SHADE = Layer('map', 'terrain', 'hill_shade_id', 'geom', lambda look: single(shaded('grey')), query="SELECT * FROM streetgen.hill_shade(@name)", kind='Polygon',
                    needs='terrain_tile')
 
 # What is edited, above what is computed.
@@ -226,9 +235,16 @@ COMPUTED = (
     Layer('construction', 'sidewalk', 'sidewalk_id', 'surface', drawn('sidewalk', fill)),
     Layer('construction', 'block', 'block_id', 'surface', drawn('block', fill, 'kind')),
 )
+
+
+def escaped(column):
+    """A text in a map tip, which is HTML."""
+    return f'[% replace(replace("{column}", \'&\', \'&amp;\'), \'<\', \'&lt;\') %]'
+
+
 CHECKED = (
     Layer('checks', 'check_result', 'check_result_id', 'place', finding, shown=True,
-          tip='<b>[% "severity" %]: [% "rule" %][% coalesce(\', \' || round("measure", 2), \'\') %]</b><br>[% "relation" %] [% "id" %]<br>[% "hint" %]'),
+          tip=f'<b>{escaped("severity")}: {escaped("rule")}[% coalesce(\', \' || round("measure", 2), \'\') %]</b><br>{escaped("relation")} [% "id" %]<br>{escaped("hint")}'),
     Layer('checks', 'report', 'report_id', 'geom', mark('cross2', 3, 'error'), query=REPORT, kind='Point', shown=True),
     Layer('checks', 'activity', 'activity_id', 'extent', border(), shown=True),
     Layer('checks', 'edit_log', 'edit_log_id', 'extent', border(), shown=True),
@@ -269,11 +285,11 @@ DESIGN = (
 )
 
 
-def layers_of(relations, decisions, levels):
+def layers_of(relations, decisions, levels, buildings):
     """The layers of a model that has these relations, from the top down: a subject that it does not compute has none.
 
-    A table of decisions, with the columns that one may type in, is one of those by hand where it has no layer of its own.
+    buildings: the sources of those, one or none. A table of decisions, with the columns that one may type in, is one of those by hand where it has no layer of its own.
     """
     own = {layer.relation for layer in EDITED}
     decided = [by_hand(relation, columns) for relation, columns in decisions.items() if relation not in own]
-    return [layer for layer in (*CHECKED, *EDITED, *decided, *COMPUTED, *DESIGN, *MAP, street(relations, levels), HILL_SHADE) if (layer.needs or layer.relation) in relations]
+    return [layer for layer in (*CHECKED, *EDITED, *decided, *COMPUTED, *DESIGN, *MAP, *map(building, buildings), street(relations, levels), HILL_SHADE) if (layer.needs or layer.relation) in relations]

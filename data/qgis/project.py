@@ -79,7 +79,7 @@ def follow(model, layers, vectors):
 
 def make_project(database, model):
     srid, words = database.srid(model), database.words(model)
-    layers = layers_of(database.relations(model), database.decisions(model), database.levels(model))
+    layers = layers_of(database.relations(model), database.decisions(model), database.levels(model), database.buildings(model))
     looks = {theme: Look(database, model, theme) for theme in ('street', 'construction')}
     project = QgsProject.instance()
     project.clear()

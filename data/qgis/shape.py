@@ -1,7 +1,7 @@
 """What the map has of each relation of a model.  tests/qgis holds that grounds are the shapes that streetgen.svg draws.
 
 QGIS asks for a box at each move, and an index must find the rows.  Decks from wall to wall, and junctions cut by importance, are computed of many
-rows: here stretches and whole junctions stand for them.
+rows: here stretches with their borders, and whole junctions, stand for them.
 """
 import dataclasses
 import typing
@@ -10,7 +10,7 @@ import typing
 @dataclasses.dataclass(frozen=True)
 class Shape:
     layer: str  # of streetgen.symbol_rule
-    relations: tuple  # those that it reads beside edge, the one that has the geometry first; @ is the model
+    relations: tuple  # those that it reads beside edge, the one that has the geometry first; @ is the model, @name its name as a value
     key: str
     kind: str = "''"
     level: str = 'level'
@@ -29,11 +29,15 @@ CORNER_KIND = "CASE WHEN method = 'hypothesis' THEN '' ELSE 'fallback' END"
 PATH_KIND = "CASE WHEN plausible THEN '' ELSE 'implausible' END"
 RING_KIND = "CASE WHEN accepted THEN '' ELSE 'refused' END"
 GROUND_LEVEL = "(SELECT value::integer FROM @.setting WHERE name = 'ground_level')"
-MODEL = '(parse_ident($model$@$model$))[1]'
 LEAST_IMPORTANCE = '(SELECT min(importance)::text FROM @.edge WHERE node_id IN (from_node, to_node))'
 BRIDGE = dict(relations=('bridge',), key='bridge_id', kind='b.method', geometry='b.surface', rows='@.bridge b ' + EDGE)
 TUNNEL = dict(relations=('tunnel',), key='tunnel_id', geometry='t.surface', rows='@.tunnel t ' + EDGE)
 DECK = "@.bridge b JOIN @.edge e USING (edge_id) JOIN @.{0} p USING (edge_id)"
+# Where a stretch ends: what its street has beyond it, and the limits of its section.
+ENDS = ("ST_Collect(ST_Buffer(ST_Difference(s.surface, b.surface), -0.1), (SELECT ST_Collect(border_line) FROM @.section_limit l WHERE l.edge_id = b.edge_id))")
+# A deck is as high as the ground there, and has no parapet across.
+DECK_SHADOW = f'ST_Difference(b.surface, ST_Buffer({ENDS}, 4, 2))'
+PARAPET = f"ST_Buffer(ST_Difference(ST_Boundary(b.surface), ST_Buffer({ENDS}, 0.4, 2)), 0.25, 'endcap=flat join=mitre')"
 ON_DECK = dict(layer='deck_paint', geometry='ST_CollectionExtract(ST_Intersection(p.surface, b.surface), 3)', where="b.method = 'overpass'")
 
 GROUNDS = (
@@ -52,8 +56,9 @@ GROUNDS = (
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
     Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
     Shape('crossing', ('pedestrian_crossing',), 'street_object_id', level='0', geometry='stripes'),
-    Shape('bridge_shadow', **BRIDGE),
+    Shape('bridge_shadow', relations=('bridge', 'section'), key='bridge_id', kind='b.method', geometry=DECK_SHADOW, rows='@.bridge b JOIN @.section s USING (edge_id)'),
     Shape('bridge', **BRIDGE),
+    Shape('parapet', relations=('bridge', 'section'), key='bridge_id', kind='b.method', geometry=PARAPET, rows='@.bridge b JOIN @.section s USING (edge_id)'),
     Shape('tunnel', **TUNNEL),
     Shape('tunnel_wall', level='0', **TUNNEL),
     Shape(key='lane_separator_id', relations=('bridge', 'lane_separator'), rows=DECK.format('lane_separator'), **ON_DECK),
@@ -75,7 +80,7 @@ def grounds(relations, levels):
 
 
 # Objects at true size: points with their shape, and stretches.
-OBJECT = f'@.street_object o JOIN @.object_type t USING (type) LEFT JOIN streetgen._object_kinds({MODEL}) k USING (type)'
+OBJECT = '@.street_object o JOIN @.object_type t USING (type) LEFT JOIN streetgen._object_kinds(@name) k USING (type)'
 OBJECT_POINTS = ("SELECT street_object_id, type, coalesce(k.kind, '') AS kind, size, CASE WHEN symbol IN ('circle', 'tree') THEN 'circle' "
                  "WHEN symbol IN ('rectangle', 'square', 'triangle', 'arrow', 'star') THEN symbol ELSE 'diamond' END AS shape, "
                  "CASE WHEN symbol IN ('circle', 'tree') THEN 0 ELSE coalesce(angle, 0) END AS turn, o.geom "
@@ -86,5 +91,8 @@ SIGNALS = "SELECT 2 * lane_id + along_axis::integer AS signal_head_id, lane_id, 
 # Streets as lines, and the names that stand along them.
 STREETS = 'SELECT edge_id, importance::text AS kind, geom FROM @.edge'
 NAMES = "SELECT e.edge_id, a.name, e.importance, e.importance::text AS kind, e.geom FROM @.edge e JOIN @.axis a USING (axis_id) WHERE btrim(a.name) <> ''"
+# The number of a route; where there are several, the first.
+NUMBERS = ("SELECT e.edge_id, btrim(split_part(a.ref, ';', 1)) AS ref, e.importance, e.importance::text AS kind, e.geom FROM @.edge e JOIN @.axis a USING (axis_id) "
+           "WHERE btrim(split_part(a.ref, ';', 1)) <> ''")
 # Lines of construction, by layer of streetgen.symbol_rule.
 REPORT = 'SELECT row_number() OVER (ORDER BY axis_a, axis_b, issue, geom) AS report_id, * FROM @.report'

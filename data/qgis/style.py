@@ -1,8 +1,10 @@
 """Symbols and renderers of QGIS.  Colours are those of rules; widths are metres of ground, or millimetres of map."""
+import dataclasses
+
 from qgis.core import (QgsFillSymbol, QgsLabeling, QgsLineSymbol, QgsMarkerLineSymbolLayer, QgsMarkerSymbol, QgsNullSymbolRenderer, QgsPalLayerSettings, QgsProperty,
                        QgsRuleBasedLabeling, QgsRuleBasedRenderer, QgsSimpleLineSymbolLayer,
-                       QgsSingleSymbolRenderer, QgsSymbolLayer, QgsTemplatedLineSymbolLayerBase, QgsTextBufferSettings, QgsTextFormat, QgsUnitTypes)
-from qgis.PyQt.QtCore import QPointF
+                       QgsSingleSymbolRenderer, QgsSymbolLayer, QgsTemplatedLineSymbolLayerBase, QgsTextBackgroundSettings, QgsTextBufferSettings, QgsTextFormat, QgsUnitTypes)
+from qgis.PyQt.QtCore import QPointF, QSizeF
 from qgis.PyQt.QtGui import QColor, QFont
 
 # A pixel of a rule stands for so many millimetres of map.
@@ -218,13 +220,30 @@ def text(symbol):
     return letters
 
 
-def along_lines(symbols, column, kind, priority):
-    """Labels along lines, upright, one for lines that meet and bear the same; kind and priority (0 to 10) are expressions."""
+def in_a_box(symbol):
+    """Letters in a box: the fill of a rule is its ground, the line its border and the letters."""
+    letters = text(dataclasses.replace(symbol, fill=symbol.line, line=None))
+    box = QgsTextBackgroundSettings()
+    box.setEnabled(True)
+    box.setType(QgsTextBackgroundSettings.ShapeRectangle)
+    box.setSizeType(QgsTextBackgroundSettings.SizeBuffer)
+    box.setSize(QSizeF(letters.size() / 3, letters.size() / 6))
+    box.setSizeUnit(letters.sizeUnit())
+    box.setFillColor(colour(symbol.fill))
+    box.setStrokeColor(colour(symbol.line))
+    box.setStrokeWidth(PIXEL)
+    box.setStrokeWidthUnit(QgsUnitTypes.RenderMillimeters)
+    letters.setBackground(box)
+    return letters
+
+
+def label_lines(symbols, column, kind, priority, placement, letters):
+    """Labels on lines, one for lines that meet and bear the same; kind and priority (0 to 10) are expressions."""
     root = QgsRuleBasedLabeling.Rule(None)
     for symbol in symbols:
         settings = QgsPalLayerSettings()
         settings.fieldName = column
-        settings.placement = QgsPalLayerSettings.Curved
+        settings.placement = placement
         lines = settings.lineSettings()
         lines.setMergeLines(True)
         lines.setPlacementFlags(QgsLabeling.LinePlacementFlags(QgsLabeling.OnLine))
@@ -234,6 +253,16 @@ def along_lines(symbols, column, kind, priority):
         properties = settings.dataDefinedProperties()
         properties.setProperty(QgsPalLayerSettings.Priority, QgsProperty.fromExpression(priority))
         settings.setDataDefinedProperties(properties)
-        settings.setFormat(text(symbol))
+        settings.setFormat(letters(symbol))
         root.appendChild(between(QgsRuleBasedLabeling.Rule(settings, 0, 0, symbol.holds_of(kind), symbol.label), symbol))
     return QgsRuleBasedLabeling(root)
+
+
+def along_lines(symbols, column, kind, priority):
+    """Names that follow their lines."""
+    return label_lines(symbols, column, kind, priority, QgsPalLayerSettings.Curved, text)
+
+
+def boxes_on_lines(symbols, column, kind, priority):
+    """Numbers in boxes that stand upright on their lines."""
+    return label_lines(symbols, column, kind, priority, QgsPalLayerSettings.Horizontal, in_a_box)
