@@ -144,10 +144,19 @@ SELECT 'a street that is not important shows none', streetgen.svg('twice', scale
 -- Objects by kind.
 INSERT INTO twice.object_type (type, parent, category, symbol, geometry) VALUES ('oak', 'tree', NULL, 'circle', 'point'), ('planter', NULL, 'green', 'square', 'point'), ('plane tree', NULL, NULL, 'tree', 'point'), ('statue', NULL, 'art', 'star', 'point'), ('kiosk for flowers', 'kiosk', NULL, 'square', 'point');
 INSERT INTO twice.street_object (type, placement, geom) SELECT type, 'absolute', ST_SetSRID(ST_MakePoint(650000 + 5 * n, 6860050), 2154) FROM unnest('{tree,oak,plane tree,planter,lamp,sign,traffic_light,bench,kiosk for flowers,bollard,statue}'::text[]) WITH ORDINALITY t(type, n);
-CREATE FUNCTION pg_temp.drawn_kind(drawn_type text) RETURNS text LANGUAGE sql AS $$ SELECT kind FROM streetgen._shapes('twice', ST_MakeEnvelope(649000, 6859000, 651000, 6861000, 2154), '{object}') JOIN twice.street_object ON street_object_id = id WHERE type = drawn_type $$;
+-- What an object looks like: the kind in whose group its path stands.
+CREATE FUNCTION pg_temp.drawn_kind(drawn_type text, theme text DEFAULT 'street', scale float8 DEFAULT 500) RETURNS text LANGUAGE sql AS $$
+    SELECT string_agg(DISTINCT g[1], ',') FROM twice.street_object o JOIN twice.object_type t USING (type), ST_Envelope(ST_Buffer(o.geom, 0.1)) box, streetgen.svg('twice', box, theme => theme, scale => scale) svg,
+        regexp_matches(svg, '<g class="object ?([^"]*)"', 'g') g WHERE o.type = drawn_type $$;
 SELECT 'an object is drawn by the rules of its type, one above it, its symbol or its category: ' || type, pg_temp.drawn_kind(type) = kind FROM (VALUES ('tree', 'tree'), ('oak', 'tree'), ('plane tree', 'tree'), ('planter', 'green'), ('lamp', 'lamp'), ('sign', 'sign'), ('traffic_light', 'traffic_light'), ('bench', 'furniture'), ('kiosk for flowers', 'furniture'), ('bollard', 'protection'), ('statue', '')) v(type, kind);
 INSERT INTO twice.symbol_rule (theme, layer, kind, place, fill, meaning) VALUES ('street', 'object', 'statue', 952, '#aa7700', 'work of art');
 SELECT 'and by a rule that the model has for it', pg_temp.drawn_kind('statue') = 'statue' AND streetgen.svg('twice', scale => 500, legend => true) LIKE '%>work of art<%';
+SELECT 'in another theme it is drawn as before', pg_temp.drawn_kind('statue', 'dark') = '';
+INSERT INTO twice.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill) VALUES ('street', 'object', 'oak', 400, 600, 952, '#aa7701');
+SELECT 'a rule for a type in one theme and some scales leaves the others as they were: ' || concat_ws(' ', theme, scale), pg_temp.drawn_kind('oak', theme, scale) = kind FROM (VALUES ('street', 500, 'oak'), ('street', 300, 'tree'), ('street', 1000, 'tree'), ('dark', 500, 'tree'), ('print', 500, 'tree'), ('construction', 500, 'tree')) v(theme, scale, kind);
+INSERT INTO twice.symbol_rule (theme, layer, kind, to_scale, place) SELECT theme, layer, kind, to_scale, place FROM streetgen.symbol_rule WHERE (theme, layer, kind) = ('street', 'object', 'furniture');
+SELECT 'what a rule without a colour hides is drawn as nothing else', pg_temp.drawn_kind('bench') IS NULL AND pg_temp.drawn_kind('bench', 'dark') = 'furniture';
+DELETE FROM twice.symbol_rule WHERE kind = 'furniture';
 SELECT 'a legend tells kinds apart: ' || theme, words @> '{tree,street lamp,traffic sign,signal,street furniture,bollard or barrier}' FROM unnest('{street,dark,construction}'::text[]) theme, LATERAL (SELECT array_agg(m[1]) AS words FROM regexp_matches(streetgen.svg('twice', scale => 500, legend => true, theme => theme), '<text x="44"[^>]*>([^<]*)<', 'g') m) w;
 SELECT 'what is small on paper is seen in a construction: ' || kind, bool_and(width >= 2 AND unit = 'pixel' AND line IS NOT NULL) FROM streetgen.symbol_rule WHERE (theme, layer) = ('construction', 'object') AND kind NOT IN ('tree', 'green', 'arrow') GROUP BY kind ORDER BY kind;
 

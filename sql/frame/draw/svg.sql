@@ -24,6 +24,36 @@ COMMENT ON FUNCTION streetgen._shapes(name, geometry, text[]) IS
     'What some layers of a model have in a box, from functions _ROOM_drawn (model, box, layers) of the subjects that '
     'it computes; layers that _ROOM_drawn_instead names are left to that room.';
 
+CREATE OR REPLACE FUNCTION streetgen._drawn_as(model name)
+    RETURNS TABLE(layer text, kind text, drawn_as text, turn integer)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN SELECT format('SELECT * FROM streetgen._%s_drawn_as($1)', room)
+        FROM unnest(streetgen._rooms_of(model)) room
+        WHERE to_regprocedure(format('streetgen._%s_drawn_as(name)', room)) IS NOT NULL
+    LOOP
+        RETURN QUERY EXECUTE part USING model;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._drawn_as(name) IS
+    'The kinds as which a kind of a layer may be drawn, in turn, from functions _ROOM_drawn_as (model).';
+
+CREATE OR REPLACE FUNCTION streetgen._drawn_kinds(model name, theme text, scale float8)
+    RETURNS TABLE(layer text, kind text, drawn_as text)
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog
+    AS $$
+    WITH rule AS MATERIALIZED (SELECT DISTINCT r.layer, r.kind FROM streetgen._rules(model, theme, scale) r)
+    SELECT DISTINCT ON (k.layer, k.kind) k.layer, k.kind, k.drawn_as FROM (
+        SELECT r.layer, r.kind, r.kind AS drawn_as, 0 AS turn FROM rule r
+        UNION ALL SELECT a.layer, a.kind, a.drawn_as, a.turn FROM streetgen._drawn_as(model) a
+            JOIN rule r ON (r.layer, r.kind) = (a.layer, a.drawn_as)) k
+    ORDER BY k.layer, k.kind, k.turn $$;
+COMMENT ON FUNCTION streetgen._drawn_kinds(name, text, float8) IS
+    'By the rules of which kind a kind of a layer is drawn, in a theme at a scale; any other by those of kind ''''.';
+
 CREATE OR REPLACE FUNCTION streetgen._svg_legend(model name, theme text, scale float8, symbols bigint[])
     RETURNS TABLE(turn bigint, swatch text, words text)
     LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 12 SET search_path = pg_catalog
@@ -138,9 +168,10 @@ BEGIN
     WITH symbol AS MATERIALIZED (SELECT r.*, streetgen._pattern_as_svg(r.marker, r.fill, streetgen._metres(r.width,
             r.unit, pixel), pixel) AS pattern FROM streetgen._symbols(model, theme, scale) r),
     shape AS MATERIALIZED (
-        SELECT h.layer, CASE WHEN (h.layer, h.kind) IN (SELECT s.layer, s.kind FROM symbol s) THEN h.kind ELSE '' END
-            AS kind, h.level, h.id, streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path
+        SELECT h.layer, coalesce(k.drawn_as, '') AS kind, h.level, h.id,
+            streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path
         FROM streetgen._shapes(model, box, ARRAY(SELECT DISTINCT s.layer FROM symbol s)) h
+            LEFT JOIN streetgen._drawn_kinds(model, theme, scale) k USING (layer, kind)
         -- Half a pixel is not seen.
         WHERE greatest(ST_XMax(h.geom) - ST_XMin(h.geom), ST_YMax(h.geom) - ST_YMin(h.geom)) >= pixel / 2
             AND (h.geom @ box OR ST_Intersects(h.geom, box))),

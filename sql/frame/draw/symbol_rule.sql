@@ -68,9 +68,8 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width,
     ('construction', 'handle', 'warning', 980, '#f08c00', '#f08c00', 1, 'pixel', 'warning'),
     ('construction', 'handle', 'notice', 980, '#1d4ed8', '#1d4ed8', 1, 'pixel', 'notice');
 
-CREATE OR REPLACE FUNCTION streetgen._symbols(model name, theme text, scale float8)
-    RETURNS TABLE(symbol bigint, layer text, kind text, place float8, fill text, line text, width float8, unit text,
-        dash text, marker text, meaning text)
+CREATE OR REPLACE FUNCTION streetgen._rules(model name, theme text, scale float8)
+    RETURNS SETOF streetgen.symbol_rule
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog
     AS $$
 #variable_conflict use_column
@@ -89,19 +88,26 @@ BEGIN
             USING ERRCODE = '22023', DETAIL = format('Its theme is %s, its place %s.', wrong.theme, wrong.place),
             HINT = 'SELECT DISTINCT layer FROM streetgen.symbol_rule lists them.';
     END IF;
-    RETURN QUERY SELECT row_number() OVER (ORDER BY r.place, r.layer, r.kind), r.layer, r.kind, r.place, r.fill, r.line,
-            r.width, r.unit, r.dash, r.marker, r.meaning
-        FROM (SELECT m.theme, m.layer, m.kind, m.from_scale, m.to_scale, m.place, m.fill, m.line, m.width, m.unit,
-                m.dash, m.marker, m.meaning FROM symbol_rule m
+    RETURN QUERY SELECT r.* FROM (SELECT m.theme, m.layer, m.kind, m.from_scale, m.to_scale, m.place, m.fill, m.line,
+                m.width, m.unit, m.dash, m.marker, m.meaning FROM symbol_rule m
             UNION ALL SELECT * FROM streetgen.symbol_rule d
             WHERE (d.theme, d.layer, d.kind, d.from_scale, d.place) NOT IN (
                 SELECT o.theme, o.layer, o.kind, o.from_scale, o.place FROM symbol_rule o)) r
-        WHERE r.theme = _symbols.theme AND scale > r.from_scale AND scale <= r.to_scale
-            AND num_nonnulls(r.fill, r.line) > 0;
+        WHERE r.theme = _rules.theme AND scale > r.from_scale AND scale <= r.to_scale;
 END $$;
+COMMENT ON FUNCTION streetgen._rules(name, text, float8) IS
+    'The rules of a theme at a scale (the number below the line) for a model: its own, and the others of '
+    'streetgen.symbol_rule. A rule of its own for a layer that is none: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._symbols(model name, theme text, scale float8)
+    RETURNS TABLE(symbol bigint, layer text, kind text, place float8, fill text, line text, width float8, unit text,
+        dash text, marker text, meaning text)
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog
+    AS $$ SELECT row_number() OVER (ORDER BY r.place, r.layer, r.kind), r.layer, r.kind, r.place, r.fill, r.line,
+            r.width, r.unit, r.dash, r.marker, r.meaning
+        FROM streetgen._rules(model, theme, scale) r WHERE num_nonnulls(r.fill, r.line) > 0 $$;
 COMMENT ON FUNCTION streetgen._symbols(name, text, float8) IS
-    'The rules of a theme at a scale (the number below the line) for a model, each with a number: its own, and the '
-    'others of streetgen.symbol_rule. A rule of its own for a layer that is none: 22023.';
+    'The rules of a theme at a scale for a model that have a colour, each with a number.';
 
 CREATE OR REPLACE FUNCTION streetgen._pixel_on_paper() RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog AS $$ SELECT 0.00028::float8 $$;

@@ -20,15 +20,33 @@ COMMENT ON FUNCTION streetgen._object_kinds(name) IS
     'The kind by whose rules objects of a type are drawn: the type, one above it, a symbol or a category of these, the '
     'first that a rule of layer object names; no row: none is named.';
 
+CREATE OR REPLACE FUNCTION streetgen._object_drawn_as(model name)
+    RETURNS TABLE(layer text, kind text, drawn_as text, turn integer)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH RECURSIVE above AS (
+        SELECT o.type, o.type AS word, o.parent, o.symbol, o.category, 1 AS turn FROM object_type o
+        UNION ALL SELECT a.type, o.type, o.parent, o.symbol, o.category, a.turn + 1
+            FROM above a JOIN object_type o ON o.type = a.parent WHERE a.turn < 20)
+    SELECT 'object', a.type, v.word, a.turn + v.after
+    FROM above a, LATERAL (VALUES (a.word, 0), (a.symbol, 100), (a.category, 200)) v(word, after)
+    WHERE v.word IS NOT NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._object_drawn_as(name) IS
+    'The kinds as which objects of a type may be drawn, in turn: the type, those above it, their symbols, their '
+    'categories.';
+
 CREATE OR REPLACE FUNCTION streetgen._object_drawn(model name, box geometry, layers text[])
     RETURNS SETOF streetgen.shape
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT 'object', coalesce(kind, ''), NULL::integer,
-            streetgen._object_symbol(o.geom, angle, symbol, size), street_object_id
-        FROM street_object o JOIN object_type USING (type) LEFT JOIN streetgen._object_kinds(model) k USING (type)
+    RETURN QUERY SELECT 'object', type, NULL::integer, streetgen._object_symbol(o.geom, angle, symbol, size),
+            street_object_id
+        FROM street_object o JOIN object_type USING (type)
         WHERE 'object' = ANY (layers) AND symbol NOT IN ('crossing', 'bay') AND o.geom && box;
     RETURN QUERY SELECT 'crossing', '', 0, stripes::geometry, street_object_id FROM pedestrian_crossing
         WHERE 'crossing' = ANY (layers) AND stripes && box;
@@ -36,7 +54,7 @@ BEGIN
         WHERE 'bay' = ANY (layers) AND surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
-    'What can be drawn of objects in a box: object, by kind; crossing, the stripes; and bay.';
+    'What can be drawn of objects in a box: object, by type; crossing, the stripes; and bay.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_kept_clear(model name, box geometry) RETURNS SETOF geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
