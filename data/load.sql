@@ -5,7 +5,8 @@ SELECT FROM streetgen.model, streetgen.drop_model(name) WHERE name = :'model' AN
 SELECT streetgen.create_model(:'model', :srid, subjects => string_to_array(nullif(:'subjects', ''), ',')) WHERE NOT :again \g /dev/null
 SELECT streetgen.set(:'model', 'driving_side', :'driving_side') WHERE :'driving_side' <> '' \g /dev/null
 SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' \g /dev/null
-SELECT streetgen.set(:'model', 'attribution', :'attribution') WHERE :'attribution' <> '' AND NOT :again \g /dev/null
+-- Words of the owner's own stay.
+SELECT streetgen.set(:'model', 'attribution', :'attribution') FROM streetgen.setting(:'model') s WHERE s.name = 'attribution' AND s.value = '' AND :'attribution' <> '' \g /dev/null
 CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;
 -- A picture of few axes shows streets as they are seen, unless somebody said what is computed.
 SELECT streetgen._switch_on(:'model', CASE WHEN :'subjects' <> '' THEN string_to_array(:'subjects', ',') ELSE '{drawn}' END)
