@@ -35,6 +35,8 @@ SELECT 'paint and kerbs, which are narrow, have a line', count(*) = 5 AND bool_a
 SELECT 'each layer that the street has, but shadows, is there', NOT EXISTS (SELECT layer, kind FROM streetgen.symbol_rule WHERE theme = 'street' AND marker IS NULL EXCEPT SELECT layer, kind FROM streetgen.symbol_rule WHERE theme = 'print');
 -- Bad input.
 SELECT call || ' is refused', state = '22023' AND hint <> '' FROM unnest('{scale => 0,scale => ''NaN'',scale => 9,scale => 2e6,paper => ''A9'',paper => '''',theme => ''night'',"centre => ST_Point(0, 0, 2154)","centre => ST_Point(2, 48, 4326)","centre => ST_Point(''Infinity'', 0)","centre => ''LINESTRING(0 0, 1 1)''","scale => 10, paper => ''A5''"}'::text[]) call, test.refusal('SELECT streetgen.sheet(''drawn'', ' || call || ')');
+SELECT 'an empty centre is refused as such', state = '22023' AND said = 'the centre is empty' AND hint <> '' FROM test.refusal('SELECT streetgen.sheet(''drawn'', centre => ''POINT EMPTY'')');
+SELECT 'a place outside is told where the model lies', state = '22023' AND hint LIKE 'The model lies in 649990,68%' FROM test.refusal('SELECT streetgen.sheet(''drawn'', centre => ST_Point(0, 0))');
 SELECT call || ' is NULL', state = '22004' FROM unnest('{scale,paper,theme,upright}'::text[]) call, test.refusal('SELECT streetgen.sheet(''drawn'', ' || call || ' => NULL)');
 SELECT streetgen.set('drawn', 'attribution', repeat('© of all ', 33)) \g /dev/null
 SELECT 'a title of many lines stays in its part: ' || paper, count(*) > 8 AND bool_and(l[1]::float8 <= ST_YMax((streetgen._sheet_parts(CASE paper WHEN 'A5' THEN 210 ELSE 420 END, CASE paper WHEN 'A5' THEN 148 ELSE 297 END)).title)) FROM unnest('{A3,A5}'::text[]) paper, pg_temp.sheet(paper => paper) svg, regexp_matches(split_part(split_part(svg, '<g class="title">', 2), '</g>', 1), ' y="([\d.]+)"', 'g') l GROUP BY paper;
@@ -43,3 +45,4 @@ SELECT 'a place without streets has a sheet that says so, and no legend', xml_is
 SELECT 'so has one that only the box of a street reaches', svg NOT LIKE '%class="section"%' AND split_part(split_part(svg, '<g class="legend">', 2), '</g>', 1) !~ '<text' FROM streetgen.sheet('drawn', 50, 'A5', ST_Point(650105, 6860055, 2154)) s;
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'so has a model without axes', array_agg(number) = '{1}' AND bool_and(xml_is_well_formed_document(svg)) FROM streetgen.sheet('bare');
+SELECT 'of which no place lies inside, as it has no axes', state = '22023' AND hint = 'The model has no axes yet.' FROM test.refusal('SELECT streetgen.sheet(''bare'', centre => ST_Point(650000, 6860000))');

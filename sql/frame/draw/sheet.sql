@@ -85,6 +85,7 @@ DECLARE
     most constant integer := 100;
     size record;
     map geometry;
+    extent geometry;
     whole geometry;
     middle geometry;
     -- Metres of ground of a sheet, and how many of them show the whole.
@@ -99,6 +100,10 @@ BEGIN
     PERFORM streetgen._require_reader(model), streetgen._check_given('scale', scale::text, 'paper', paper, 'theme',
         theme, 'upright', upright::text), streetgen._check_theme(theme), streetgen._check_extent(model, centre),
         streetgen._check_type('the centre', centre, '{POINT}', 'ST_Point(x, y, srid) makes one.');
+    IF ST_IsEmpty(centre) THEN
+        RAISE EXCEPTION 'the centre is empty' USING ERRCODE = '22023',
+            HINT = 'ST_Point(x, y, srid) makes one; NULL: sheets of the whole model.';
+    END IF;
     IF NOT scale BETWEEN 10 AND 1e6 THEN
         RAISE EXCEPTION 'the scale is 1:%, expected 1:10 to 1:1000000', scale USING ERRCODE = '22023',
             HINT = '500 draws a sheet of 1:500.';
@@ -113,14 +118,16 @@ BEGIN
     map := (streetgen._sheet_parts(size.long, size.short)).map;
     wide := (ST_XMax(map) - ST_XMin(map)) * scale / 1000;
     high := (ST_YMax(map) - ST_YMin(map)) * scale / 1000;
-    whole := ST_SetSRID(coalesce(streetgen._model_extent(model), ST_MakeEnvelope(0, 0, 1, 1)),
+    extent := streetgen._model_extent(model);
+    whole := ST_SetSRID(coalesce(extent, ST_MakeEnvelope(0, 0, 1, 1)),
         (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
     middle := coalesce(ST_SetSRID(centre, ST_SRID(whole)), ST_Centroid(whole));
     IF NOT ST_Intersects(whole, ST_MakeEnvelope(ST_X(middle) - wide / 2, ST_Y(middle) - high / 2,
         ST_X(middle) + wide / 2, ST_Y(middle) + high / 2, ST_SRID(whole))) THEN
         RAISE EXCEPTION 'a sheet about %,% lies outside of model "%"', ST_X(middle), ST_Y(middle), model
-            USING ERRCODE = '22023', HINT = format('The model lies in %s,%s,%s,%s.', round(ST_XMin(whole)),
-                round(ST_YMin(whole)), round(ST_XMax(whole)), round(ST_YMax(whole)));
+            USING ERRCODE = '22023', HINT = CASE WHEN extent IS NULL THEN 'The model has no axes yet.'
+                ELSE format('The model lies in %s,%s,%s,%s.', round(ST_XMin(whole)), round(ST_YMin(whole)),
+                    round(ST_XMax(whole)), round(ST_YMax(whole))) END;
     END IF;
     IF centre IS NULL THEN
         columns := ceil((ST_XMax(whole) - ST_XMin(whole)) / wide);
