@@ -222,6 +222,8 @@ DECLARE
     box geometry;
     wide float8;
     high float8;
+    by_scale boolean;
+    pixels float8;
     pixel float8;
     height numeric;
     map record;
@@ -240,19 +242,23 @@ BEGIN
         greatest(0, 0.5 - (ST_YMax(box) - ST_YMin(box)) / 2));
     wide := ST_XMax(box) - ST_XMin(box);
     high := ST_YMax(box) - ST_YMin(box);
-    width := coalesce(width, CASE WHEN scale > 0
-        THEN greatest(16, round(least(wide / scale / streetgen._pixel_on_paper(), 1e6)))
-        ELSE greatest(16, least(1200, floor(20000 * wide / high))) END);
     IF width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', width USING ERRCODE = '22023',
-            HINT = 'The default is 1200, or as the scale says.';
+            HINT = 'Leave it out for 1200 pixels, or as many as the scale says.';
     END IF;
+    by_scale := width IS NULL AND scale IS NOT NULL;
+    pixels := coalesce(width, CASE WHEN by_scale THEN greatest(16, round(wide / scale / streetgen._pixel_on_paper()))
+        ELSE greatest(16, least(1200, floor(20000 * wide / high))) END);
+    height := greatest(1, round((pixels * high / wide)::numeric));
+    IF greatest(pixels, height) > 20000 THEN
+        RAISE EXCEPTION 'the picture would be % pixels wide and % high, expected up to 20000', pixels::numeric, height
+            -- So much narrower than high, it has 16 pixels at any scale.
+            USING ERRCODE = '22023', HINT = CASE WHEN by_scale AND high < 1200 * wide THEN format('1:%s fits.',
+                ceil(wide / streetgen._pixel_on_paper() / (20000 * least(1, wide / high) - 0.5))::numeric)
+            ELSE 'Take a smaller width, a greater scale, or an extent that is less high.' END;
+    END IF;
+    width := pixels;
     pixel := wide / width;
-    height := greatest(1, round((width * high / wide)::numeric));
-    IF height > 20000 THEN
-        RAISE EXCEPTION 'the picture would be % pixels wide and % high, expected up to 20000', width, height
-            USING ERRCODE = '22023', HINT = 'Take a smaller width, a greater scale, or an extent that is less high.';
-    END IF;
     scale := coalesce(scale, pixel / streetgen._pixel_on_paper());
     map := streetgen._svg_map(model, box, pixel, theme, scale);
     frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, height, round(wide::numeric, 3),
