@@ -36,6 +36,11 @@ SELECT 'parapets stand along both sides of it', count(*) = 1 AND bool_and(ST_Are
 SELECT 'and nothing lies across the street at its ends: ' || layer, count(*) > 0 AND NOT bool_or(ST_Intersects(geom, ST_MakeEnvelope(x - 3, 6859997, x + 3, 6860003, 2154))) FROM drawn, unnest('{650100,650200}'::float8[]) x WHERE layer IN ('parapet', 'kerb') GROUP BY layer ORDER BY layer;
 SELECT 'its shadow falls on no street that it goes on to', count(*) = 1 AND bool_and(NOT ST_Intersects(ST_Translate(geom, 2, -2), a.surface)) FROM drawn, (SELECT ST_Union(surface) AS surface FROM ends.section JOIN ends.edge USING (edge_id) WHERE axis_id IN (1, 4)) a WHERE layer = 'bridge_shadow' GROUP BY layer;
 SELECT 'but on what it passes over', bool_and(ST_Area(ST_Intersection(ST_Translate(drawn.geom, 2, -2), s.surface)) > 8 * 8) FROM drawn, ends.section s JOIN ends.edge USING (edge_id) WHERE layer = 'bridge_shadow' AND axis_id = 5;
+SELECT streetgen.set('ends', 'ground_level', '1') \g /dev/null
+SELECT 'the walls of a tunnel lie on the ground, whatever its level', count(*) > 0 AND bool_and(level = 1) FROM streetgen._shapes('ends', ST_MakeEnvelope(649900, 6859700, 650400, 6860200, 2154), '{tunnel_wall}');
+SELECT streetgen.set('ends', 'ground_level', '-2') \g /dev/null
+SELECT 'and never below its own road', count(*) > 0 AND bool_and(level = -1) FROM streetgen._shapes('ends', ST_MakeEnvelope(649900, 6859700, 650400, 6860200, 2154), '{tunnel_wall}');
+SELECT streetgen.set('ends', 'ground_level', '0') \g /dev/null
 SELECT 'a veil lies over all of a tunnel', count(*) = 1 AND bool_and(d.level = -1 AND ST_Covers(ST_Buffer(d.geom, 0.001), s.surface)) FROM drawn d, ends.section s JOIN ends.edge e USING (edge_id) WHERE d.layer = 'tunnel' AND axis_id = 6;
 SELECT 'above its paint and below the ground: ' || theme, min(place) FILTER (WHERE layer = 'tunnel') > max(place) FILTER (WHERE layer IN ('section', 'lane', 'lane_separator', 'marking')) AND max(place) FILTER (WHERE layer = 'tunnel') < 10 + min(place) FILTER (WHERE layer = 'block') FROM streetgen.symbol_rule WHERE place < 10 GROUP BY theme ORDER BY theme;
 DROP TABLE drawn;

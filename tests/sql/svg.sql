@@ -162,6 +162,11 @@ DELETE FROM twice.symbol_rule WHERE kind = 'furniture';
 SELECT 'a legend tells kinds apart: ' || theme, words @> '{tree,street lamp,traffic sign,signal,street furniture,bollard or barrier}' FROM unnest('{street,dark,construction}'::text[]) theme, LATERAL (SELECT array_agg(m[1]) AS words FROM regexp_matches(streetgen.svg('twice', scale => 500, legend => true, theme => theme), '<text x="44"[^>]*>([^<]*)<', 'g') m) w;
 SELECT 'what is small on paper is seen in a construction: ' || kind, bool_and(width >= 2 AND unit = 'pixel' AND line IS NOT NULL) FROM streetgen.symbol_rule WHERE (theme, layer) = ('construction', 'object') AND kind NOT IN ('tree', 'green', 'arrow') GROUP BY kind ORDER BY kind;
 
+INSERT INTO twice.axis (geom, width, level) VALUES ('SRID=2154;LINESTRING(650000 6860300,650100 6860300)', 8, 2);
+INSERT INTO twice.pedestrian_crossing_editing (geom) VALUES ('SRID=2154;POINT(650050 6860300)');
+INSERT INTO twice.parking_bay_editing (geom) VALUES ('SRID=2154;POINT(650030 6860304)');
+SELECT 'a crossing and a bay lie on the level of their street', array_agg(layer || level ORDER BY layer) = '{bay2,crossing2}' FROM streetgen._shapes('twice', ST_MakeEnvelope(650000, 6860250, 650100, 6860350, 2154), '{crossing,bay}');
+
 -- Junctions by importance.
 SELECT streetgen.create_model('ranked', 2154, subjects => '{}') \g /dev/null
 INSERT INTO ranked.axis (geom, width, importance) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 12, 2), ('SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 12, 2), ('SRID=2154;LINESTRING(650100 6860000,650100 6859900)', 7, 5), ('SRID=2154;LINESTRING(650200 6860000,650200 6859900)', 7, 5);

@@ -94,7 +94,9 @@ BEGIN
                 WHERE kind = 'bridge' AND 'parapet' = ANY (layers)
             UNION ALL SELECT 'tunnel', '', level, ground, id FROM deck WHERE kind = 'tunnel'
                 AND 'tunnel' = ANY (layers)
-            UNION ALL SELECT 'tunnel_wall', '', 0, ground, id FROM deck WHERE kind = 'tunnel'
+            -- The ground, whose blocks and buildings it lies over, may have another level than 0.
+            UNION ALL SELECT 'tunnel_wall', '', greatest(level, (SELECT value::integer FROM setting
+                WHERE name = 'ground_level')), ground, id FROM deck WHERE kind = 'tunnel'
                 AND 'tunnel_wall' = ANY (layers);
     END IF;
     -- A deck that passes over its own level lies over what is painted there, and has its own paint.

@@ -48,9 +48,11 @@ BEGIN
             street_object_id
         FROM street_object o JOIN object_type USING (type)
         WHERE 'object' = ANY (layers) AND symbol NOT IN ('crossing', 'bay') AND o.geom && box;
-    RETURN QUERY SELECT 'crossing', '', 0, stripes::geometry, street_object_id FROM pedestrian_crossing
+    RETURN QUERY SELECT 'crossing', '', coalesce(level, 0), stripes::geometry, street_object_id
+        FROM pedestrian_crossing JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
         WHERE 'crossing' = ANY (layers) AND stripes && box;
-    RETURN QUERY SELECT 'bay', '', 0, surface::geometry, street_object_id FROM parking_bay
+    RETURN QUERY SELECT 'bay', '', coalesce(level, 0), surface::geometry, street_object_id
+        FROM parking_bay JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
         WHERE 'bay' = ANY (layers) AND surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
