@@ -27,6 +27,16 @@ SELECT 'the title says model, theme, paper, day, reference and whose data it is'
 SELECT 'a model that has no room on one has an index and several', count(*) > 3 AND max(number) = count(*) - 1 AND min(number) = 0 AND bool_and(xml_is_well_formed_document(svg)) AND sum(regexp_count(svg, '<rect x=')) FILTER (WHERE number = 0) = count(*) - 1 FROM streetgen.sheet('drawn', 200, 'A5');
 SELECT 'each of them shows a street', bool_and(svg LIKE '%class="section"%' OR svg LIKE '%class="intersection"%') FROM streetgen.sheet('drawn', 200, 'A5') WHERE number > 0;
 SELECT 'one that has room is a sheet alone', array_agg(number) = '{1}' AND bool_and(svg NOT LIKE '%Sheet%') FROM streetgen.sheet('drawn', 1000, 'A3');
+INSERT INTO drawn.symbol_rule (theme, layer, kind, place, fill) VALUES ('street', 'lane', 'bycicle', 3, '#ff0000');
+INSERT INTO drawn.object_type (type) VALUES ('fountain');
+INSERT INTO drawn.street_object (type, placement, geom) SELECT 'fountain', 'absolute', ST_Translate(ST_Centroid(ST_Envelope(ST_Collect(geom))), 25, -40) FROM drawn.axis;
+INSERT INTO drawn.symbol_rule (theme, layer, kind, place, fill) VALUES ('street', 'object', 'fountain', 952, '#ff0001');
+\setenv PGDATABASE :DBNAME
+\setenv PGOPTIONS '-c client_min_messages=notice'
+\! told=$(psql -qXAt -c "SELECT count(*) > 3 AND count(*) FILTER (WHERE svg LIKE '%#ff0001%') BETWEEN 1 AND count(*) - 2 FROM streetgen.sheet('drawn', 200, 'A5')" 2>&1); test "$(echo "$told" | grep -c NOTICE)$(echo "$told" | grep -c '"bycicle" of layer lane')$(echo "$told" | grep -cx t)" = 111 && holds=t || holds=f; printf 'a rule that draws on no sheet is told once, and one that draws on some is not\t%s\n' $holds
+\setenv PGOPTIONS
+DELETE FROM drawn.symbol_rule;
+DELETE FROM drawn.street_object WHERE type = 'fountain';
 -- The theme for paper.
 SELECT 'a pattern is drawn where a shape names it', count(*) > 1 AND bool_and(strpos(svg, format('<pattern id="%s"', m[1])) > 0) FROM pg_temp.sheet(theme => 'print') svg, regexp_matches(svg, 'fill:url\(#(\w+)\)', 'g') m;
 SELECT 'it is black, white or grey', count(*) > 30 AND bool_and(c ~ '^#(..)\1\1') FROM streetgen.symbol_rule, unnest(ARRAY[fill, line]) c WHERE theme = 'print' AND c IS NOT NULL;

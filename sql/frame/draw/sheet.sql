@@ -40,7 +40,7 @@ COMMENT ON FUNCTION streetgen._sheet_index(geometry, geometry, float8, geometry[
     'The frames and numbers of sheets over a map that shows the whole.';
 
 CREATE OR REPLACE FUNCTION streetgen._sheet_svg(model name, box geometry, wide float8, high float8, scale float8,
-    theme text, lines text[], over text) RETURNS text
+    theme text, lines text[], over text, OUT svg text, OUT symbols bigint[])
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
@@ -48,7 +48,8 @@ DECLARE
     page record := streetgen._page(model, theme, scale);
     map record := streetgen._svg_map(model, box, streetgen._pixel_on_paper() * scale, theme, scale);
 BEGIN
-    RETURN format(E'<svg xmlns="http://www.w3.org/2000/svg" width="%1$smm" height="%2$smm" viewBox="0 0 %1$s %2$s" '
+    symbols := map.symbols;
+    svg := format(E'<svg xmlns="http://www.w3.org/2000/svg" width="%1$smm" height="%2$smm" viewBox="0 0 %1$s %2$s" '
             'font-family="DejaVu Sans,sans-serif" fill="%3$s" color="%3$s">\n', wide, high, page.ink)
         || format(E'<rect width="100%%" height="100%%" fill="%s"/>\n', page.paper)
         || format(E'<svg class="map" x="%s" y="%s" width="%s" height="%s" viewBox="0 0 %s %s">\n%s</svg>\n',
@@ -61,7 +62,8 @@ BEGIN
         || streetgen._sheet_foot(part.foot, scale) || E'</svg>\n';
 END $$;
 COMMENT ON FUNCTION streetgen._sheet_svg(name, geometry, float8, float8, float8, text, text[], text) IS
-    'One sheet as SVG, so many millimetres wide and high, of a box of ground. over: SVG that lies over the map.';
+    'One sheet as SVG, so many millimetres wide and high, of a box of ground, and the symbols that are seen. over: SVG '
+    'that lies over the map.';
 
 CREATE OR REPLACE FUNCTION streetgen._sheet_lines(model name, theme text, paper text) RETURNS text[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -96,6 +98,8 @@ DECLARE
     boxes geometry[];
     lines text[];
     small float8;
+    page record;
+    symbols bigint[] := '{}';
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._check_given('scale', scale::text, 'paper', paper, 'theme',
         theme, 'upright', upright::text), streetgen._check_theme(theme), streetgen._check_extent(model, centre),
@@ -151,18 +155,22 @@ BEGIN
         number := 0;
         whole := (SELECT b FROM streetgen._sheet_boxes(model, middle, wide * small / scale, high * small / scale, 1,
             1) b);
-        svg := streetgen._sheet_svg(model, whole, size.long, size.short, small, theme,
+        svg := (streetgen._sheet_svg(model, whole, size.long, size.short, small, theme,
             format('Index of %s sheets of 1:%s', cardinality(boxes), scale) || lines,
-            streetgen._sheet_index(map, whole, small, boxes));
+            streetgen._sheet_index(map, whole, small, boxes))).svg;
         RETURN NEXT;
     END IF;
     FOR i IN 1 .. cardinality(boxes) LOOP
         number := i;
-        svg := streetgen._sheet_svg(model, boxes[i], size.long, size.short, scale, theme, CASE
+        page := streetgen._sheet_svg(model, boxes[i], size.long, size.short, scale, theme, CASE
             WHEN cardinality(boxes) > 1 THEN ARRAY[format('Sheet %s of %s', i, cardinality(boxes))] ELSE '{}' END
             || lines, NULL);
+        svg := page.svg;
+        symbols := symbols || page.symbols;
         RETURN NEXT;
     END LOOP;
+    PERFORM streetgen._tell_unused_rules(model, (SELECT ST_SetSRID(ST_Extent(b), ST_SRID(middle)) FROM unnest(boxes) b),
+        theme, scale, symbols);
 END $$;
 COMMENT ON FUNCTION streetgen.sheet(name, float8, text, geometry, text, boolean) IS
     'Sheets of paper (SVG, in millimetres) with a map of 1:scale, its frame with coordinates, legend, scale and title: '

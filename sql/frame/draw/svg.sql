@@ -198,7 +198,6 @@ BEGIN
         || (SELECT n.svg || streetgen._svg_refs(model, box, pixel, theme, scale, n.taken)
             FROM streetgen._svg_names(model, box, pixel, theme, scale) n), ARRAY(SELECT DISTINCT d.symbol FROM drawn d)
         INTO drawing, symbols;
-    PERFORM streetgen._tell_unused_rules(model, box, theme, scale, symbols);
 END $$;
 COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8) IS
     'What streetgen.svg draws in a box of a model, in metres from its upper left corner, for pixels of so many metres; '
@@ -261,6 +260,7 @@ BEGIN
     pixel := wide / width;
     scale := coalesce(scale, pixel / streetgen._pixel_on_paper());
     map := streetgen._svg_map(model, box, pixel, theme, scale);
+    PERFORM streetgen._tell_unused_rules(model, box, theme, scale, map.symbols);
     frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, height, round(wide::numeric, 3),
         round(high::numeric, 3));
     IF NOT legend THEN
