@@ -161,6 +161,7 @@ work_mem = 64MB
 maintenance_work_mem = 256MB
 max_locks_per_transaction = 1024
 max_wal_size = 2GB
+jit = off
 session_preload_libraries = 'postgis-3'
 wal_level = minimal
 max_wal_senders = 0

@@ -14,7 +14,7 @@ from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsRectan
 from qgis.PyQt.QtCore import QUrl, QUrlQuery
 from qgis.PyQt.QtXml import QDomDocument
 
-from database import Database, Refused, literal
+from database import Database, Refused, identifier, literal
 from form import set_form
 from layers import layers_of
 from look import Look
@@ -125,6 +125,10 @@ def save_styles(database, model, layers, vectors):
         failure = vectors[styled[0].relation].saveStyleToDatabase(STYLE, '', False, '')  # QGIS makes its table
         if failure:
             raise Refused(f'styles cannot be saved: {failure}')
+    if not database.ask("SELECT has_table_privilege('public.layer_styles', 'SELECT') AND has_table_privilege('public.layer_styles', 'INSERT') AND has_table_privilege('public.layer_styles', 'DELETE')")[0][0]:
+        print(f'streetgen: the project has its styles, but layers of {model} that are added by hand get none: '
+              'GRANT SELECT, INSERT, DELETE ON public.layer_styles by its owner lets this role save them', file=sys.stderr)
+        return
     database.ask(f"DELETE FROM public.layer_styles WHERE f_table_catalog = current_database() AND f_table_schema = {literal(model)} AND stylename = '{STYLE}'")
     rows = ', '.join(f"(current_database(), {literal(model)}, {literal(layer.relation)}, {literal(layer.geometry)}, '{STYLE}', "
                      f'xmlparse(DOCUMENT {literal(style_of(vectors[layer.relation]))}), true, {literal(f"{model}.{layer.relation}")}, current_user, current_timestamp)' for layer in styled)
@@ -153,6 +157,11 @@ def save(connection, model):
     save_styles(database, model, layers, vectors)
     if not project.write(project_uri(database, model)):
         raise Refused(f'the project cannot be saved: {project.error()}')
+    # The table that QGIS made belongs to whoever saved the first project.
+    projects = f'{identifier(model)}.qgis_projects'
+    for owner, in database.ask(f"SELECT nspowner::regrole::text FROM pg_class c JOIN pg_namespace n ON n.oid = relnamespace "
+                               f"WHERE c.oid = {literal(projects)}::regclass AND relowner <> nspowner AND pg_has_role(relowner, 'MEMBER') AND pg_has_role(nspowner, 'MEMBER')"):
+        database.ask(f'ALTER TABLE {projects} OWNER TO {owner}')
 
 
 if __name__ == '__main__':

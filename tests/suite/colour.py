@@ -7,6 +7,8 @@ import collections
 import math
 import sys
 
+import numpy
+
 # Linear red, green and blue as seen without one kind of cone.
 EYES = {
     "all cones": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
@@ -65,18 +67,18 @@ def difference(one, other):
                for eyes, matrix in EYES.items())
 
 
-def bands(path, width, height):
-    raw = open(path, "rb").read()
-    return [raw[band * width * height:(band + 1) * width * height] for band in range(3)]
+def pixels(path, width, height):
+    """The colours of a picture as numbers, row by row."""
+    red, green, blue = numpy.fromfile(path, numpy.uint8).astype(numpy.int32)[:3 * width * height].reshape(3, width * height)
+    return red << 16 | green << 8 | blue
 
 
 def wrong_pixels(path, width, height, places):
     """The places of a file of rows x,y,colour,class where the picture has another colour; and the number of all, by class."""
-    red, green, blue = bands(path, width, height)
+    picture = pixels(path, width, height)
     wrong, counts = [], collections.Counter()
     for x, y, colour, kind in (row.rstrip("\n").split(",") for row in open(places)):
-        i = int(y) * width + int(x)
-        seen = f"#{red[i]:02x}{green[i]:02x}{blue[i]:02x}"
+        seen = f"#{picture[int(y) * width + int(x)]:06x}"
         counts[kind] += 1
         if seen != colour:
             wrong.append(f"{kind} at {x} {y} is {seen}, not {colour}")
@@ -86,18 +88,16 @@ def wrong_pixels(path, width, height, places):
 def touching(path, width, height, colours):
     """How many pixels of border there are between each two of some colours: two of the one, one that has of both, two of the other. Lines part what they lie
     between, such as kerb stones, as the pixel there has of neither."""
-    red, green, blue = bands(path, width, height)
-    number = {(int(c[1:3], 16), int(c[3:5], 16), int(c[5:7], 16)): n for n, c in enumerate(colours)}
-    pixels = list(zip(red, green, blue))
-    seen = [number.get(pixel, -1) for pixel in pixels]
+    picture = pixels(path, width, height)
+    known = numpy.isin(picture, [int(colour[1:], 16) for colour in colours])
     found = collections.Counter()
     for step in (1, width):
-        windows = collections.Counter(w[1:4] for w in zip(seen, seen[step:], pixels[2 * step:], seen[3 * step:], seen[4 * step:]) if w[0] == w[1] != w[3] == w[4])
-        for (one, between, other), count in windows.items():
-            if min(one, other) >= 0:
-                ends = [[int(colours[n][i:i + 2], 16) for i in (1, 3, 5)] for n in (one, other)]
-                if all(min(a, b) - 1 <= v <= max(a, b) + 1 for v, a, b in zip(between, *ends)):
-                    found[tuple(sorted((colours[one], colours[other])))] += count
+        a, b, between, c, d = (picture[n * step:len(picture) - (4 - n) * step] for n in range(5))
+        border = (a == b) & (b != c) & (c == d) & known[step:-3 * step] & known[3 * step:-step]
+        rows, counts = numpy.unique(numpy.stack([b[border], between[border], c[border]]), axis=1, return_counts=True)
+        for (one, middle, other), count in zip(rows.T, counts):
+            if all(min(low, high) - 1 <= v <= max(low, high) + 1 for v, low, high in zip(*(bytes.fromhex(f"{colour:06x}") for colour in (middle, one, other)))):
+                found[tuple(sorted((f"#{one:06x}", f"#{other:06x}")))] += int(count)
     return found
 
 

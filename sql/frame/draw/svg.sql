@@ -148,7 +148,7 @@ BEGIN
         AND (r.layer, r.kind) NOT IN (SELECT s.layer, s.kind FROM streetgen._symbols(model, theme, scale) s
             WHERE s.symbol = ANY (symbols)) ORDER BY 1, 2
     LOOP
-        RAISE NOTICE 'the rule of %.symbol_rule for kind "%" of layer % draws nothing here', quote_ident(model),
+        RAISE WARNING 'the rule of %.symbol_rule for kind "%" of layer % draws nothing here', quote_ident(model),
             unused.kind, unused.layer USING HINT = format('Kinds of this layer are %s.', coalesce((
                 SELECT string_agg(DISTINCT quote_literal(k.kind), ', ') FROM (
                     SELECT a.kind FROM streetgen.symbol_rule a WHERE a.layer = unused.layer
@@ -157,7 +157,7 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._tell_unused_rules(name, geometry, text, float8, bigint[]) IS
-    'Tells by a notice of a model''s own rules for a kind that no rule of all models has and that is not among the '
+    'Tells by a warning of a model''s own rules for a kind that no rule of all models has and that is not among the '
     'symbols of a drawing: it may be misspelt.';
 
 CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel float8, theme text, scale float8,
