@@ -22,4 +22,6 @@ SELECT 'at 1:1,000 streets of 80 m and more have their name but for one of thirt
 SELECT streetgen.create_model('hairpin', 2154, subjects => '{}') \g /dev/null
 INSERT INTO hairpin.axis (geom, width, name) SELECT ST_SetSRID(ST_Translate('LINESTRING(0 0,60 0,57 1.5)'::geometry, 650000, 6860000 + 20 * n), 2154), 7, repeat('o', n) FROM generate_series(20, 36) n;
 DO $$ BEGIN PERFORM streetgen.generate('hairpin'); END $$;
+SELECT 'no name begins or ends round a hook of a letter: ' || way, streetgen._name_along(line, 14, 28) IS NULL AND streetgen._name_along(line, 15.5, 25) IS NOT NULL = (way = 'begins') AND streetgen._name_along(line, 12.5, 25) IS NOT NULL = (way = 'ends')
+FROM (VALUES ('begins', 'LINESTRING(1 0.01,2 0,-25 0)'::geometry), ('ends', ST_Reverse('LINESTRING(1 0.01,2 0,-25 0)'::geometry))) v(way, line);
 SELECT 'no letter turns back at a hairpin', count(*) > 8 AND bool_and(upright) FROM test.written(streetgen.svg('hairpin', scale => 1000));

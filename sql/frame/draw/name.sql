@@ -72,7 +72,8 @@ CREATE OR REPLACE FUNCTION streetgen._name_along(line geometry, middle float8, l
     -- Text round a sharp bend is not read, nor a letter that turns by more than 60 degrees.
     WHERE GeometryType(piece) = 'LINESTRING'
         AND ST_Length(piece) < 1.08 * ST_Distance(ST_StartPoint(piece), ST_EndPoint(piece))
-        AND NOT EXISTS (SELECT FROM ST_DumpSegments(ST_LineFromMultiPoint(ST_LineInterpolatePoints(piece, 0.04))) part
+        AND NOT EXISTS (SELECT FROM ST_DumpSegments(ST_AddPoint(ST_LineFromMultiPoint(ST_LineInterpolatePoints(piece,
+                0.04)), ST_StartPoint(piece), 0)) part
             WHERE cos(ST_Azimuth(ST_StartPoint(piece), ST_EndPoint(piece))
                 - ST_Azimuth(ST_StartPoint(part.geom), ST_EndPoint(part.geom))) < 0.5) $$;
 COMMENT ON FUNCTION streetgen._name_along(geometry, float8, float8) IS
