@@ -6,11 +6,12 @@ password: QGIS asks for them, or libpq finds them (PGUSER, PGPASSWORD, ~/.pgpass
 each layer of the model, table qgis_projects of its schema a project of its name; both replace those of an earlier run.
 """
 import argparse
+import math
 import sys
 
 from headless import qgis
 
-from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsRectangle, QgsReferencedRectangle, QgsSnappingConfig, QgsTolerance, QgsVectorLayer
+from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsRectangle, QgsReferencedRectangle, QgsRuleBasedRenderer, QgsSnappingConfig, QgsTolerance, QgsVectorLayer
 from qgis.PyQt.QtCore import QUrl, QUrlQuery
 from qgis.PyQt.QtXml import QDomDocument
 
@@ -25,13 +26,26 @@ from theme import arrange, remember, tell_once
 STYLE = 'streetgen'
 
 
+def farthest(rule):
+    """The scale up to which a rule of QGIS draws, or one below it: none is read of the server beyond."""
+    return min(rule.minimumScale() or math.inf, max(map(farthest, rule.children()), default=math.inf))
+
+
+def draw_by(vector, renderer):
+    vector.setRenderer(renderer)
+    scale = farthest(renderer.rootRule()) if isinstance(renderer, QgsRuleBasedRenderer) else math.inf
+    vector.setScaleBasedVisibility(scale < math.inf)
+    if scale < math.inf:
+        vector.setMinimumScale(scale)
+
+
 def vector_layer(database, model, srid, layer, looks):
     vector = QgsVectorLayer(database.source(model, srid, layer), layer.name, 'postgres', QgsVectorLayer.LayerOptions(False))  # no style of a run before
     if not vector.isValid():
         raise Refused(f'{model}.{layer.relation} cannot be read: {vector.error().summary()}')
     look = looks[layer.theme]
     if layer.renderer:
-        vector.setRenderer(layer.renderer(look))
+        draw_by(vector, layer.renderer(look))
     if layer.labels:
         vector.setLabeling(layer.labels(look))
         vector.setLabelsEnabled(True)
@@ -51,7 +65,7 @@ def style_by_theme(layer, vector, looks):
         if theme != layer.theme:
             styles.addStyleFromLayer(theme)
             styles.setCurrentStyle(theme)
-            vector.setRenderer(layer.renderer(look))
+            draw_by(vector, layer.renderer(look))
     styles.setCurrentStyle(layer.theme)
 
 
