@@ -2,12 +2,11 @@
 -- What the owner hung on the table of results runs with his rights alone.
 SELECT format('SET ROLE %s', nspowner::regrole) FROM pg_namespace WHERE nspname = :'model' \gexec
 SELECT streetgen.record_check(:'model') \g /dev/null
-CREATE TEMPORARY TABLE finding AS
-SELECT *, row_number() OVER (PARTITION BY severity, rule, relation ORDER BY measure DESC NULLS LAST, id) AS turn FROM :"model".check_result;
 SELECT severity, rule, relation, count(*), trim_scale(round(max(measure)::numeric, 2)) AS max,
     string_agg(id::text, ', ' ORDER BY turn) FILTER (WHERE turn <= 5) || CASE WHEN count(*) > 5 THEN ', …' ELSE '' END AS ids,
     (SELECT format('%s,%s', round(ST_X(worst)), round(ST_Y(worst))) FROM (SELECT (array_agg(place ORDER BY turn))[1] AS worst) w) AS place
-FROM finding GROUP BY severity, rule, relation ORDER BY severity, rule, relation;
+FROM (SELECT *, row_number() OVER (PARTITION BY severity, rule, relation ORDER BY measure DESC NULLS LAST, id) AS turn FROM :"model".check_result) finding
+GROUP BY severity, rule, relation ORDER BY severity, rule, relation;
 SELECT format('model %s: %s', :'model', coalesce(string_agg(format('%s of severity %s', count, severity), ', ' ORDER BY severity), 'nothing found'))
-FROM (SELECT severity, count(*) FROM finding GROUP BY severity) s \g (tuples_only=on format=unaligned)
-SELECT count(*) FROM finding WHERE severity = 'error' \g (tuples_only=on format=unaligned) :errors
+FROM (SELECT severity, count(*) FROM :"model".check_result GROUP BY severity) s \g (tuples_only=on format=unaligned)
+SELECT count(*) FROM :"model".check_result WHERE severity = 'error' \g (tuples_only=on format=unaligned) :errors

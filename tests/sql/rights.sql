@@ -187,6 +187,63 @@ CREATE TEMPORARY VIEW _crossing AS SELECT public.gain();
 SELECT 'temporary ones change nothing', pg_temp.edit() = 'none' AND pg_temp.place() = 'none' AND test.state('UPDATE town.design_node_editing SET importance = 2001') = 'none';
 DROP VIEW axis, pg_class, spatial_ref_sys, _crossing;
 
+-- What the owner hangs on his model, and who runs it: whoever reads, draws or checks.
+RESET ROLE;
+CREATE TABLE public.ran (who name);
+GRANT INSERT ON public.ran TO PUBLIC;
+SET ROLE rights_owner;
+CREATE SCHEMA rights_place;
+CREATE FUNCTION rights_place.tell() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN INSERT INTO public.ran VALUES (current_user); RETURN NULL; END $$;
+CREATE TRIGGER tell AFTER INSERT OR DELETE ON town.check_result EXECUTE FUNCTION rights_place.tell();
+RESET ROLE;
+SELECT streetgen.record_check('town') AS recorded \gset
+SELECT 'who has the rights of the owner records a check with these alone', :recorded > 0 AND :recorded = (SELECT count(*) FROM town.check_result) AND (SELECT array_agg(DISTINCT who) = '{rights_owner}' FROM public.ran);
+SET ROLE rights_owner;
+CREATE CONSTRAINT TRIGGER later AFTER INSERT ON town.check_result DEFERRABLE INITIALLY DEFERRED FOR EACH ROW EXECUTE FUNCTION rights_place.tell();
+RESET ROLE;
+SELECT 'and nothing is left for the end of the transaction', state = '42501' AND said LIKE '%deferred trigger%' FROM test.refusal($$SELECT streetgen.record_check('town')$$);
+SET ROLE rights_owner;
+DROP TRIGGER tell ON town.check_result;
+DROP TRIGGER later ON town.check_result;
+CREATE FUNCTION rights_place.holds(integer) RETURNS boolean LANGUAGE plpgsql IMMUTABLE AS $$ BEGIN IF current_user <> 'rights_owner' THEN RAISE EXCEPTION 'ran as %', current_user USING ERRCODE = 'P0099'; END IF; RETURN true; END $$;
+GRANT USAGE ON SCHEMA rights_place TO rights_reader;
+ALTER TABLE town.symbol_rule RENAME TO kept_rule;
+CREATE VIEW town.symbol_rule AS SELECT * FROM town.kept_rule WHERE rights_place.holds(1) OR num_nonnulls(theme) > 0;
+INSERT INTO town.kept_rule (theme, layer, place, fill) VALUES ('street', 'section', 2, '#ff0000');
+GRANT SELECT ON town.symbol_rule TO rights_reader;
+RESET ROLE;
+CREATE FUNCTION pg_temp.told_of_view() RETURNS boolean LANGUAGE sql AS $$ SELECT count(*) > 5 AND bool_and(r.state = '42809' AND r.said = 'town.symbol_rule stands where a table of the model belongs' AND r.hint <> '')
+  FROM public.call c, test.refusal(statement) r WHERE proname IN ('svg', 'sheet', 'setting', 'summary', 'check_model', 'export_layer', 'export_gltf', 'export_cityjson') $$;
+SELECT 'no function reads a view that stands for a table', pg_temp.told_of_view();
+SET ROLE rights_reader;
+SELECT 'nor does it for a reader', pg_temp.told_of_view();
+SET ROLE rights_owner;
+DROP VIEW town.symbol_rule;
+ALTER TABLE town.kept_rule RENAME TO symbol_rule;
+DELETE FROM town.symbol_rule;
+CREATE TABLE rights_place.house (geom public.geometry(Polygon, 2154));
+INSERT INTO rights_place.house VALUES (ST_MakeEnvelope(650020, 6859970, 650040, 6859980, 2154));
+CREATE INDEX house_there ON rights_place.house (geom) WHERE rights_place.holds(1);
+GRANT SELECT ON rights_place.house TO rights_reader;
+DO $$ BEGIN PERFORM streetgen.set('town', 'building_table', 'rights_place.house'); END $$;
+SELECT 'the owner sees his buildings', streetgen.svg('town', scale => 1000) LIKE '%class="building"%';
+CREATE FUNCTION pg_temp.sees() RETURNS boolean LANGUAGE sql AS $$ SELECT streetgen.svg('town', scale => 1000) LIKE '%class="building"%' $$;
+RESET ROLE;
+SELECT 'a function of an index runs for nobody else', NOT pg_temp.sees();
+SET ROLE rights_reader;
+SELECT 'nor for a reader', NOT pg_temp.sees();
+SET ROLE rights_owner;
+DROP INDEX rights_place.house_there;
+SET ROLE rights_reader;
+SELECT 'a plain table is read by readers', pg_temp.sees();
+RESET ROLE;
+SELECT 'and by a superuser after SET ROLE alone', pg_temp.sees() <> rolsuper FROM pg_roles WHERE rolname = current_user;
+SET ROLE rights_owner;
+DO $$ BEGIN PERFORM streetgen.set('town', 'building_table', 'none'); END $$;
+DROP SCHEMA rights_place CASCADE;
+RESET ROLE;
+DROP TABLE public.ran;
+
 -- At the end.
 RESET ROLE;
 SELECT 'nobody ran anything with the rights of the owner, nor with more', count(*) = 0 FROM public.gained;

@@ -52,6 +52,11 @@ SELECT 'a layer that the theme leaves out can be added', svg LIKE '%class="axis"
 INSERT INTO drawn.symbol_rule (theme, layer, place, fill) VALUES ('dark', 'mud', 0, '#ff0000');
 SELECT 'a layer that is none is refused with its rule', state = '22023' AND said LIKE '%drawn.symbol_rule%"mud"%' AND detail LIKE '%dark%' FROM test.refusal($$SELECT streetgen.svg('drawn')$$);
 DELETE FROM drawn.symbol_rule;
+BEGIN;
+ALTER TABLE drawn.symbol_rule DROP CONSTRAINT symbol_rule_fill_check, DROP CONSTRAINT symbol_rule_line_check, DROP CONSTRAINT symbol_rule_dash_check;
+SELECT 'no markup comes by a rule whose constraint its owner dropped: ' || attribute, state = '22023' AND said LIKE '%drawn.symbol_rule%<script>%' AND detail LIKE '%street%section%' FROM unnest('{fill,line,dash}'::text[]) attribute,
+  test.refusal(format($$WITH made AS (INSERT INTO drawn.symbol_rule (theme, layer, place, width, unit, %1$I) VALUES ('street', 'section', 2, 1, 'pixel', '"/><script>alert(1)</script>') RETURNING 1) SELECT FROM made$$, attribute) || ';' || $$SELECT streetgen.svg('drawn')$$);
+ROLLBACK;
 INSERT INTO drawn.symbol_rule (theme, layer, kind, place, fill) VALUES ('street', 'lane', 'bycicle', 3, '#ff0000'), ('street', 'lane', 'bus', 3, NULL), ('street', 'lane_separator', 'centre', 4, '#ff0000'), ('street', 'section', '', 1, '#ff0000');
 \setenv PGDATABASE :DBNAME
 \setenv PGOPTIONS '-c client_min_messages=notice'
@@ -191,6 +196,19 @@ SELECT 'and none outside the picture', count(*) = 0 FROM streetgen._shapes('rank
 SELECT 'below all but the blocks: ' || theme, min(place) FILTER (WHERE layer = 'building') < min(place) FILTER (WHERE layer NOT IN ('building', 'block', 'ground', 'paper', 'ink')) FROM streetgen.symbol_rule GROUP BY theme ORDER BY theme;
 SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town.house') \g /dev/null
 SELECT 'so are those of a view, of no declared reference', streetgen.svg('ranked', scale => 1000) LIKE '%class="building"%';
+CREATE TABLE streetgen_test_town.round (geom geometry(MultiSurface, 2154));
+INSERT INTO streetgen_test_town.round VALUES ('SRID=2154;MULTISURFACE(CURVEPOLYGON(CIRCULARSTRING(650020 6859970,650030 6859980,650040 6859970,650030 6859960,650020 6859970)))');
+SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town.round') \g /dev/null
+SELECT 'a round building is drawn round', abs(ST_Area(geom) - 100 * pi()) < 1 AND svg LIKE '%class="building"%' FROM streetgen._shapes('ranked', ST_MakeEnvelope(650030, 6859975, 650400, 6860100, 2154), '{building}'), streetgen.svg('ranked', scale => 1000) svg;
+CREATE TABLE streetgen_test_town.mixed (geom geometry);
+INSERT INTO streetgen_test_town.mixed SELECT ST_MakeEnvelope(650020, 6859970, 650040, 6859980, 2154) UNION ALL SELECT ST_MakeEnvelope(200, 95, 201, 96, 4326) UNION ALL SELECT ST_MakeEnvelope(650020, 6859970, 650040, 6859980, 999999) UNION ALL SELECT NULL;
+SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town.mixed') \g /dev/null
+SELECT 'a row outside of its projection, or of no known reference, leaves the others', svg LIKE '%class="building"%' FROM streetgen.svg('ranked', scale => 1000) svg;
+CREATE TEMPORARY TABLE brief_house (geom geometry(Polygon, 2154));
+CREATE INDEX mixed_place ON streetgen_test_town.mixed USING gist (geom);
+CREATE TYPE streetgen_test_town.built AS (geom geometry(Polygon, 2154));
+SELECT 'what is no table that stays is refused: ' || value, state = '22023' AND detail = 'It is no table or view that stays.' FROM unnest('{pg_temp.brief_house,streetgen_test_town.mixed_place,streetgen_test_town.built}'::text[]) value, test.refusal(format('SELECT streetgen.set(''ranked'', ''building_table'', %L)', value));
+SELECT streetgen.set('ranked', 'building_table', 'streetgen_test_town.house') \g /dev/null
 CREATE ROLE streetgen_test_drawer;
 DO $$ BEGIN PERFORM streetgen.grant('ranked', 'streetgen_test_drawer', 'reader'); END $$;
 SET ROLE streetgen_test_drawer;

@@ -65,9 +65,11 @@ BEGIN
         RAISE EXCEPTION 'role "%" may not read model "%"', current_user, model USING ERRCODE = '42501',
             HINT = format('SELECT streetgen.grant(%L, %L, ''reader'') by its owner allows it.', model, current_user);
     END IF;
+    PERFORM streetgen._check_tables(model);
 END $$;
 COMMENT ON FUNCTION streetgen._require_reader(name) IS
-    'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it.';
+    'Raises 3F000 when the model does not exist, 42501 when the caller was not granted it, 42809 where a view stands '
+    'for one of its tables.';
 
 CREATE OR REPLACE FUNCTION streetgen._require_schema_owner(schema name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -46,6 +46,24 @@ CREATE OR REPLACE FUNCTION streetgen._fill_table(statements text, said text[]) R
 COMMENT ON FUNCTION streetgen._fill_table(text, text[]) IS
     'Statements of a template with what streetgen._table_values says in place of the variables.';
 
+CREATE OR REPLACE FUNCTION streetgen._check_tables(model name) RETURNS void
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    in_the_way regclass;
+BEGIN
+    SELECT c.oid INTO in_the_way FROM streetgen.template t JOIN pg_class c ON c.relname = t.relation
+        WHERE c.relnamespace = quote_ident(model)::regnamespace AND c.relkind <> 'r' ORDER BY 1 LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION '% stands where a table of the model belongs', in_the_way USING ERRCODE = '42809',
+            DETAIL = 'It is no table.', HINT = format('Rename it, such as by ALTER TABLE %s RENAME TO …, which takes '
+                'views too, or drop it; then repeat the call.', in_the_way);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._check_tables(name) IS
+    'Raises 42809 for a view or another thing by the name of any table of a model: functions of a view would run with '
+    'the rights of whoever reads it.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_tables(model name, parts text[], rooms text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE
         -- PostGIS is found there. An index of a table of another subject may be there already: no word of it.
@@ -54,16 +72,9 @@ CREATE OR REPLACE FUNCTION streetgen._make_tables(model name, parts text[], room
 DECLARE
     said constant text[] := streetgen._table_values(model);
     statements text;
-    in_the_way regclass;
 BEGIN
     -- Whether a subject is on is told by the names of its tables, so all of them count.
-    SELECT c.oid INTO in_the_way FROM streetgen.template t JOIN pg_class c ON c.relname = t.relation
-        WHERE c.relnamespace = quote_ident(model)::regnamespace AND c.relkind <> 'r' ORDER BY 1 LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION '% stands where a table of the model belongs', in_the_way USING ERRCODE = '42809',
-            DETAIL = 'It is no table.', HINT = format('Rename it, such as by ALTER TABLE %s RENAME TO …, which takes '
-                'views too, or drop it; then repeat the call.', in_the_way);
-    END IF;
+    PERFORM streetgen._check_tables(model);
     FOR statements IN SELECT streetgen._fill_table(t.statements, said)
         FROM unnest(rooms) WITH ORDINALITY r(room, place), unnest(parts) WITH ORDINALITY p(part, step),
             streetgen.template t

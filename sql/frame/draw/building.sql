@@ -15,7 +15,8 @@ CREATE OR REPLACE FUNCTION streetgen._polygon_column(relation regclass, OUT name
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT attname, postgis_typmod_srid(atttypmod) FROM pg_attribute
         WHERE attrelid = relation AND attnum > 0 AND NOT attisdropped AND atttypid = 'geometry'::regtype
-            AND postgis_typmod_type(atttypmod) ~* '^(multi)?polygon|^geometry' ORDER BY attnum LIMIT 1 $$;
+            AND postgis_typmod_type(atttypmod) ~* '^(multi|curve)?polygon|^multisurface|^geometry'
+        ORDER BY attnum LIMIT 1 $$;
 COMMENT ON FUNCTION streetgen._polygon_column(regclass) IS
     'The first column of a table or view that can hold polygons, and the SRID that it is declared with, 0 where none.';
 
@@ -35,6 +36,8 @@ BEGIN
         RETURN _checked_building_table.value;
     END IF;
     wrong := CASE WHEN relation IS NULL THEN 'There is no such table or view.'
+        WHEN NOT EXISTS (SELECT FROM pg_class WHERE oid = relation AND relkind IN ('r', 'p', 'v', 'm', 'f')
+            AND relpersistence <> 't') THEN 'It is no table or view that stays.'
         WHEN (streetgen._polygon_column(relation)).name IS NULL THEN 'It has no column of polygons.' END;
     IF wrong IS NOT NULL THEN
         RAISE EXCEPTION 'setting "building_table" of model "%" cannot be %', model,
@@ -49,35 +52,65 @@ COMMENT ON FUNCTION streetgen._checked_building_table(name, text) IS
 
 CREATE OR REPLACE FUNCTION streetgen._runs_code_of_others(relation regclass) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT (relkind NOT IN ('r', 'p', 'm') OR relrowsecurity)
-            AND NOT pg_has_role(relowner, current_user, 'MEMBER') FROM pg_class WHERE oid = relation $$;
+    AS $$
+    WITH RECURSIVE part AS (SELECT relation::oid AS oid
+        UNION SELECT inhrelid FROM part JOIN pg_inherits ON inhparent = part.oid)
+    SELECT bool_or(NOT pg_has_role(relowner, current_user, 'MEMBER')
+        AND (relkind NOT IN ('r', 'p', 'm') OR relrowsecurity OR (SELECT rolsuper FROM pg_roles
+                WHERE rolname = current_user)
+            -- These are computed while the query is planned.
+            OR EXISTS (SELECT FROM pg_index WHERE indrelid = c.oid AND num_nonnulls(indexprs, indpred) > 0)
+            OR EXISTS (SELECT FROM pg_partitioned_table WHERE partrelid = c.oid AND partexprs IS NOT NULL)
+            OR EXISTS (SELECT FROM pg_statistic_ext WHERE stxrelid = c.oid AND stxexprs IS NOT NULL)
+            OR EXISTS (SELECT FROM pg_constraint WHERE conrelid = c.oid AND contype = 'c' AND c.oid <> relation)))
+    FROM part JOIN pg_class c USING (oid) $$;
 COMMENT ON FUNCTION streetgen._runs_code_of_others(regclass) IS
-    'Would reading a relation run functions that its owner chose, with rights that the owner does not have? A view '
-    'does, and a policy of rows.';
+    'Could reading a relation, or a part of it, run functions that its owner chose, with rights that the owner does '
+    'not have? A view does, a policy of rows, and expressions of an index, of statistics, of a partition or its '
+    'constraint. A superuser trusts no table of others.';
+
+CREATE OR REPLACE FUNCTION streetgen._transformed(geom geometry, srid integer) RETURNS geometry
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    RETURN ST_Transform(geom, srid);
+EXCEPTION WHEN internal_error OR data_exception THEN
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._transformed(geometry, integer) IS
+    'A geometry in another reference; NULL where it lies outside of a projection, or a reference is none.';
 
 CREATE OR REPLACE FUNCTION streetgen._buildings(relation regclass, box geometry) RETURNS SETOF geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 DECLARE
     srid constant integer := ST_SRID(box);
+    lost bigint := 0;
     polygon record;
     building geometry;
 BEGIN
     -- An index serves where the column is declared with a reference.
-    SELECT c.srid, format('SELECT %1$I FROM %2$s WHERE $1 IS NULL OR %1$I && $1', c.name, relation) AS query
-        FROM streetgen._polygon_column(relation) c INTO polygon;
+    SELECT c.srid, format('SELECT %1$I FROM %2$s WHERE %1$I IS NOT NULL AND ($1 IS NULL OR %1$I && $1)', c.name,
+        relation) AS query FROM streetgen._polygon_column(relation) c INTO polygon;
     FOR building IN EXECUTE polygon.query
-        USING CASE polygon.srid WHEN 0 THEN NULL WHEN srid THEN box ELSE ST_Transform(box, polygon.srid) END
+        USING CASE polygon.srid WHEN 0 THEN NULL WHEN srid THEN box ELSE streetgen._transformed(box, polygon.srid) END
     LOOP
         building := CASE WHEN ST_SRID(building) IN (0, srid) THEN ST_SetSRID(building, srid)
-            ELSE ST_Transform(building, srid) END;
-        IF building && box AND ST_Dimension(building) = 2 THEN
-            RETURN NEXT building;
+            ELSE streetgen._transformed(building, srid) END;
+        IF building IS NULL THEN
+            lost := lost + 1;
+        ELSIF building && box AND ST_Dimension(building) = 2 THEN
+            RETURN NEXT ST_CurveToLine(building);
         END IF;
     END LOOP;
+    IF lost > 0 THEN
+        RAISE WARNING '% rows of table % are not drawn: their place cannot be told in SRID %', lost, relation, srid
+            USING HINT = 'ST_SRID and ST_Extent of its geometry show what is outside of its projection.';
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._buildings(regclass, geometry) IS
-    'The polygons of a table or view in a box, in the SRID of the box, read with the rights of the caller.';
+    'The polygons of a table or view in a box, in the SRID of the box, read with the rights of the caller; a warning '
+    'counts those that cannot be transformed.';
 
 CREATE OR REPLACE FUNCTION streetgen._building_table(model name) RETURNS regclass
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -103,7 +136,8 @@ BEGIN
     IF wrong IS NOT NULL THEN
         RAISE WARNING 'buildings of model "%" are not drawn: table %, which setting "building_table" names: %', model,
             named, wrong USING HINT = format('SELECT streetgen.set(%L, ''building_table'', ''none'') draws without '
-                'buildings; a materialized view can stand for a view.', model);
+                'buildings. A superuser reads those of another role after SET ROLE; for others a plain table or '
+                'materialized view without expressions can stand for it.', model);
         RETURN NULL;
     END IF;
     RETURN relation;

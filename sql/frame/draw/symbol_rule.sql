@@ -82,6 +82,15 @@ BEGIN
             USING ERRCODE = '42501', HINT = format('GRANT SELECT ON %I.symbol_rule TO %I by its owner allows it.',
                 model, current_user);
     END IF;
+    -- Its owner may have dropped the constraints, and these words stand in the SVG as they are.
+    SELECT theme, layer, place, word INTO wrong FROM symbol_rule o, LATERAL (VALUES (fill, '^#[0-9a-f]+$'),
+            (line, '^#[0-9a-f]+$'), (dash, '^[0-9. ]+$')) v(word, form) WHERE word !~ form LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'a rule of %.symbol_rule has the colour or dash %, which is none', quote_ident(model),
+            quote_literal(left(wrong.word, 80)) USING ERRCODE = '22023',
+            DETAIL = format('Its theme is %s, its layer %s, its place %s.', wrong.theme, wrong.layer, wrong.place),
+            HINT = 'Expected a colour as #rrggbb or #rrggbbaa, or a dash such as 3 1.5.';
+    END IF;
     SELECT * FROM symbol_rule o WHERE layer NOT IN (SELECT d.layer FROM streetgen.symbol_rule d) LIMIT 1 INTO wrong;
     IF FOUND THEN
         RAISE EXCEPTION 'a rule of %.symbol_rule draws layer "%", which is none', quote_ident(model), wrong.layer

@@ -34,12 +34,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._give_to_owner(name, oid[]) IS
     'Gives the tables and views of a model that were not there before to the owner of its schema, whoever made them.';
 
-CREATE OR REPLACE FUNCTION streetgen._as_owner(model name, called text) RETURNS void
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE AS 'MODULE_PATHNAME', 'streetgen_as_owner';
-COMMENT ON FUNCTION streetgen._as_owner(name, text) IS
-    'Calls a function of streetgen that takes the name of a model with the rights of its owner: triggers that he hung '
-    'on tables run with these alone, and cannot change the role. A caller who is no member of that role: 42501.';
-
 CREATE OR REPLACE FUNCTION streetgen._add_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -11,6 +11,7 @@ extern "C" {
 #include <parser/parse_func.h>
 #include <utils/acl.h>
 #include <utils/builtins.h>
+#include <utils/lsyscache.h>
 #include <utils/syscache.h>
 }
 
@@ -44,7 +45,8 @@ STREETGEN_FUNCTION(streetgen_as_owner) {
   if (caller != owner)
     SetUserIdAndSecContext(owner, context | SECURITY_LOCAL_USERID_CHANGE |
                                       SECURITY_RESTRICTED_OPERATION);
-  OidFunctionCall1(called, NameGetDatum(model));
+  const Datum result = OidFunctionCall1(called, NameGetDatum(model));
   SetUserIdAndSecContext(caller, context);
-  PG_RETURN_VOID();
+  if (get_func_rettype(called) != INT8OID) PG_RETURN_NULL();
+  PG_RETURN_DATUM(result);
 }
