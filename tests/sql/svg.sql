@@ -164,6 +164,11 @@ SELECT 'a rule for a type in one theme and some scales leaves the others as they
 INSERT INTO twice.symbol_rule (theme, layer, kind, to_scale, place) SELECT theme, layer, kind, to_scale, place FROM streetgen.symbol_rule WHERE (theme, layer, kind) = ('street', 'object', 'furniture');
 SELECT 'what a rule without a colour hides is drawn as nothing else', pg_temp.drawn_kind('bench') IS NULL AND pg_temp.drawn_kind('bench', 'dark') = 'furniture';
 DELETE FROM twice.symbol_rule WHERE kind = 'furniture';
+INSERT INTO twice.symbol_rule (theme, layer, kind, place) VALUES ('street', 'object', 'kiosk', 952), ('street', 'object', 'kiosque', 952);
+\setenv PGOPTIONS '-c client_min_messages=warning'
+\! test "$(psql -qXAt -c "SELECT streetgen.svg('twice', scale => 500)" 2>&1 >/dev/null | grep -o 'kind "[^"]*"')" = 'kind "kiosque"' && holds=t || holds=f; printf 'a rule that hides a type is not told as one that draws nothing, a misspelt one is\t%s\n' $holds
+\setenv PGOPTIONS
+DELETE FROM twice.symbol_rule WHERE kind LIKE 'kios%';
 SELECT 'a legend tells kinds apart: ' || theme, words @> '{tree,street lamp,traffic sign,signal,street furniture,bollard or barrier}' FROM unnest('{street,dark,construction}'::text[]) theme, LATERAL (SELECT array_agg(m[1]) AS words FROM regexp_matches(streetgen.svg('twice', scale => 500, legend => true, theme => theme), '<text x="44"[^>]*>([^<]*)<', 'g') m) w;
 SELECT 'what is small on paper is seen in a construction: ' || kind, bool_and(width >= 2 AND unit = 'pixel' AND line IS NOT NULL) FROM streetgen.symbol_rule WHERE (theme, layer) = ('construction', 'object') AND kind NOT IN ('tree', 'green', 'arrow') GROUP BY kind ORDER BY kind;
 

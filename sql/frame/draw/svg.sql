@@ -145,6 +145,9 @@ BEGIN
     FOR unused IN SELECT DISTINCT r.layer, r.kind FROM symbol_rule r WHERE r.theme = _tell_unused_rules.theme
         AND scale > r.from_scale AND scale <= r.to_scale AND r.kind <> '' AND r.layer NOT IN ('name', 'ref')
         AND (r.layer, r.kind) NOT IN (SELECT a.layer, a.kind FROM streetgen.symbol_rule a)
+        -- One without a colour hides what may be drawn as it.
+        AND NOT (num_nonnulls(r.fill, r.line) = 0
+            AND (r.layer, r.kind) IN (SELECT a.layer, a.drawn_as FROM streetgen._drawn_as(model) a))
         AND (r.layer, r.kind) NOT IN (SELECT s.layer, s.kind FROM streetgen._symbols(model, theme, scale) s
             WHERE s.symbol = ANY (symbols)) ORDER BY 1, 2
     LOOP
