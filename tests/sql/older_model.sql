@@ -54,9 +54,18 @@ DO $$ DECLARE said text; BEGIN
     EXECUTE said;
   END LOOP;
 END $$;
+-- Rules of drawing had no name for what holds for several columns, and less held.
+ALTER TABLE older.symbol_rule DROP CONSTRAINT symbol_rule_scales, DROP CONSTRAINT symbol_rule_name_has_size, DROP CONSTRAINT symbol_rule_width_has_unit, DROP CONSTRAINT symbol_rule_line_has_width,
+  DROP CONSTRAINT symbol_rule_shadow_has_width, ADD CHECK (from_scale < to_scale), ADD CHECK (layer <> 'name' OR width IS NOT NULL), ADD CHECK (num_nulls(width, unit) IN (0, 2)), ADD CONSTRAINT mine CHECK (place <> 7 OR fill IS NULL);
+INSERT INTO older.symbol_rule (theme, layer, place, line) VALUES ('street', 'ref', 500, '#112233');
 DELETE FROM older.setting WHERE name IN ('delivery_wins', 'object_snap');
 UPDATE older.setting SET maximum = 1e9 WHERE name = 'reach';
+SELECT 'a rule that cannot be stops it, and is told', state = '23514' AND said = 'a rule of older.symbol_rule cannot be what it is' AND hint LIKE 'Change or delete it in older.symbol_rule%' FROM test.refusal($$SELECT streetgen.adopt_model('older')$$);
+DELETE FROM older.symbol_rule;
 DO $$ BEGIN PERFORM streetgen.adopt_model('older'); END $$;
+SELECT 'a rule of several columns is refused with the way out', state = '23514' AND said ~ 'symbol rule' AND hint = 'Fill width and unit.' FROM test.refusal($$INSERT INTO older.symbol_rule (theme, layer, place, line) VALUES ('street', 'ref', 500, '#112233')$$);
+SELECT 'a condition of the user stays', test.state($$INSERT INTO older.symbol_rule (theme, layer, place, fill) VALUES ('street', 'ground', 7, '#112233')$$) = '23514';
+ALTER TABLE older.symbol_rule DROP CONSTRAINT mine;
 SELECT 'it gets the settings that came later, and their ranges', NOT EXISTS (SELECT name, unit, description, minimum, maximum, choice FROM streetgen._default_setting() EXCEPT SELECT name, unit, description, minimum, maximum, choice FROM older.setting);
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
 SELECT 'and the indexes and comments of a new one', count(*) > 500 AND NOT EXISTS ((SELECT pg_temp.words() EXCEPT TABLE worded) UNION ALL (TABLE worded EXCEPT SELECT pg_temp.words())) FROM worded;
@@ -105,6 +114,29 @@ SET ROLE adopted_stranger;
 SELECT 'whoever is no member of the role calls nothing with it', state = '42501' AND hint <> '' FROM test.refusal($$SELECT streetgen._as_owner('adopted', 'drop_model')$$);
 RESET ROLE;
 DROP ROLE adopted_stranger;
+-- A table of somebody else, which the model follows.
+CREATE TABLE public.adopted_line AS SELECT 1 AS id, 'SRID=2154;LINESTRING(650000 6860000, 650080 6860000)'::geometry AS geom;
+GRANT SELECT, TRIGGER, INSERT ON public.adopted_line TO adopted_owner;
+SET ROLE adopted_owner;
+SELECT count(*) FROM streetgen.follow('adopted', 'adopted_line', '{"source_ref": "id"}') \g /dev/null
+SELECT 'a model that follows a table of somebody else is adopted', state = 'none' FROM test.refusal($$SELECT streetgen.adopt_model('adopted')$$);
+INSERT INTO public.adopted_line VALUES (2, 'SRID=2154;LINESTRING(650080 6860000, 650080 6860080)');
+SELECT 'and follows it once', (SELECT count(*) = 2 FROM adopted.axis) AND (SELECT count(*) = 4 FROM pg_trigger WHERE tgrelid = 'adopted_line'::regclass);
+-- What stands by the name of a view or table that came later.
+DROP VIEW adopted.activity;
+CREATE VIEW adopted.activity AS SELECT 1 AS mine;
+SELECT 'a view by the name of another of the model is told, with the way out', state = '42809' AND said = 'adopted.activity stands where a view of the model belongs' AND hint ~ 'ALTER TABLE adopted.activity RENAME TO' FROM test.refusal($$SELECT streetgen.adopt_model('adopted')$$);
+DROP VIEW adopted.activity;
+CREATE TABLE adopted.activity (mine integer);
+SELECT 'and so is a table', state = '42809' AND said = 'adopted.activity stands where a view of the model belongs' FROM test.refusal($$SELECT streetgen.adopt_model('adopted')$$);
+ALTER TABLE adopted.activity RENAME TO my_activity;
+DROP TABLE adopted.check_result;
+CREATE TABLE adopted.check_result (mine integer);
+SELECT 'a table of the user by the name of one of the model is told', state = '42809' AND said = 'adopted.check_result stands where a table of the model belongs' AND hint ~ 'ALTER TABLE adopted.check_result RENAME TO' FROM test.refusal($$SELECT streetgen.adopt_model('adopted')$$);
+ALTER TABLE adopted.check_result RENAME TO my_check;
+SELECT 'renamed, all stay', test.state($$SELECT streetgen.adopt_model('adopted')$$) = 'none' AND to_regclass('adopted.my_check') IS NOT NULL AND to_regclass('adopted.my_activity') IS NOT NULL;
+RESET ROLE;
+DROP TABLE public.adopted_line;
 SELECT streetgen.drop_model('adopted') \g /dev/null
 SELECT test.as_administrator(format('REVOKE CREATE ON DATABASE %I FROM adopted_owner', current_database())) \g /dev/null
 DROP OWNED BY adopted_owner CASCADE;

@@ -46,24 +46,23 @@ COMMENT ON FUNCTION streetgen._compose_function(name, text, text, text, text, te
 
 CREATE OR REPLACE FUNCTION streetgen._drop_own_functions(model name, names name[] DEFAULT NULL) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+        -- No word of the triggers that go.
+        SET client_min_messages = warning
     AS $$
 DECLARE
     part text;
 BEGIN
-    FOR part IN
-        WITH own AS (SELECT p.oid FROM pg_proc p JOIN pg_depend d ON d.objid = p.oid AND d.classid = 'pg_proc'::regclass
-                JOIN pg_extension e ON e.oid = d.refobjid AND d.refclassid = 'pg_extension'::regclass
-            WHERE p.pronamespace = quote_ident(model)::regnamespace AND d.deptype = 'x' AND e.extname = 'streetgen'
-                AND (names IS NULL OR p.proname = ANY (names)))
-        SELECT drop FROM (
-            SELECT 1 AS turn, format('DROP TRIGGER %I ON %s', tgname, tgrelid::regclass) AS drop
-            FROM pg_trigger JOIN own ON own.oid = tgfoid JOIN pg_class c ON c.oid = tgrelid
-            WHERE c.relnamespace = quote_ident(model)::regnamespace AND NOT tgisinternal
-            UNION ALL SELECT 2, format('DROP FUNCTION %s', oid::regprocedure) FROM own) d ORDER BY turn
+    -- Triggers go with their functions: those of a table that is followed stand on a table of somebody else.
+    FOR part IN SELECT format('DROP FUNCTION %s %s', p.oid::regprocedure,
+            CASE prorettype WHEN 'trigger'::regtype THEN 'CASCADE' ELSE 'RESTRICT' END)
+        FROM pg_proc p JOIN pg_depend d ON d.objid = p.oid AND d.classid = 'pg_proc'::regclass
+            JOIN pg_extension e ON e.oid = d.refobjid AND d.refclassid = 'pg_extension'::regclass
+        WHERE p.pronamespace = quote_ident(model)::regnamespace AND d.deptype = 'x' AND e.extname = 'streetgen'
+            AND (names IS NULL OR p.proname = ANY (names))
     LOOP
         EXECUTE part;
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._drop_own_functions(name, name[]) IS
-    'Drops the functions of a model that go with the extension, all or those of these names, and the triggers of its '
-    'tables that call them: an earlier build may have made them with other names and arguments.';
+    'Drops the functions of a model that go with the extension, all or those of these names, and the triggers that '
+    'call them, also on tables that it follows: an earlier build may have made them with other names and arguments.';

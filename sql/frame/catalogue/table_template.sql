@@ -103,6 +103,7 @@ CREATE OR REPLACE FUNCTION streetgen._complete_tables(model name) RETURNS void
 DECLARE
     said constant text[] := streetgen._table_values(model);
     missing text;
+    foreign_table record;
 BEGIN
     FOR missing IN
         SELECT statement FROM streetgen._stated(model) WHERE statement ~ '^ALTER TABLE \S+ ADD COLUMN IF NOT EXISTS'
@@ -111,6 +112,19 @@ BEGIN
     LOOP
         EXECUTE streetgen._fill_table(missing, said);
     END LOOP;
+    SELECT c.oid::regclass AS name, string_agg(attribute, ', ') AS lacks INTO foreign_table
+        FROM streetgen.template t JOIN pg_class c ON c.relname = t.relation
+            CROSS JOIN LATERAL unnest(t.attributes) attribute
+        WHERE c.relnamespace = quote_ident(model)::regnamespace
+            AND attribute NOT IN (SELECT attname FROM pg_attribute WHERE attrelid = c.oid AND NOT attisdropped)
+        GROUP BY c.oid ORDER BY c.relname LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION '% stands where a table of the model belongs', foreign_table.name USING ERRCODE = '42809',
+            DETAIL = format('It lacks columns of that one: %s.', foreign_table.lacks),
+            HINT = format('If it is your own, rename it, such as by ALTER TABLE %s RENAME TO …; then repeat the '
+                'call. Of a model too old to be taken over keep the data with pg_dump -n %I, and DROP SCHEMA %2$I '
+                'CASCADE.', foreign_table.name, model);
+    END IF;
     FOR missing IN
         SELECT statement FROM streetgen._stated(model) WHERE CASE
             WHEN statement ~ '^CREATE (UNIQUE )?INDEX' THEN to_regclass(format('%I.%I', model,
@@ -127,4 +141,4 @@ END $$;
 COMMENT ON FUNCTION streetgen._complete_tables(name) IS
     'Gives the tables that a model has the later columns, indexes, triggers and comments of this build: another one '
     'may have made them, or somebody may have taken some away. A column comes by ALTER TABLE … ADD COLUMN IF NOT '
-    'EXISTS, a statement each.';
+    'EXISTS, a statement each. A table that lacks others is none of the model: 42809.';

@@ -199,17 +199,31 @@ CREATE OR REPLACE FUNCTION streetgen._mend_frame_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    part text;
+    rules constant regclass := to_regclass(format('%I.symbol_rule', model));
+    part record;
+    broken jsonb;
 BEGIN
-    FOR part IN SELECT format('ALTER TABLE %s DROP CONSTRAINT %I, ADD CONSTRAINT %2$I %s', o.conrelid::regclass,
-            o.conname, pg_get_constraintdef(d.oid))
-        FROM pg_constraint d JOIN pg_constraint o USING (conname, contype)
-        WHERE d.conrelid = 'streetgen.symbol_rule'::regclass AND contype = 'c'
-            AND o.conrelid = to_regclass(format('%I.symbol_rule', model))
-            AND pg_get_constraintdef(d.oid) <> pg_get_constraintdef(o.oid)
+    FOR part IN SELECT d.holds, format('SELECT to_jsonb(r) FROM %s r WHERE (%s) IS FALSE LIMIT 1', rules,
+                coalesce(d.holds, 'true')) AS breaks, format('ALTER TABLE %s ', rules) || concat_ws(', ',
+                'DROP CONSTRAINT ' || quote_ident(o.conname),
+                'ADD CONSTRAINT ' || quote_ident(d.conname) || ' ' || d.says) AS change
+        FROM (SELECT conname, pg_get_constraintdef(oid) AS says, pg_get_expr(conbin, conrelid) AS holds
+            FROM pg_constraint WHERE conrelid = 'streetgen.symbol_rule'::regclass AND contype = 'c') d
+        FULL JOIN (SELECT conname, pg_get_constraintdef(oid) AS says
+            FROM pg_constraint WHERE conrelid = rules AND contype = 'c') o USING (conname)
+        -- Earlier builds gave no name to what holds for several columns.
+        WHERE rules IS NOT NULL AND CASE WHEN d.says IS NULL THEN o.conname ~ '^symbol_rule_check\d*$'
+            ELSE d.says IS DISTINCT FROM o.says END
+        ORDER BY conname
     LOOP
-        EXECUTE part;
+        EXECUTE part.breaks INTO broken;
+        IF broken IS NOT NULL THEN
+            RAISE EXCEPTION 'a rule of %.symbol_rule cannot be what it is', quote_ident(model)
+                USING ERRCODE = '23514', DETAIL = format('It is %s, and %s does not hold.', broken, part.holds),
+                HINT = format('Change or delete it in %s; then repeat the call.', rules);
+        END IF;
+        EXECUTE part.change;
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_frame_tables(name) IS
-    'Lets the rules of a model of an older build have the themes and markers of this one.';
+    'Gives the rules of a model of an older build the conditions of this one. A rule that breaks one: 23514.';

@@ -24,14 +24,28 @@ COMMENT ON FUNCTION streetgen.subject(name) IS
 CREATE OR REPLACE FUNCTION streetgen._make_dependents(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    place text;
+    in_the_way text;
 BEGIN
     PERFORM streetgen._make_views(model), streetgen._make_functions(model), streetgen._make_remap(model);
     PERFORM streetgen._make_edit_views(model),
         streetgen._call_rooms('_make_%s_edit_views', model, '{axis}'::text[] || streetgen._rooms_of(model)),
         streetgen._make_edit_log(model);
+EXCEPTION WHEN wrong_object_type OR invalid_table_definition THEN
+    GET STACKED DIAGNOSTICS place = PG_EXCEPTION_CONTEXT;
+    in_the_way := substring(place, 'CREATE OR REPLACE VIEW (?:\S+\.)?(\w+) WITH');
+    IF in_the_way IS NULL THEN
+        RAISE;
+    END IF;
+    in_the_way := format('%I.%I', model, in_the_way);
+    RAISE EXCEPTION '% stands where a view of the model belongs', in_the_way USING ERRCODE = '42809',
+        DETAIL = format('It is another: %s.', SQLERRM), HINT = format('If it is your own, rename it, such as by ALTER '
+            'TABLE %s RENAME TO …, which takes views too; else drop it. Then repeat the call.', in_the_way);
 END $$;
 COMMENT ON FUNCTION streetgen._make_dependents(name) IS
-    'Makes the views, functions and triggers of a model for the subjects that it computes, again and again.';
+    'Makes the views, functions and triggers of a model for the subjects that it computes, again and again. A table or '
+    'another view by the name of a view: 42809.';
 
 CREATE OR REPLACE FUNCTION streetgen._grant_like_axes(model name, relations oid[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
