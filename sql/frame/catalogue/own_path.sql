@@ -12,6 +12,7 @@ DECLARE
     creators text;
     planted text;
 BEGIN
+    PERFORM streetgen._require_its_build(model);
     SELECT n.oid, nspowner, extowner, e.oid AS extension INTO postgis
         FROM pg_extension e JOIN pg_namespace n ON n.oid = extnamespace WHERE extname = 'postgis';
     trusted := ARRAY(SELECT r.oid FROM pg_roles r WHERE pg_has_role(r.oid, owner, 'MEMBER')
@@ -55,10 +56,10 @@ BEGIN
     END LOOP;
 END $$;
 COMMENT ON FUNCTION streetgen._check_functions_beside(name, oid, oid) IS
-    'Raises 42501 where the schema of PostGIS or of a model holds functions of others by names of the system, of '
-    'PostGIS or of functions that the model has, or operators of theirs, or types by names of PostGIS. So it does '
-    'where somebody edits with the rights of the owner while others may make such. Others: roles that have neither '
-    'the rights of the owner nor own PostGIS or its schema.';
+    'Raises 55000 for a model of another build. Raises 42501 where the schema of PostGIS or of a model holds functions '
+    'of others by names of the system, of PostGIS or of functions that the model has, or operators of theirs, or types '
+    'by names of PostGIS. So it does where somebody edits with the rights of the owner while others may make such. '
+    'Others: roles that have neither the rights of the owner nor own PostGIS or its schema.';
 
 CREATE OR REPLACE FUNCTION streetgen._only_own_functions(model name) RETURNS boolean
     LANGUAGE c STABLE STRICT PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_only_own_functions';

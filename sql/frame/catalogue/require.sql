@@ -25,8 +25,8 @@ BEGIN
     PERFORM streetgen._only_own_functions(model);
 END $$;
 COMMENT ON FUNCTION streetgen._require_model(name) IS
-    'Raises 3F000 when the model does not exist, 22004 when it is NULL, 55000 where module and SQL differ, 42501 where '
-    'it could meet functions of others.';
+    'Raises 3F000 when the model does not exist, 22004 when it is NULL, 55000 where module, SQL and model are not of '
+    'one build, 42501 where it could meet functions of others.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_given(VARIADIC given text[]) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -10,9 +10,9 @@ BEGIN
         RAISE EXCEPTION 'schema "%" belongs to another role', model USING ERRCODE = '42501',
             HINT = 'Only the owner of a schema registers it as a model.';
     END IF;
-    INSERT INTO streetgen.model VALUES (model, srid, dimension, streetgen.version())
+    INSERT INTO streetgen.model VALUES (model, srid, dimension, streetgen.version(), streetgen._build_mark())
         ON CONFLICT (name) DO UPDATE SET srid = excluded.srid, dimension = excluded.dimension,
-            template_version = excluded.template_version;
+            template_version = excluded.template_version, build = excluded.build;
     DELETE FROM streetgen.model m WHERE NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = m.name);
 END $$;
 COMMENT ON FUNCTION streetgen._register_model(name, integer, integer) IS
@@ -188,8 +188,7 @@ DECLARE
     dimension integer;
     missing text[];
 BEGIN
-    PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema),
-        streetgen._only_own_functions(schema);
+    PERFORM streetgen._require_one_build(), streetgen._check_given('schema', schema);
     missing := ARRAY(SELECT name
         FROM unnest(ARRAY['setting', 'axis_class', 'axis', 'transition_override', 'node', 'edge', 'section_limit',
         'section', 'corner', 'intersection', 'report']) name
@@ -208,6 +207,7 @@ BEGIN
             HINT = 'Its table axis has no column geom with an SRID.';
     END IF;
     PERFORM streetgen._register_model(schema, srid, dimension);
+    PERFORM streetgen._only_own_functions(schema);
     PERFORM streetgen._drop_own_functions(schema), streetgen._give_to_owner(schema, '{}'),
         streetgen._as_owner(schema, '_renew_model');
 EXCEPTION WHEN lock_not_available THEN
@@ -217,8 +217,8 @@ COMMENT ON FUNCTION streetgen.adopt_model(name) IS
     'Registers a schema that holds the tables of a model (after a restore, or DROP EXTENSION CASCADE) and puts its '
     'views and triggers back, with their comments and readers, also those by which it follows a table (a warning for '
     'one that it cannot follow); tables that came later are added. What it makes belongs to the owner of the schema, '
-    'also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501; a view by the '
-    'name of one of its tables: 42809. A lock_timeout that ends: 55P03, naming who holds the model.';
+    'also where a superuser calls it. A schema without the tables: 3F000; one of another role: 42501; something else '
+    'by the name of one of its tables or views: 42809. A lock_timeout that ends: 55P03, naming who holds the model.';
 
 CREATE OR REPLACE FUNCTION streetgen._take_back(model name, role name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -29,7 +29,7 @@ DECLARE
     decided bigint[];
     written bigint;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Bends lie where axes bend: change the radius of one.');
     ELSIF TG_OP = 'UPDATE' THEN

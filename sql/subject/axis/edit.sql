@@ -7,7 +7,7 @@ DECLARE
     written bigint := 0;
     way_out text;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
         DELETE FROM axis WHERE axis_id = OLD.axis_id;
         RETURN OLD;
@@ -103,7 +103,7 @@ DECLARE
     lines geometry[];
     tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP <> 'UPDATE' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Nodes lie where axes meet or end: draw or delete axes in axis_editing.');
@@ -160,7 +160,7 @@ DECLARE
     tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
     subject text;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP <> 'UPDATE' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Edges are pieces of axes: draw, split or delete axes in axis_editing.');

@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_block() RETURNS trigger
 DECLARE
     known bigint[];
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Blocks come from the streets about them: draw an axis.');
     ELSIF TG_OP = 'UPDATE' THEN

@@ -9,7 +9,7 @@ DECLARE
     at float8;
     known bigint;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
         DELETE FROM height_override WHERE height_override_id = OLD.height_id;
         RETURN OLD;

@@ -139,7 +139,7 @@ DECLARE
     nodes record;
     decided text;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'A junction is where axes meet: draw these, or say in junction_edge_editing which edges lie inside.');
@@ -179,7 +179,7 @@ DECLARE
     edge record;
     decided boolean;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Edges come from axes: draw these in axis_editing.');
     ELSIF TG_OP = 'UPDATE' THEN

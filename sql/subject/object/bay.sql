@@ -102,7 +102,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_parking_bay() RETURNS trigger
 DECLARE
     subject text := CASE TG_OP WHEN 'INSERT' THEN 'the new bay' ELSE 'bay ' || OLD.street_object_id END;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'UPDATE' THEN
         NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,side,axis_offset,length,width,angle}');
         IF NEW IS NOT DISTINCT FROM OLD THEN

@@ -100,7 +100,7 @@ DECLARE
     at record;
     held bigint;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     PERFORM streetgen._hold_specialised_types(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
         PERFORM streetgen._enter_object_edit(TG_TABLE_SCHEMA, OLD.street_object_id, ARRAY[OLD.axis_id],

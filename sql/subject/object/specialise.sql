@@ -115,7 +115,8 @@ CREATE OR REPLACE FUNCTION streetgen._hold_specialised() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    PERFORM streetgen._require_one_build(), streetgen._hold_specialised(TG_TABLE_SCHEMA, TG_ARGV[0]::boolean);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA),
+        streetgen._hold_specialised(TG_TABLE_SCHEMA, TG_ARGV[0]::boolean);
     RETURN NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._hold_specialised() IS

@@ -9,7 +9,7 @@ DECLARE
     -- Those of the two axes that lie nearer to this crossing than to another one of theirs.
     known bigint[];
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'an overpass cannot be drawn',
             hint => 'It stands where two axes cross without a node: draw these.');

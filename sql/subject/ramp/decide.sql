@@ -25,7 +25,7 @@ DECLARE
     known bigint[];
     decided record;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'A ramp is where a link meets a highway: draw these.');
     ELSIF TG_OP = 'UPDATE' THEN

@@ -7,7 +7,7 @@ DECLARE
     decided boolean;
     known bigint[];
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'a roundabout cannot be drawn',
             hint => 'It stands where axes close a ring: draw these.');

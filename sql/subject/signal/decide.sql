@@ -36,7 +36,7 @@ DECLARE
     decided jsonb := '{}';
     known bigint[];
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse('0A000', 'a controller cannot be drawn',
             hint => 'Put a row of kind signals into control_point, or give the junction that kind.');

@@ -12,7 +12,7 @@ DECLARE
     written bigint;
     node bigint;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP, 'Each edge has its two limits: move one of them.');
     ELSIF TG_OP = 'UPDATE' THEN
@@ -88,7 +88,7 @@ DECLARE
     -- The youngest that speaks of this corner alone.
     own bigint;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'INSERT' THEN
         PERFORM streetgen._refuse_edit(TG_TABLE_NAME, TG_OP,
             'Corners lie between the edges of a node: change the radius of one.');
@@ -161,7 +161,7 @@ DECLARE
     -- The point as it is now: what this edit leaves alone another session may have changed.
     known record;
 BEGIN
-    PERFORM streetgen._use_model(TG_TABLE_SCHEMA);
+    PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
         DELETE FROM kerb_point_override WHERE kerb_point_override_id = OLD.kerb_point_id;
         RETURN OLD;
