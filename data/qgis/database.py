@@ -59,13 +59,12 @@ class Database:
         return range(max(least, -10), min(most, 10) + 1)
 
     def buildings(self, model):
-        """What the layer of buildings reads, where a setting names a table that one may read: a row or none."""
+        """What the layer of buildings reads, where a setting names a table that one may read and pictures show: a row or none."""
         rows = self.ask(f'''
             SELECT n.nspname, c.relname, p.name, nullif(p.srid, 0), (
                 SELECT attname FROM pg_index JOIN pg_attribute ON attrelid = indrelid AND attnum = indkey[0] WHERE indrelid = c.oid AND indisprimary AND indnkeyatts = 1)
-            FROM streetgen.setting({literal(model)}) s, streetgen._relation_named(s.value) relation JOIN pg_class c ON c.oid = relation
-                JOIN pg_namespace n ON n.oid = relnamespace, streetgen._polygon_column(relation) p
-            WHERE s.name = 'building_table' AND has_table_privilege(relation, 'SELECT')''')
+            FROM streetgen._building_table({literal(model)}) relation JOIN pg_class c ON c.oid = relation JOIN pg_namespace n ON n.oid = relnamespace,
+                streetgen._polygon_column(relation) p''')
         for schema, table, column, srid, key in ([None if value == NULL else value for value in row] for row in rows):
             # Rows without a key are numbered as they come.
             keyed = (f'{identifier(key)}, ', key) if key else ('row_number() OVER () AS building_id, ', 'building_id')

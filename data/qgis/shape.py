@@ -22,6 +22,7 @@ class Shape:
 
 
 EDGE = 'JOIN @.edge e USING (edge_id)'
+OF_AXIS = 'JOIN @.street_object USING (street_object_id) LEFT JOIN @.axis a USING (axis_id)'
 # Kinds, as PostgreSQL and QGIS both read them.
 SECTION_KIND = "CASE WHEN method IN ('contested', 'crowded') THEN 'contested' ELSE '' END"
 INTERSECTION_KIND = "CASE WHEN method IN ('contested', 'crowded') THEN 'contested' WHEN method = 'transition' THEN 'transition' ELSE '' END"
@@ -51,16 +52,16 @@ GROUNDS = (
     Shape('junction', ('junction', 'intersection'), 'junction_id', level='i.level', geometry='j.surface', where="j.method <> 'hypothesis'",
           rows='@.junction j JOIN @.intersection i ON node_id = junction_id'),
     Shape('lane', ('lane',), 'lane_id', 'kind', geometry='l.surface', where="kind IN ('bus', 'cycle')", rows='@.lane l ' + EDGE),
-    Shape('bay', ('parking_bay',), 'street_object_id', level='0'),
+    Shape('bay', ('parking_bay', 'street_object'), 'street_object_id', level='coalesce(a.level, 0)', geometry='p.surface', rows='@.parking_bay p ' + OF_AXIS),
     Shape('lane_separator', ('lane_separator',), 'lane_separator_id', 'kind', geometry='p.surface', rows='@.lane_separator p ' + EDGE),
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
     Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
-    Shape('crossing', ('pedestrian_crossing',), 'street_object_id', level='0', geometry='stripes'),
+    Shape('crossing', ('pedestrian_crossing', 'street_object'), 'street_object_id', level='coalesce(a.level, 0)', geometry='p.stripes', rows='@.pedestrian_crossing p ' + OF_AXIS),
     Shape('bridge_shadow', relations=('bridge', 'section'), key='bridge_id', kind='b.method', geometry=DECK_SHADOW, rows='@.bridge b JOIN @.section s USING (edge_id)'),
     Shape('bridge', **BRIDGE),
     Shape('parapet', relations=('bridge', 'section'), key='bridge_id', kind='b.method', geometry=PARAPET, rows='@.bridge b JOIN @.section s USING (edge_id)'),
     Shape('tunnel', **TUNNEL),
-    Shape('tunnel_wall', level='0', **TUNNEL),
+    Shape('tunnel_wall', level=f'greatest(level, {GROUND_LEVEL})', **TUNNEL),
     Shape(key='lane_separator_id', relations=('bridge', 'lane_separator'), rows=DECK.format('lane_separator'), **ON_DECK),
     Shape(key='marking_id', relations=('bridge', 'marking'), rows=DECK.format('marking'), **ON_DECK),
 )
@@ -80,12 +81,13 @@ def grounds(relations, levels):
 
 
 # Objects at true size: points with their shape, and stretches.
-OBJECT = '@.street_object o JOIN @.object_type t USING (type) LEFT JOIN streetgen._object_kinds(@name) k USING (type)'
-OBJECT_POINTS = ("SELECT street_object_id, type, coalesce(k.kind, '') AS kind, size, CASE WHEN symbol IN ('circle', 'tree') THEN 'circle' "
+OBJECT = ("@.street_object o JOIN @.object_type t USING (type) LEFT JOIN streetgen._drawn_kinds(@name, 'street', 500) k "
+          "ON (k.layer, k.kind) = ('object', type)")
+OBJECT_POINTS = ("SELECT street_object_id, type, coalesce(k.drawn_as, '') AS kind, size, CASE WHEN symbol IN ('circle', 'tree') THEN 'circle' "
                  "WHEN symbol IN ('rectangle', 'square', 'triangle', 'arrow', 'star') THEN symbol ELSE 'diamond' END AS shape, "
                  "CASE WHEN symbol IN ('circle', 'tree') THEN 0 ELSE coalesce(angle, 0) END AS turn, o.geom "
                  f"FROM {OBJECT} WHERE symbol NOT IN ('crossing', 'bay') AND ST_Dimension(o.geom) = 0")
-OBJECT_LINES = ("SELECT street_object_id, type, coalesce(k.kind, '') AS kind, size, o.geom "
+OBJECT_LINES = ("SELECT street_object_id, type, coalesce(k.drawn_as, '') AS kind, size, o.geom "
                 f"FROM {OBJECT} WHERE symbol NOT IN ('crossing', 'bay') AND ST_Dimension(o.geom) = 1")
 SIGNALS = "SELECT 2 * lane_id + along_axis::integer AS signal_head_id, lane_id, '' AS kind, 1.2 AS size, geom FROM @.signal_head"
 # Streets as lines, and the names that stand along them.

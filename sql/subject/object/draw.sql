@@ -1,25 +1,5 @@
 -- Objects along streets are drawn by these rules.
 
-CREATE OR REPLACE FUNCTION streetgen._object_kinds(model name) RETURNS TABLE(type text, kind text)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH RECURSIVE above AS (
-        SELECT o.type, o.type AS word, o.parent, o.symbol, o.category, 1 AS turn FROM object_type o
-        UNION ALL SELECT a.type, o.type, o.parent, o.symbol, o.category, a.turn + 1
-            FROM above a JOIN object_type o ON o.type = a.parent WHERE a.turn < 20),
-    word AS (
-        SELECT a.type, v.word, a.turn + v.after AS turn
-        FROM above a, LATERAL (VALUES (a.word, 0), (a.symbol, 100), (a.category, 200)) v(word, after))
-    SELECT DISTINCT ON (w.type) w.type, w.word FROM word w
-    WHERE w.word IN (SELECT r.kind FROM streetgen.symbol_rule r WHERE r.layer = 'object'
-        UNION ALL SELECT r.kind FROM symbol_rule r WHERE r.layer = 'object') ORDER BY w.type, w.turn;
-END $$;
-COMMENT ON FUNCTION streetgen._object_kinds(name) IS
-    'The kind by whose rules objects of a type are drawn: the type, one above it, a symbol or a category of these, the '
-    'first that a rule of layer object names; no row: none is named.';
-
 CREATE OR REPLACE FUNCTION streetgen._object_drawn_as(model name)
     RETURNS TABLE(layer text, kind text, drawn_as text, turn integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog, public
