@@ -1,5 +1,5 @@
 """The print layout of a project: the map at 1:500 on A3, with what a sheet to hand over needs."""
-from qgis.core import (QgsExpressionContextUtils, QgsLayoutItemLabel, QgsLayoutItemLegend, QgsLayoutItemMap, QgsLayoutItemPage, QgsLayoutItemPicture, QgsLayoutItemScaleBar,
+from qgis.core import (QgsExpressionContextUtils, QgsLayoutItemLabel, QgsLayoutItemLegend, QgsLayoutItemMap, QgsLayoutItemMapGrid, QgsLayoutItemPage, QgsLayoutItemPicture, QgsLayoutItemScaleBar,
                        QgsLayoutPoint, QgsLayoutSize, QgsLegendRenderer, QgsLegendStyle, QgsPrintLayout, QgsRectangle, QgsTextFormat, QgsUnitTypes)
 from qgis.PyQt.QtGui import QFont
 
@@ -47,6 +47,22 @@ def frame_map(layout, centre):
     return item
 
 
+def tell_coordinates(item, ink):
+    """Crosses each 100 mm of the sheet, with their coordinates at the left and below."""
+    grid = item.grid()
+    grid.setEnabled(True)
+    grid.setIntervalX(SCALE / 10)
+    grid.setIntervalY(SCALE / 10)
+    grid.setStyle(QgsLayoutItemMapGrid.Cross)
+    grid.setCrossLength(2)
+    grid.setAnnotationEnabled(True)
+    grid.setAnnotationPrecision(0)
+    grid.setAnnotationTextFormat(letters(6, ink))
+    for side in (QgsLayoutItemMapGrid.Top, QgsLayoutItemMapGrid.Right):
+        grid.setAnnotationDisplay(QgsLayoutItemMapGrid.HideAll, side)
+    grid.setAnnotationDirection(QgsLayoutItemMapGrid.Vertical, QgsLayoutItemMapGrid.Left)
+
+
 def tell_meanings(layout, item, ink):
     """A legend of what is seen on the map, and nothing else."""
     legend = QgsLayoutItemLegend(layout)
@@ -80,6 +96,7 @@ def add_sheet(project, look, centre, srid, attribution):
     layout.setName('sheet')
     layout.pageCollection().page(0).setPageSize('A3', QgsLayoutItemPage.Landscape)
     item = frame_map(layout, centre)
+    tell_coordinates(item, ink)
     left = WIDE - MARGIN - COLUMN
     arrow = QgsLayoutItemPicture(layout)
     arrow.setPicturePath(':/images/north_arrows/layout_default_north_arrow.svg')
