@@ -6,6 +6,7 @@
 -- SQLSTATE of its own, never by an internal error.
 SELECT test.make_design('hill') \g /dev/null
 SELECT setval('hill.design_node_design_node_id_seq', 100) \g /dev/null
+INSERT INTO hill.axis (geom, width) VALUES ('SRID=2154;LINESTRING Z(901000 6451000 0,901200 6451100 0)', 7);
 CREATE TABLE odd (kind text, geom geometry);
 INSERT INTO odd SELECT split_part(line, '(', 1) || CASE WHEN line LIKE '%EMPTY%' THEN '' ELSE ' of ' || length(line) END, ST_GeomFromEWKT('SRID=2154;' || line) FROM unnest(ARRAY[
   'POINT(901000 6451000)', 'LINESTRING(901000 6451000,901100 6451000,901200 6451100)', 'POLYGON((901000 6451000,901100 6451000,901100 6451100,901000 6451000))',
@@ -25,8 +26,8 @@ CREATE FUNCTION test.fit(asked text, type text, name text) RETURNS text LANGUAGE
   SELECT CASE WHEN type = 'geometry' THEN CASE WHEN name IN ('point', 'centre', 'place', 'a', 'b', 'start') THEN '''SRID=2154;POINT(901150 6451020)''::geometry' ELSE '''SRID=2154;LINESTRING(901000 6451000,901100 6451000,901200 6451100)''::geometry' END
     WHEN type = 'geometry[]' THEN 'ARRAY[''SRID=2154;LINESTRING(901000 6451000,901100 6451000)'', ''SRID=2154;LINESTRING(901000 6451010,901100 6451010)'']::geometry[]'
     WHEN type = 'name' THEN '''hill''' WHEN type = 'jsonb' THEN '''{}''' WHEN type = 'boolean' THEN 'true' WHEN type = 'boolean[]' THEN '''{true,true,true}'''
-    WHEN type = 'double precision[]' THEN CASE WHEN name = 'widths' OR name = 'radii' AND asked = 'intersection_surface' THEN '''{8,8}''' WHEN name = 'clothoids' THEN '''{0,0,0}''' ELSE '''{8,8,8}''' END WHEN type IN ('integer', 'bigint') THEN '2' WHEN type = 'double precision' THEN CASE name WHEN 'offset_right' THEN '-5' ELSE '5' END
-    ELSE CASE name WHEN 'network' THEN '''rural''' WHEN 'stage' THEN '''axes''' WHEN 'rule' THEN '''bezier''' ELSE '''left''' END END $$;
+    WHEN type = 'double precision[]' THEN CASE WHEN name = 'widths' OR name = 'radii' AND asked = 'intersection_surface' THEN '''{8,8}''' WHEN name = 'clothoids' THEN '''{0,0,0}''' ELSE '''{8,8,8}''' END WHEN type IN ('integer', 'bigint') THEN '2' WHEN type = 'double precision' THEN CASE name WHEN 'scale' THEN '500' WHEN 'offset_right' THEN '-5' ELSE '5' END
+    ELSE CASE name WHEN 'paper' THEN '''A3''' WHEN 'theme' THEN '''street''' WHEN 'network' THEN '''rural''' WHEN 'stage' THEN '''axes''' WHEN 'rule' THEN '''bezier''' ELSE '''left''' END END $$;
 CREATE TABLE tried (call text, kind text, state text, said text);
 CREATE FUNCTION test.try() RETURNS void LANGUAGE plpgsql AS $$
 DECLARE

@@ -7,8 +7,8 @@ INSERT INTO source SELECT 'r' || i, 5, NULL, 1, ST_SetSRID(ST_MakeLine(ST_MakePo
 \set import 'SELECT * FROM streetgen.import_axes(''town'', ''source'', ''{"source_ref": "id", "width": "width", "width_end": "width_end", "lane_count": "lanes"}'')'
 :import \g /dev/null
 SELECT streetgen.generate('town') \g /dev/null
-CREATE FUNCTION pg_temp.widths(ref text) RETURNS text LANGUAGE sql AS $$ SELECT concat(a.width, ' ', a.width_end, ' ', a.width_by_hand, ' ', a.source_width, ' used ', e.width, ' ', e.width_end)
-    FROM town.axis a JOIN town.edge e USING (axis_id) WHERE source_ref = ref $$;
+CREATE FUNCTION pg_temp.widths(known text) RETURNS text LANGUAGE sql AS $$ SELECT concat(a.width, ' ', a.width_end, ' ', a.width_by_hand, ' ', a.source_width, ' used ', e.width, ' ', e.width_end)
+    FROM town.axis a JOIN town.edge e USING (axis_id) WHERE source_ref = known $$;
 SELECT 'imported, it is the source''s', pg_temp.widths('r1') = '5  f  used 5 5';
 
 -- Typing a width that the lane of the source would not allow.

@@ -233,6 +233,10 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text, 'theme', theme),
         streetgen._check_extent(model, extent), streetgen._check_theme(theme);
+    IF ST_IsEmpty(extent) THEN
+        RAISE EXCEPTION 'the extent is empty: %', ST_AsText(extent) USING ERRCODE = '22023',
+            HINT = 'NULL draws the whole model.';
+    END IF;
     IF NOT scale BETWEEN 1 AND 1e8 THEN
         RAISE EXCEPTION 'the scale is 1:%, expected 1:1 to 1:100000000', scale USING ERRCODE = '22023',
             HINT = '1000 draws as for 1:1,000; NULL: as the width says.';
@@ -278,4 +282,4 @@ COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean, text, float8
     'what is drawn and a scale. theme: street, as one sees it from above; dark; print, in black and white; or '
     'construction, how it was computed. '
     'scale: drawn as for 1:scale, where a pixel is 0.28 mm; NULL: as extent and width say. A theme, width or scale '
-    'that is none: 22023.';
+    'that is none, an empty extent: 22023.';
