@@ -52,9 +52,10 @@ BEGIN
         RAISE EXCEPTION 'tolerance is %, expected 0.001 to 10', tolerance USING ERRCODE = '22023',
             HINT = 'Metres of height; the default is 0.05.';
     END IF;
-    -- A polyhedral surface has no plan: its box stands for it.
-    extent := ST_SetSRID(CASE GeometryType(extent) WHEN 'POLYHEDRALSURFACE' THEN ST_Envelope(extent)
-        ELSE ST_MakeValid(ST_CurveToLine(extent)) END, model_srid);
+    -- Faces have no plan: their box stands for them.
+    extent := ST_SetSRID(CASE WHEN ST_IsEmpty(extent) OR ST_GeometryType(extent) IN ('ST_Triangle', 'ST_Tin',
+        'ST_PolyhedralSurface') THEN ST_Envelope(extent) ELSE ST_MakeValid(ST_CurveToLine(ST_Force2D(extent))) END,
+        model_srid);
     -- Neighbours tell which vertices they have on common borders.
     SELECT ST_SetSRID(ST_Expand(ST_Extent(surface), 0.01)::geometry, model_srid) INTO about
         FROM (SELECT surface FROM section UNION ALL SELECT surface FROM intersection) g
