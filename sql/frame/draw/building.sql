@@ -151,16 +151,13 @@ CREATE OR REPLACE FUNCTION streetgen._frame_drawn(model name, box geometry, laye
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    relation regclass;
+    relation constant regclass := CASE WHEN 'building' = ANY (layers) THEN streetgen._building_table(model) END;
     ground_level integer;
 BEGIN
-    IF 'building' = ANY (layers) THEN
-        relation := streetgen._building_table(model);
-        PERFORM streetgen._use_model(model);
-        SELECT value FROM setting WHERE name = 'ground_level' INTO ground_level;
-        RETURN QUERY SELECT 'building', '', ground_level, b, row_number() OVER (ORDER BY b)
-            FROM streetgen._buildings(relation, box) b;
-    END IF;
+    PERFORM streetgen._use_model(model);
+    SELECT value FROM setting WHERE name = 'ground_level' INTO ground_level;
+    RETURN QUERY SELECT 'building', '', ground_level, b, row_number() OVER (ORDER BY b)
+        FROM streetgen._buildings(relation, box) b;
 END $$;
 COMMENT ON FUNCTION streetgen._frame_drawn(name, geometry, text[]) IS
     'What can be drawn of no subject in a box: building, of the table that setting building_table names.';
