@@ -30,7 +30,7 @@ class Database:
 
     def ask(self, sql):
         try:
-            return self.connection.executeSql(sql)
+            return [[None if value == NULL else value for value in row] for row in self.connection.executeSql(sql)]
         except QgsException as failed:
             # Message and hint, of the statement and the server's answer.
             answer = re.search(r'ERROR:\s*(.*?)\s*(CONTEXT:|LINE \d+:|\]$)', str(failed), re.DOTALL)
@@ -47,7 +47,7 @@ class Database:
     def extent(self, model):
         """The corners of all axes and 10 m about them, or None."""
         corners = self.ask(f'SELECT ST_XMin(box), ST_YMin(box), ST_XMax(box), ST_YMax(box) FROM streetgen._model_extent({literal(model)}) box')[0]
-        return corners if corners[0] != NULL else None
+        return corners if corners[0] is not None else None
 
     def attribution(self, model):
         """Whose data the model shows, where a setting says so."""
@@ -65,7 +65,7 @@ class Database:
                 SELECT attname FROM pg_index JOIN pg_attribute ON attrelid = indrelid AND attnum = indkey[0] WHERE indrelid = c.oid AND indisprimary AND indnkeyatts = 1)
             FROM streetgen._building_table({literal(model)}) relation JOIN pg_class c ON c.oid = relation JOIN pg_namespace n ON n.oid = relnamespace,
                 streetgen._polygon_column(relation) p''')
-        for schema, table, column, srid, key in ([None if value == NULL else value for value in row] for row in rows):
+        for schema, table, column, srid, key in rows:
             # Rows without a key are numbered as they come.
             keyed = (f'{identifier(key)}, ', key) if key else ('row_number() OVER () AS building_id, ', 'building_id')
             query = f'SELECT {keyed[0]}{identifier(column)} FROM {identifier(schema)}.{identifier(table)}'
@@ -73,13 +73,12 @@ class Database:
 
     def symbols(self, model, theme):
         """The rules of a theme, from scale to scale."""
-        rows = self.ask(f'''
+        return self.ask(f'''
             WITH rule AS (SELECT theme, from_scale, to_scale FROM streetgen.symbol_rule UNION ALL SELECT theme, from_scale, to_scale FROM {identifier(model)}.symbol_rule),
                 border AS (SELECT DISTINCT scale FROM rule, unnest(ARRAY[from_scale, to_scale]) scale WHERE theme = {literal(theme)}),
                 span AS (SELECT lag(scale) OVER (ORDER BY scale) AS from_scale, scale AS to_scale FROM border)
             SELECT from_scale, nullif(to_scale, 'Infinity'), layer, kind, place, fill, line, width, unit, dash, marker, meaning
             FROM span, streetgen._symbols({literal(model)}, {literal(theme)}, to_scale) WHERE from_scale IS NOT NULL ORDER BY from_scale, symbol''')
-        return [[None if value == NULL else value for value in row] for row in rows]
 
     def decisions(self, model):
         """The tables of decisions by hand that a model has, and the columns of each that one may type in."""

@@ -27,16 +27,22 @@ STYLE = 'streetgen'
 
 
 def farthest(rule):
-    """The scale up to which a rule of QGIS draws, or one below it: none is read of the server beyond."""
+    """The scale up to which a rule of QGIS draws, or one below it."""
     return min(rule.minimumScale() or math.inf, max(map(farthest, rule.children()), default=math.inf))
+
+
+def see_up_to(vector, drawing):
+    """Nothing is read of the server beyond the scale up to which the rules of a renderer or of labels draw."""
+    scale = farthest(drawing.rootRule())
+    vector.setScaleBasedVisibility(scale < math.inf)
+    if scale < math.inf:
+        vector.setMinimumScale(scale)
 
 
 def draw_by(vector, renderer):
     vector.setRenderer(renderer)
-    scale = farthest(renderer.rootRule()) if isinstance(renderer, QgsRuleBasedRenderer) else math.inf
-    vector.setScaleBasedVisibility(scale < math.inf)
-    if scale < math.inf:
-        vector.setMinimumScale(scale)
+    if isinstance(renderer, QgsRuleBasedRenderer):
+        see_up_to(vector, renderer)
 
 
 def vector_layer(database, model, srid, layer, looks):
@@ -47,7 +53,9 @@ def vector_layer(database, model, srid, layer, looks):
     if layer.renderer:
         draw_by(vector, layer.renderer(look))
     if layer.labels:
-        vector.setLabeling(layer.labels(look))
+        labels = layer.labels(look)
+        see_up_to(vector, labels)
+        vector.setLabeling(labels)
         vector.setLabelsEnabled(True)
     if layer.scale:
         vector.setScaleBasedVisibility(True)

@@ -34,7 +34,8 @@ LEAST_IMPORTANCE = '(SELECT min(importance)::text FROM @.edge WHERE node_id IN (
 BRIDGE = dict(relations=('bridge',), key='bridge_id', kind='b.method', geometry='b.surface', rows='@.bridge b ' + EDGE)
 TUNNEL = dict(relations=('tunnel',), key='tunnel_id', geometry='t.surface', rows='@.tunnel t ' + EDGE)
 DECK = "@.bridge b JOIN @.edge e USING (edge_id) JOIN @.{0} p USING (edge_id)"
-# Where a stretch ends: what its street has beyond it, and the limits of its section.
+# The ends of a stretch: its street beyond it, and the limits of its section.
+ENDING = dict(relations=('bridge', 'section'), key='bridge_id', kind='b.method', rows='@.bridge b JOIN @.section s USING (edge_id)')
 ENDS = ("ST_Collect(ST_Buffer(ST_Difference(s.surface, b.surface), -0.1), (SELECT ST_Collect(border_line) FROM @.section_limit l WHERE l.edge_id = b.edge_id))")
 # A deck is as high as the ground there, and has no parapet across.
 DECK_SHADOW = f'ST_Difference(b.surface, ST_Buffer({ENDS}, 4, 2))'
@@ -57,9 +58,9 @@ GROUNDS = (
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
     Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
     Shape('crossing', ('pedestrian_crossing', 'street_object'), 'street_object_id', level='coalesce(a.level, 0)', geometry='p.stripes', rows='@.pedestrian_crossing p ' + OF_AXIS),
-    Shape('bridge_shadow', relations=('bridge', 'section'), key='bridge_id', kind='b.method', geometry=DECK_SHADOW, rows='@.bridge b JOIN @.section s USING (edge_id)'),
+    Shape('bridge_shadow', geometry=DECK_SHADOW, **ENDING),
     Shape('bridge', **BRIDGE),
-    Shape('parapet', relations=('bridge', 'section'), key='bridge_id', kind='b.method', geometry=PARAPET, rows='@.bridge b JOIN @.section s USING (edge_id)'),
+    Shape('parapet', geometry=PARAPET, **ENDING),
     Shape('tunnel', **TUNNEL),
     Shape('tunnel_wall', level=f'greatest(level, {GROUND_LEVEL})', **TUNNEL),
     Shape(key='lane_separator_id', relations=('bridge', 'lane_separator'), rows=DECK.format('lane_separator'), **ON_DECK),

@@ -9,8 +9,8 @@ from qgis.PyQt.QtGui import QColor, QFont
 
 # A pixel of a rule stands for so many millimetres of map.
 PIXEL = 0.28
-# Text along a street stands again after so many pixels.
-AGAIN = 450
+# A name stands again along its street, and a number on its road, after so many pixels.
+NAME_AGAIN, NUMBER_AGAIN = 450, 700
 
 
 def colour(code):
@@ -237,8 +237,8 @@ def in_a_box(symbol):
     return letters
 
 
-def label_lines(symbols, column, kind, priority, placement, letters):
-    """Labels on lines, one for lines that meet and bear the same; kind and priority (0 to 10) are expressions."""
+def label_lines(symbols, column, kind, priority, placement, letters, again):
+    """Labels on lines, one for lines that meet and bear the same, and again after so many pixels; kind and priority (0 to 10) are expressions."""
     root = QgsRuleBasedLabeling.Rule(None)
     for symbol in symbols:
         settings = QgsPalLayerSettings()
@@ -249,7 +249,7 @@ def label_lines(symbols, column, kind, priority, placement, letters):
         lines.setPlacementFlags(QgsLabeling.LinePlacementFlags(QgsLabeling.OnLine))
         settings.setLineSettings(lines)
         settings.upsidedownLabels = QgsPalLayerSettings.Upright
-        settings.repeatDistance, settings.repeatDistanceUnit = AGAIN * PIXEL, QgsUnitTypes.RenderMillimeters
+        settings.repeatDistance, settings.repeatDistanceUnit = again * PIXEL, QgsUnitTypes.RenderMillimeters
         properties = settings.dataDefinedProperties()
         properties.setProperty(QgsPalLayerSettings.Priority, QgsProperty.fromExpression(priority))
         settings.setDataDefinedProperties(properties)
@@ -260,9 +260,9 @@ def label_lines(symbols, column, kind, priority, placement, letters):
 
 def along_lines(symbols, column, kind, priority):
     """Names that follow their lines."""
-    return label_lines(symbols, column, kind, priority, QgsPalLayerSettings.Curved, text)
+    return label_lines(symbols, column, kind, priority, QgsPalLayerSettings.Curved, text, NAME_AGAIN)
 
 
 def boxes_on_lines(symbols, column, kind, priority):
     """Numbers in boxes that stand upright on their lines."""
-    return label_lines(symbols, column, kind, priority, QgsPalLayerSettings.Horizontal, in_a_box)
+    return label_lines(symbols, column, kind, priority, QgsPalLayerSettings.Horizontal, in_a_box, NUMBER_AGAIN)
