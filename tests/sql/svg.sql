@@ -121,6 +121,9 @@ SELECT 'so does a name with a picture in it', count(*) = 1 AND bool_and(cardinal
 SELECT 'what does not fit is shortened', count(*) = 1 FROM written WHERE words = 'Av.ofthelongandwindingStreet';
 SELECT 'or left out', NOT EXISTS (SELECT FROM written WHERE words LIKE 'long%' OR words LIKE 'Too%');
 SELECT 'at night they are the same', count(*) = (SELECT count(*) FROM written) FROM pg_temp.named(streetgen.svg('named', scale => 1000, theme => 'dark'));
+INSERT INTO named.symbol_rule (theme, layer, kind, place, width, unit) SELECT DISTINCT 'street', 'name', importance::text, 960, 11, 'pixel' FROM named.edge;
+SELECT 'a rule without a colour hides the names of an importance', NOT EXISTS (SELECT FROM pg_temp.named(streetgen.svg('named', scale => 1000)));
+DELETE FROM named.symbol_rule;
 SELECT 'a construction has none', streetgen.svg('named', scale => 1000, theme => 'construction') NOT LIKE '%class="name%' AND streetgen.svg('drawn', scale => 300) NOT LIKE '%class="name%';
 -- Both carriageways of one street, a ring, and a street across which people go.
 SELECT streetgen.create_model('twice', 2154, subjects => '{object}') \g /dev/null

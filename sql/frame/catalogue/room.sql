@@ -18,11 +18,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._rooms_of(name) IS
     'The rooms of which a model has rows: the subjects that it computes, and design where it has one.';
 
+CREATE OR REPLACE FUNCTION streetgen._queries_of_rooms(rooms text[], called text, arguments text) RETURNS SETOF text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 5 SET search_path = pg_catalog, public
+    AS $$ SELECT format('SELECT * FROM streetgen.%I(%s)', name, (SELECT string_agg('$' || a, ', ' ORDER BY a)
+            FROM generate_series(1, cardinality(string_to_array(arguments, ', '))) a))
+        FROM unnest(rooms) WITH ORDINALITY u(room, n), format(called, room) name
+        WHERE to_regprocedure(format('streetgen.%I(%s)', name, arguments)) IS NOT NULL ORDER BY n $$;
+COMMENT ON FUNCTION streetgen._queries_of_rooms(text[], text, text) IS
+    'The query of the rows that each of some rooms gives by its function of a name such as _%s_named, with $1 and so '
+    'on for its arguments, whose types are listed.';
+
 CREATE OR REPLACE FUNCTION streetgen._rows_of_rooms(list text) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT string_agg(format('SELECT * FROM streetgen.%I()', name), ' UNION ALL ' ORDER BY n)
-        FROM unnest(streetgen._rooms()) WITH ORDINALITY u(room, n), format('_%s_%s', room, list) name
-        WHERE to_regprocedure(format('streetgen.%I()', name)) IS NOT NULL $$;
+    AS $$ SELECT string_agg(query, ' UNION ALL ' ORDER BY n)
+        FROM streetgen._queries_of_rooms(streetgen._rooms(), '_%s_' || list, '') WITH ORDINALITY q(query, n) $$;
 COMMENT ON FUNCTION streetgen._rows_of_rooms(text) IS
     'The query of all rows that rooms give to a list, by their functions _ROOM_<list>().';
 

@@ -36,8 +36,7 @@ CREATE OR REPLACE FUNCTION streetgen._names(model name, box geometry)
 DECLARE
     part text;
 BEGIN
-    FOR part IN SELECT format('SELECT * FROM streetgen._%s_named($1, $2)', room) FROM unnest(streetgen._rooms_of(model))
-        room WHERE to_regprocedure(format('streetgen._%s_named(name, geometry)', room)) IS NOT NULL
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(streetgen._rooms_of(model), '_%s_named', 'name, geometry')
     LOOP
         RETURN QUERY EXECUTE part USING model, box;
     END LOOP;
@@ -52,9 +51,8 @@ CREATE OR REPLACE FUNCTION streetgen._kept_clear(model name, box geometry) RETUR
 DECLARE
     part text;
 BEGIN
-    FOR part IN SELECT format('SELECT * FROM streetgen._%s_kept_clear($1, $2)', room)
-        FROM unnest(streetgen._rooms_of(model)) room
-        WHERE to_regprocedure(format('streetgen._%s_kept_clear(name, geometry)', room)) IS NOT NULL
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(streetgen._rooms_of(model), '_%s_kept_clear',
+        'name, geometry')
     LOOP
         RETURN QUERY EXECUTE part USING model, box;
     END LOOP;
@@ -122,12 +120,13 @@ DECLARE
 BEGIN
     svg := '';
     taken := '{}';
-    FOR named IN WITH rule AS (SELECT * FROM streetgen._symbols(model, theme, scale) r WHERE r.layer = 'name')
+    FOR named IN WITH rule AS (SELECT * FROM streetgen._symbols(model, theme, scale) r WHERE r.layer = 'name'),
+        kind AS (SELECT * FROM streetgen._drawn_kinds(model, theme, scale) d WHERE d.layer = 'name')
         SELECT n.name, l.geom, ST_Length(l.geom) AS length, greatest(n.apart, 0.6 * again) AS apart, size,
             format('%s;paint-order:stroke;stroke-linejoin:round;font:%spx DejaVu Sans,sans-serif',
                 streetgen._as_css(s.fill, s.line, size / 4, 'metre', NULL, pixel), round(size::numeric, 4)) AS style
-        FROM rule s JOIN streetgen._names(model, box) n ON s.kind = CASE WHEN n.importance::text IN (SELECT r.kind
-            FROM rule r) THEN n.importance::text ELSE '' END, ST_Dump(ST_Intersection(n.geom, box)) l,
+        FROM streetgen._names(model, box) n LEFT JOIN kind k ON k.kind = n.importance::text
+            JOIN rule s ON s.kind = coalesce(k.drawn_as, ''), ST_Dump(ST_Intersection(n.geom, box)) l,
             streetgen._metres(s.width, s.unit, pixel) size
         WHERE ST_Length(l.geom) > 3 * size ORDER BY n.importance, length DESC, n.name
     LOOP

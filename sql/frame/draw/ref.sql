@@ -8,9 +8,7 @@ CREATE OR REPLACE FUNCTION streetgen._numbers(model name, box geometry)
 DECLARE
     part text;
 BEGIN
-    FOR part IN SELECT format('SELECT * FROM streetgen._%s_numbered($1, $2)', room)
-        FROM unnest(streetgen._rooms_of(model)) room
-        WHERE to_regprocedure(format('streetgen._%s_numbered(name, geometry)', room)) IS NOT NULL
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(streetgen._rooms_of(model), '_%s_numbered', 'name, geometry')
     LOOP
         RETURN QUERY EXECUTE part USING model, box;
     END LOOP;
@@ -50,10 +48,11 @@ DECLARE
     shields geometry[] := '{}';
     svg text := '';
 BEGIN
-    FOR route IN WITH rule AS (SELECT * FROM streetgen._symbols(model, theme, scale) r WHERE r.layer = 'ref')
+    FOR route IN WITH rule AS (SELECT * FROM streetgen._symbols(model, theme, scale) r WHERE r.layer = 'ref'),
+        kind AS (SELECT * FROM streetgen._drawn_kinds(model, theme, scale) d WHERE d.layer = 'ref')
         SELECT n.ref, l.geom, ST_Length(l.geom) AS length, size, s.fill, s.line
-        FROM rule s JOIN streetgen._numbers(model, box) n ON s.kind = CASE WHEN n.importance::text IN (SELECT r.kind
-            FROM rule r) THEN n.importance::text ELSE '' END, ST_Dump(ST_Intersection(n.geom, box)) l,
+        FROM streetgen._numbers(model, box) n LEFT JOIN kind k ON k.kind = n.importance::text
+            JOIN rule s ON s.kind = coalesce(k.drawn_as, ''), ST_Dump(ST_Intersection(n.geom, box)) l,
             streetgen._metres(s.width, s.unit, pixel) size
         WHERE ST_Length(l.geom) > 6 * size ORDER BY n.importance, length DESC, n.ref
     LOOP

@@ -6,16 +6,15 @@ CREATE OR REPLACE FUNCTION streetgen._shapes(model name, box geometry, layers te
 DECLARE
     rooms constant text[] := '{frame}'::text[] || streetgen._rooms_of(model);
     part text;
-    instead text[];
+    instead record;
 BEGIN
-    FOR part IN SELECT format('SELECT array_agg(layer) FROM streetgen._%s_drawn_instead()', room)
-        FROM unnest(rooms) room WHERE to_regprocedure(format('streetgen._%s_drawn_instead()', room)) IS NOT NULL
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(rooms, '_%s_drawn_instead', '')
     LOOP
-        EXECUTE part INTO instead;
-        layers := ARRAY(SELECT unnest(layers) EXCEPT SELECT unnest(instead));
+        FOR instead IN EXECUTE part LOOP
+            layers := array_remove(layers, instead.layer);
+        END LOOP;
     END LOOP;
-    FOR part IN SELECT format('SELECT * FROM streetgen._%s_drawn($1, $2, $3)', room) FROM unnest(rooms) room
-        WHERE to_regprocedure(format('streetgen._%s_drawn(name, geometry, text[])', room)) IS NOT NULL
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(rooms, '_%s_drawn', 'name, geometry, text[]')
     LOOP
         RETURN QUERY EXECUTE part USING model, box, layers;
     END LOOP;
@@ -31,9 +30,7 @@ CREATE OR REPLACE FUNCTION streetgen._drawn_as(model name)
 DECLARE
     part text;
 BEGIN
-    FOR part IN SELECT format('SELECT * FROM streetgen._%s_drawn_as($1)', room)
-        FROM unnest(streetgen._rooms_of(model)) room
-        WHERE to_regprocedure(format('streetgen._%s_drawn_as(name)', room)) IS NOT NULL
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(streetgen._rooms_of(model), '_%s_drawn_as', 'name')
     LOOP
         RETURN QUERY EXECUTE part USING model;
     END LOOP;
@@ -76,7 +73,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_beside_legend(model name, map text, wi
     pixel float8, theme text, scale float8, symbols bigint[]) RETURNS text
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-    -- As wide as its longest words want, and as the scale bar, which is up to 180 pixels long.
+    -- Its longest words, and the scale bar of up to 180 pixels, say how wide it is.
     WITH legend AS MATERIALIZED (SELECT * FROM streetgen._svg_legend(model, theme, scale, symbols))
     SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="%s" height="%s">', width + wide,
         greatest(height, tall)) || E'\n<rect width="100%" height="100%" fill="' || paper || E'"/>\n' || map
@@ -193,7 +190,7 @@ BEGIN
     SELECT coalesce((SELECT string_agg(format(E'<rect width="100%%" height="100%%" fill="%s"/>\n', s.fill), ''
             ORDER BY s.symbol) FROM symbol s WHERE s.layer = 'ground' AND s.fill IS NOT NULL), '')
         || coalesce((SELECT string_agg(d.part, E'\n' ORDER BY d.height, d.symbol) FROM drawn d) || E'\n',
-            -- Where nothing is, the picture says so.
+            -- A picture of nothing says so.
             (SELECT format(E'<text x="%s" y="%s" fill="%s" text-anchor="middle" style="font:%spx DejaVu Sans,'
                 'sans-serif">nothing here at 1:%s</text>\n', (ST_XMax(box) - ST_XMin(box)) / 2,
                 (ST_YMax(box) - ST_YMin(box)) / 2, s.fill, round((16 * pixel)::numeric, 4), round(scale))
