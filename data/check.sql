@@ -1,5 +1,5 @@
 -- data/streetgen check shows what is wrong with a model: by rule, with the ids and the place of the worst. Variables: model, and the file for the number of errors.
--- What the owner hung on the table of results runs with his rights alone.
+-- Triggers and indexes of the owner run with his rights alone.
 SELECT format('SET ROLE %s', nspowner::regrole) FROM pg_namespace WHERE nspname = :'model' \gexec
 SELECT streetgen.record_check(:'model') \g /dev/null
 SELECT severity, rule, relation, count(*), trim_scale(round(max(measure)::numeric, 2)) AS max,

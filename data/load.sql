@@ -8,9 +8,9 @@ SELECT streetgen.set(:'model', 'crossing', :'crossing') WHERE :'crossing' <> '' 
 -- Words of the owner's own stay.
 SELECT streetgen.set(:'model', 'attribution', :'attribution') FROM streetgen.setting(:'model') s WHERE s.name = 'attribution' AND s.value = '' AND :'attribution' <> '' \g /dev/null
 CREATE TEMPORARY TABLE load_report ON COMMIT DROP AS SELECT row_number() OVER () AS line, r.* FROM :take r;
--- A picture of few axes shows streets as they are seen, unless somebody said what is computed.
+-- A picture of few axes shows streets as they are seen, unless somebody said what is computed. A new model computes what was said already.
 SELECT streetgen._switch_on(:'model', CASE WHEN :'subjects' <> '' THEN string_to_array(:'subjects', ',') ELSE '{drawn}' END)
-    FROM :"model".axis HAVING :'subjects' <> '' OR NOT :again AND count(*) <= :drawn_up_to \g /dev/null
+    FROM :"model".axis HAVING CASE WHEN :'subjects' <> '' THEN :again ELSE NOT :again AND count(*) <= :drawn_up_to END \g /dev/null
 CREATE TEMPORARY TABLE object_report (LIKE load_report) ON COMMIT DROP;
 SELECT :'objects' <> '' AND 'object' = ANY (streetgen._subjects(:'model')) AS takes_objects \gset
 \if :takes_objects

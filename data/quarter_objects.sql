@@ -1,4 +1,4 @@
--- What stands at the streets of the sample, where subject object is computed: signals on the avenue, crossings, trees, lamps, benches.
+-- Objects stand at the streets of the sample, where their subject is computed: signals on the avenue, crossings, trees, lamps, benches.
 SELECT 'object' = ANY (streetgen._subjects('quarter')) AS stands \gset
 \if :stands
 INSERT INTO quarter.control_point (geom, kind) SELECT ST_Translate(geom, 650000, 6860000), 'signals'

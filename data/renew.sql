@@ -21,7 +21,7 @@ BEGIN
                 'corner_on_kerb', 'road_arc', 'movement', 'ramp_path', 'right_of_way', 'rim_marking', 'junction_link', 'signal_crossing', 'junction_crossing', 'roundabout_block', 'sidewalk_block', 'block_interior', 'axis_editing']) AS v
             UNION SELECT c.relname FROM pg_class c JOIN pg_trigger t ON t.tgrelid = c.oid JOIN pg_proc f ON f.oid = t.tgfoid
                 WHERE c.relnamespace = quote_ident(known.name)::regnamespace AND c.relkind = 'v' AND c.relname LIKE '%\_editing' AND f.proname LIKE '\_edit%') w
-            -- What stands by such a name and is none of these stays: adoption tells of it.
+            -- Anything else by such a name stays: adoption tells of it.
             WHERE NOT EXISTS (SELECT FROM pg_class c WHERE relnamespace = quote_ident(known.name)::regnamespace AND relname = v
                 AND (relkind <> 'v' OR v = 'activity' AND pg_get_viewdef(c.oid) !~ 'edit_log_id\) AS activity_id')));
         -- The model's own functions that go with the extension, and the triggers that call them or it.

@@ -1,4 +1,4 @@
--- What one does for the owner of a model is done with his rights alone.
+-- Work for the owner of a model is done with his rights alone.
 
 CREATE OR REPLACE FUNCTION streetgen._as_owner(model name, called text) RETURNS bigint
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE AS 'MODULE_PATHNAME', 'streetgen_as_owner';

@@ -1,4 +1,4 @@
--- What a check found stays in the model, where a GIS shows it.
+-- Findings of a check stay in the model, where a GIS shows them.
 
 CREATE OR REPLACE FUNCTION streetgen._frame_written() RETURNS TABLE(relation name, privilege text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog

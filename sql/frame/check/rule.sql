@@ -1,4 +1,4 @@
--- What rules of checks mean: rooms add the words of theirs in their files check.sql.
+-- Rules of checks have words here: rooms add those of theirs in their files check.sql.
 
 CREATE TABLE streetgen.check_rule (rule text PRIMARY KEY, meaning text NOT NULL, hint text NOT NULL);
 COMMENT ON TABLE streetgen.check_rule IS

@@ -134,7 +134,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('street', 'deck_paint', 1500, 6.5, '#fbfbf8'),
     ('dark', 'deck_paint', 1500, 6.5, '#dfe2e6'),
     ('construction', 'deck_paint', 2000, 6.5, '#ffffff');
--- What lies below the ground is pale, paint and all.
+-- Tunnels are pale, paint and all.
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
     ('street', 'tunnel', 15000, 8.9, '#f1ebdfcc', '#f1ebdfcc', 0.5, 'metre'),
     ('dark', 'tunnel', 15000, 8.9, '#0f1216b3', '#0f1216b3', 0.5, 'metre'),

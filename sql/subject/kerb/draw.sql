@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._kerb_drawn(model name, box geometry, layer
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT 'kerb', '', level, surface::geometry, kerb_id FROM kerb
-        -- Where the roadway goes on from a bridge no stone lies across it.
+        -- No stone lies across a roadway that goes on from a bridge.
         WHERE 'kerb' = ANY (layers) AND method <> 'level_change' AND surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._kerb_drawn(name, geometry, text[]) IS
