@@ -1,4 +1,5 @@
-"""What colours a picture has: colour.py pixels RAW WIDTH HEIGHT PLACES, colour.py touching RAW WIDTH HEIGHT PIXELS COLOUR …, colour.py names <ROWS.
+"""What colours a picture has: colour.py pixels RAW WIDTH HEIGHT PLACES, colour.py touching RAW WIDTH HEIGHT PIXELS COLOUR …,
+colour.py written RAW WIDTH HEIGHT COLOUR <ROWS, colour.py names <ROWS.
 
 RAW are the bands of a picture as gdal_translate -of ENVI writes them. Differences are those of CIEDE2000, as eyes of all cones see them and as those that lack
 one do (Machado, Oliveira and Fernandes 2009, severity 1).
@@ -101,6 +102,18 @@ def touching(path, width, height, colours):
     return found
 
 
+def unseen(path, width, height, colour, rows):
+    """The rows x y x y letters, boxes of a picture, that hold less than half a pixel a letter of nearly a colour: edges of small letters are pale."""
+    picture = pixels(path, width, height).reshape(height, width)
+    near = sum(abs((picture >> shift & 255) - (int(colour[1:], 16) >> shift & 255)) for shift in (16, 8, 0)) < 60
+    wrong = []
+    for row in rows:
+        left, top, right, bottom = (max(0, round(float(end))) for end in row[:4])
+        if 2 * near[top:bottom, left:right].sum() < int(row[4]):
+            wrong.append(f"{near[top:bottom, left:right].sum()} pixels at {' '.join(row)}")
+    return wrong
+
+
 def told(wrong, enough):
     """Whether there was enough to look at and nothing wrong was found."""
     print(*wrong[:5], sep="\n", file=sys.stderr, end="\n" if wrong else "")
@@ -116,6 +129,10 @@ def main(what, *arguments):
         path, width, height, least, *colours = arguments
         pairs = {pair: difference(*pair) for pair, count in touching(path, int(width), int(height), colours).items() if count >= int(least)}
         told([f"{one} and {other} differ by {worst:.1f} for {eyes}" for (one, other), (worst, eyes) in pairs.items() if worst < 12], len(pairs) >= 2)
+    elif what == "written":
+        path, width, height, colour = arguments
+        rows = [row.split() for row in sys.stdin]
+        told(unseen(path, int(width), int(height), colour, rows), len(rows) > 5)
     elif what == "names":
         # Rows "letter halo ground": letters stand on their halo, which lies on the ground.
         rows = [row.split() for row in sys.stdin]
