@@ -44,9 +44,9 @@ shape_encoding() {
   fi
 }
 
-# read_vector FILE TABLE SRID [LAYER]
+# read_vector FILE TABLE SRID [LAYER]: what ogr2ogr says goes through the folder $work of the caller.
 read_vector() {
-  local file=$1 table=$2 srid=$3 layer encoding reference=() log=$build/ogr2ogr.log failed=
+  local file=$1 table=$2 srid=$3 layer encoding reference=() log=$work/ogr2ogr.log failed=
   layer=$(chosen_layer "$file" "${4:-}")
   encoding=$(shape_encoding "$file" "$layer")
   # A file that does not say its reference is taken to be in the model's.
