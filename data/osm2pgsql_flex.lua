@@ -1,46 +1,40 @@
--- Every highway and aeroway line of an OSM file, with the tags that import_osm reads, its turn
+-- Every highway and aeroway line of an OSM file, with the tags that speak of its street, its turn
 -- restrictions, a row for each pair of ways, its signals, signs and crossings, and what stands at
 -- streets.  STREETGEN_PREFIX names the tables (PREFIX_line, PREFIX_restriction, PREFIX_control,
 -- PREFIX_object), STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
-local tags = { 'name', 'ref', 'lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_ways', 'lanes:reversible',
-               'width', 'oneway', 'junction',
-               'layer', 'bridge', 'tunnel', 'maxspeed', 'area',
-               'turn:lanes', 'turn:lanes:forward', 'turn:lanes:backward',
-               'width:lanes', 'width:lanes:forward', 'width:lanes:backward',
-               'bus:lanes', 'bus:lanes:forward', 'bus:lanes:backward',
-               'psv:lanes', 'psv:lanes:forward', 'psv:lanes:backward',
-               'lanes:bus', 'lanes:psv', 'lanes:bus:forward', 'lanes:bus:backward',
-               'busway', 'busway:left', 'busway:right', 'busway:both',
-               'cycleway', 'cycleway:left', 'cycleway:right', 'cycleway:both',
-               'cycleway:left:oneway', 'cycleway:right:oneway',
-               'parking:left', 'parking:right', 'parking:both',
-               'parking:lane:left', 'parking:lane:right', 'parking:lane:both',
-               'sidewalk', 'sidewalk:left', 'sidewalk:right', 'sidewalk:both',
-               'sidewalk:left:width', 'sidewalk:right:width', 'sidewalk:both:width',
-               'placement', 'placement:forward', 'placement:backward',
-               'change:lanes', 'change:lanes:forward', 'change:lanes:backward' }
-
-local columns = { { column = 'class', type = 'text', not_null = true } }
-for _, tag in ipairs(tags) do
-    columns[#columns + 1] = { column = tag:gsub(':', '_'), type = 'text' }
+-- A tag speaks of the street where the first part of its key, or that after "source:", is one of these.
+local street_keys = {}
+for key in ([[lanes width est_width lane_markings oneway junction layer bridge tunnel maxspeed zone turn change
+    placement overtaking access vehicle motor_vehicle motorcar motorcycle bus psv taxi tourist_bus coach hov carpool
+    hgv goods bicycle foot trolley_bus minibus cycleway busway parking sidewalk shoulder centre_turn_lane
+    service motorroad dual_carriageway]]):gmatch('%S+') do
+    street_keys[key] = true
 end
-columns[#columns + 1] = { column = 'geom', type = 'linestring', projection = srid, not_null = true }
 
-local line = osm2pgsql.define_way_table(prefix .. '_line', columns)
+local line = osm2pgsql.define_way_table(prefix .. '_line', {
+    { column = 'class', type = 'text', not_null = true },
+    { column = 'name', type = 'text' },
+    { column = 'ref', type = 'text' },
+    { column = 'tags', type = 'jsonb', not_null = true },
+    { column = 'geom', type = 'linestring', projection = srid, not_null = true },
+})
 
 function osm2pgsql.process_way(object)
     local class = object.tags.highway or object.tags.aeroway
     if not class or object.tags.area == 'yes' then
         return
     end
-    local row = { class = class, geom = object:as_linestring() }
-    for _, tag in ipairs(tags) do
-        row[(tag:gsub(':', '_'))] = object.tags[tag]
+    local tags = {}
+    for key, value in pairs(object.tags) do
+        if street_keys[key:gsub('^source:', ''):match('^[^:]*')] then
+            tags[key] = value
+        end
     end
-    line:insert(row)
+    line:insert({ class = class, name = object.tags.name, ref = object.tags.ref, tags = tags,
+                  geom = object:as_linestring() })
 end
 
 local control = osm2pgsql.define_node_table(prefix .. '_control', {

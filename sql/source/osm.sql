@@ -98,34 +98,42 @@ COMMENT ON FUNCTION streetgen._osm_table(text, text, name[]) IS
     'The table PREFIX followed by the suffix, in the first of the schemas that has it or in the schema that the '
     'prefix names; NULL where there is none.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_column_tags() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ARRAY['lanes', 'lanes:forward', 'lanes:backward', 'lanes:both_ways', 'lanes:reversible', 'width',
+        'oneway', 'junction', 'layer', 'bridge', 'tunnel', 'maxspeed', 'turn:lanes', 'turn:lanes:forward',
+        'turn:lanes:backward', 'width:lanes', 'width:lanes:forward', 'width:lanes:backward', 'bus:lanes',
+        'bus:lanes:forward', 'bus:lanes:backward', 'psv:lanes', 'psv:lanes:forward', 'psv:lanes:backward', 'lanes:bus',
+        'lanes:psv', 'lanes:bus:forward', 'lanes:bus:backward', 'busway', 'busway:left', 'busway:right', 'busway:both',
+        'cycleway', 'cycleway:left', 'cycleway:right', 'cycleway:both', 'cycleway:left:oneway',
+        'cycleway:right:oneway', 'parking:left', 'parking:right', 'parking:both', 'parking:lane:left',
+        'parking:lane:right', 'parking:lane:both', 'sidewalk', 'sidewalk:left', 'sidewalk:right', 'sidewalk:both',
+        'sidewalk:left:width', 'sidewalk:right:width', 'sidewalk:both:width', 'placement', 'placement:forward',
+        'placement:backward', 'change:lanes', 'change:lanes:forward', 'change:lanes:backward'] $$;
+COMMENT ON FUNCTION streetgen._osm_column_tags() IS
+    'The tags that tables of older flex files have columns for, named as the tags are with _ in place of :.';
+
 CREATE OR REPLACE FUNCTION streetgen._take_osm_lines(source regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    certain constant text := 'class, lanes, lanes_forward, lanes_backward, width, oneway, junction, layer, bridge, '
-        'tunnel, maxspeed';
-    -- Tables written by an older flex file lack some.
-    possible constant text[] :=
-        ARRAY['lanes_both_ways', 'lanes_reversible', 'turn_lanes', 'turn_lanes_forward', 'turn_lanes_backward',
-        'width_lanes', 'width_lanes_forward', 'width_lanes_backward', 'bus_lanes', 'bus_lanes_forward',
-        'bus_lanes_backward', 'psv_lanes', 'psv_lanes_forward', 'psv_lanes_backward', 'lanes_bus', 'lanes_psv',
-        'lanes_bus_forward', 'lanes_bus_backward', 'busway', 'busway_left', 'busway_right', 'busway_both', 'cycleway',
-        'cycleway_left', 'cycleway_right', 'cycleway_both', 'cycleway_left_oneway', 'cycleway_right_oneway',
-        'parking_left', 'parking_right', 'parking_both', 'parking_lane_left', 'parking_lane_right',
-        'parking_lane_both', 'sidewalk', 'sidewalk_left', 'sidewalk_right', 'sidewalk_both', 'sidewalk_left_width',
-        'sidewalk_right_width', 'sidewalk_both_width', 'placement', 'placement_forward', 'placement_backward',
-        'change_lanes', 'change_lanes_forward', 'change_lanes_backward'];
-    there constant text := (SELECT string_agg(CASE WHEN attname IS NULL THEN 'NULL::text AS ' || tag ELSE tag END, ', ')
-        FROM unnest(possible || 'ref'::text) tag LEFT JOIN pg_attribute
-            ON attrelid = source AND attname = tag AND attnum > 0 AND NOT attisdropped);
+    present constant name[] := ARRAY(SELECT attname FROM pg_attribute WHERE attrelid = source AND attnum > 0
+        AND NOT attisdropped);
+    tags constant text := CASE WHEN 'tags' = ANY (present) THEN 'tags::jsonb'
+        ELSE format('jsonb_strip_nulls(jsonb_build_object(%s))', (SELECT string_agg(format('%L, %I', tag, name), ', ')
+            FROM unnest(streetgen._osm_column_tags()) tag, LATERAL (SELECT replace(tag, ':', '_') AS name) c
+            WHERE name = ANY (present))) END;
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS
-        SELECT *, ROW(%1$s, %2$s)::text COLLATE "C" AS wording
-        FROM (SELECT geom, way_id, name::text, %3$s, %4$s FROM %5$s) l',
-        certain, array_to_string(possible, ', '), replace(certain, 'class', 'class::text'), there, source);
+        SELECT *, %s, ROW(class, tags)::text COLLATE "C" AS wording
+        FROM (SELECT geom, way_id, class::text, name::text, %s AS ref, %s AS tags FROM %s) l',
+        (SELECT string_agg(format('tags ->> %L AS %I', tag, replace(tag, ':', '_')), ', ')
+            FROM unnest(streetgen._osm_column_tags()) tag),
+        CASE WHEN 'ref' = ANY (present) THEN 'ref::text' ELSE 'NULL::text' END, tags, source);
 END $$;
 COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
-    'Copies the lines of an OSM table to where import_osm reads them, each with the wording of all of its tags.';
+    'Copies the lines of an OSM table to where import_osm reads them, each with its tags and their wording. A table '
+    'of an older flex file has a column for each tag in place of tags.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_rows(driving_side text, lane_width float8)
     RETURNS TABLE(geom geometry, name text, ref text, source_ref text, label text, width float8, roadway_offset float8,
