@@ -1,20 +1,12 @@
 -- BD TOPO of IGN to axes.
 
-CREATE OR REPLACE FUNCTION streetgen._number(value text, low float8, high float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN value ~ '^\s*[-+]?\d{1,15}(\.\d*)?\s*$' AND value::float8 BETWEEN low AND high
-        THEN value::float8 END;
-COMMENT ON FUNCTION streetgen._number(text, float8, float8) IS
-    'A text as the number that it says, NULL where it says none within the bounds.';
-
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
         name text, ref text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
         source_ref text, label text, left_out text, unread text[])
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-SELECT s.geom, streetgen._number(s.width, 0, 200), streetgen._number(s.lane_count, 0, 30)::integer, direction,
-    streetgen._number(s.speed, 0, 400),
+SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     CASE WHEN s.importance ~ '^\d' THEN substring(s.importance FROM '^\d')::integer END,
     -- NC: not classified; NR: not known; SN: without a number.
     CASE WHEN s.name !~* '^\s*(NC|NR|SN)?\s*$' THEN s.name END,
@@ -28,22 +20,25 @@ SELECT s.geom, streetgen._number(s.width, 0, 200), streetgen._number(s.lane_coun
         streetgen.lane_kinds(backward, NULL, bus_backward, driving_side, cycle_backward, false, false, false) END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END,
-    array_remove(ARRAY[CASE WHEN s.width <> '' AND streetgen._number(s.width, 0, 200) IS NULL THEN 'width' END,
-        CASE WHEN s.lane_count <> '' AND streetgen._number(s.lane_count, 0, 30) IS NULL THEN 'lane_count' END,
+    array_remove(ARRAY[CASE WHEN s.width <> '' AND metres IS NULL THEN 'width' END,
+        CASE WHEN s.lane_count <> '' AND said_lanes IS NULL THEN 'lane_count' END,
         CASE WHEN s.sens <> '' AND s.sens !~* 'double|direct|inverse|^sens unique$|^sans objet$|^nc$'
             THEN 'direction' END,
-        CASE WHEN s.speed <> '' AND streetgen._number(s.speed, 0, 400) IS NULL THEN 'speed' END], NULL)
+        CASE WHEN s.speed <> '' AND kmh IS NULL THEN 'speed' END], NULL)
 FROM pg_temp._import_line s,
+     LATERAL (SELECT streetgen._within(streetgen._metres(s.width), 0, 200) AS metres,
+         streetgen._within(streetgen._kmh(s.speed), 0, 400) AS kmh,
+         streetgen._within(streetgen._number(s.lane_count), 0, 30) AS said_lanes) said,
      LATERAL (SELECT CASE WHEN s.sens ILIKE '%inverse%' THEN 'reverse' WHEN s.sens ILIKE '%direct%'
          AND s.sens NOT ILIKE '%double%' OR s.sens ILIKE 'sens unique' THEN 'direct' ELSE 'both' END AS direction,
-                     coalesce(greatest(streetgen._number(s.lane_count, 1, 30)::integer, 1), 1) AS lanes,
+                     coalesce(greatest(said_lanes::integer, 1), 1) AS lanes,
                      coalesce(s.bus ~* 'direct|deux|double|bidirectionnel', false) AS bus_forward,
                          coalesce(s.bus ~* 'inverse|deux|double|bidirectionnel', false) AS bus_backward,
                      coalesce(s.cycle ~* 'direct|deux|double|bidirectionnel', false) AS cycle_forward,
                          coalesce(s.cycle ~* 'inverse|deux|double|bidirectionnel', false) AS cycle_backward) d,
      -- A bus lane against a one-way street takes one of its lanes.
      -- One lane in all, unless buses have one of their own, is of both directions.
-     LATERAL (SELECT direction = 'both' AND streetgen._number(s.lane_count, 0, 30) = 1 AND NOT bus_forward
+     LATERAL (SELECT direction = 'both' AND said_lanes = 1 AND NOT bus_forward
          AND NOT bus_backward AS of_both) b,
      LATERAL (SELECT CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE (lanes + 1) / 2 END WHEN 'direct'
          THEN CASE WHEN bus_backward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS forward,

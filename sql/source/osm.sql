@@ -1,26 +1,3 @@
-CREATE OR REPLACE FUNCTION streetgen._osm_metres(value text) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE
-        WHEN value ~ '^\s*\d+(\.\d+)?\s*m?\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8
-        WHEN value ~ '^\s*\d+(\.\d+)?\s*(ft|'')\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8 * 0.3048
-        WHEN value ~ '^\s*\d+''\s*\d+(\.\d+)?"\s*$'
-            THEN substring(value FROM '^\s*(\d+)')::float8 * 0.3048 + substring(value
-            FROM '''\s*(\d+(?:\.\d+)?)')::float8 * 0.0254
-    END;
-COMMENT ON FUNCTION streetgen._osm_metres(text) IS
-    'An OSM length in metres: 7, 7.5 m, 23 ft, 12''6"; NULL where it is no length.';
-
-CREATE OR REPLACE FUNCTION streetgen._osm_speed(value text) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE
-        WHEN value ~ '^\s*\d+(\.\d+)?\s*(km/h|kph)?\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8
-        WHEN value ~ '^\s*\d+(\.\d+)?\s*mph\s*$' THEN substring(value FROM '\d+(?:\.\d+)?')::float8 * 1.609344
-        WHEN value ~ ':urban$' THEN 50 WHEN value ~ ':rural$' THEN 80 WHEN value ~ ':motorway$' THEN 120
-            WHEN value ~ '(:living_street|^walk)$' THEN 10
-    END;
-COMMENT ON FUNCTION streetgen._osm_speed(text) IS
-    'An OSM maxspeed in km/h: 50, 30 mph, FR:urban; NULL where it is no speed.';
-
 CREATE OR REPLACE FUNCTION streetgen._osm_count(value text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN value ~ '^\s*\d{1,2}(\.0+)?\s*$' THEN substring(value FROM '\d+')::integer END;
@@ -35,7 +12,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_list(list text, kind text) RETURNS tex
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT text FROM (SELECT CASE kind WHEN 'turn' THEN replace(lower(list), ' ', '')
         WHEN 'change' THEN replace(lower(list), ' ', '')
-        ELSE regexp_replace(list, '\s*m?\s*(\||$)', '\1', 'g') END AS text) t
+        ELSE streetgen._metres_by_lane(list) END AS text) t
         WHERE streetgen.is_lane_list(text, kind) $$;
 COMMENT ON FUNCTION streetgen._osm_list(text, text) IS
     'An OSM :lanes tag as a list of axis, NULL where it means nothing. kind: turn, change or width.';
@@ -58,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_sidewalk(of_side text, of_way text, wi
     RETURN CASE
         WHEN coalesce(of_side, of_way) IN ('no', 'none') THEN 0
         WHEN of_side IS NULL AND of_way IN ('left', 'right') AND of_way <> side THEN 0
-        WHEN streetgen._osm_metres(width) <= 50 THEN streetgen._osm_metres(width) END;
+        ELSE streetgen._within(streetgen._metres(width), 0, 50) END;
 COMMENT ON FUNCTION streetgen._osm_sidewalk(text, text, text, text) IS
     'Width in metres of the sidewalk on one side (left or right) of a way, from what its tags say of this side, of '
     'the way and of the width; 0: none; NULL: unknown.';
@@ -145,12 +122,12 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows(driving_side text, lane_width flo
     AS $$
 -- A city's ways have few wordings of tags, and each is read once.
 WITH meaning AS MATERIALIZED (
-SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
+SELECT wording, metres AS width,
     coalesce(offset_forward, -offset_backward) AS roadway_offset,
     coalesce(lanes_total, lanes_sum) AS lane_count,
     CASE WHEN tagged AND NOT stated THEN 'both' ELSE direction END AS direction,
     CASE WHEN tagged AND direction <> 'both' THEN junction END AS roundabout_tag,
-       CASE WHEN kmh <= 400 THEN kmh END AS speed,
+       kmh AS speed,
        coalesce(CASE WHEN layer ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, layer::integer)) END,
                 CASE WHEN coalesce(bridge, 'no') <> 'no' THEN 1 WHEN coalesce(tunnel, 'no') <> 'no' THEN -1
                     ELSE 0 END) AS level,
@@ -175,13 +152,13 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
            'change') AS change_backward,
        streetgen._osm_sidewalk(walk_left, sidewalk, said_walk_left, 'left') AS sidewalk_left,
        streetgen._osm_sidewalk(walk_right, sidewalk, said_walk_right, 'right') AS sidewalk_right,
-       array_remove(ARRAY[CASE WHEN width IS NOT NULL AND (metres <= 200) IS NOT TRUE THEN 'width' END,
+       array_remove(ARRAY[CASE WHEN width IS NOT NULL AND metres IS NULL THEN 'width' END,
                           CASE WHEN lanes IS NOT NULL AND lanes_total IS NULL
                               OR coalesce(lanes_forward, lanes_backward) IS NOT NULL
                               AND coalesce(lanes_total, lanes_sum) IS NULL
                                OR coalesce(lanes_both_ways, lanes_reversible) IS NOT NULL AND centre IS NULL
                                    THEN 'lane_count' END,
-                          CASE WHEN maxspeed NOT IN ('none', 'signals', 'variable') AND (kmh <= 400) IS NOT TRUE
+                          CASE WHEN maxspeed NOT IN ('none', 'signals', 'variable') AND kmh IS NULL
                               THEN 'speed' END,
                           CASE WHEN oneway NOT IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0',
                               'reversible', 'alternating') THEN 'direction' END,
@@ -193,15 +170,16 @@ SELECT wording, CASE WHEN metres <= 200 THEN metres END AS width,
                               OR said_width_backward IS NOT NULL AND lane_width_backward IS NULL
                               THEN 'lane_width' END,
                           CASE WHEN said_walk_left IS NOT NULL
-                              AND (streetgen._osm_metres(said_walk_left) <= 50) IS NOT TRUE
+                              AND streetgen._within(streetgen._metres(said_walk_left), 0, 50) IS NULL
                               OR said_walk_right IS NOT NULL
-                              AND (streetgen._osm_metres(said_walk_right) <= 50) IS NOT TRUE
+                              AND streetgen._within(streetgen._metres(said_walk_right), 0, 50) IS NULL
                               THEN 'sidewalk width' END,
                           CASE WHEN coalesce(placement_forward, placement_backward, placement) NOT IN ('transition')
                               AND coalesce(offset_forward, offset_backward) IS NULL THEN 'placement' END],
                               NULL) AS unread
 FROM (SELECT DISTINCT ON (wording) * FROM pg_temp._import_line ORDER BY wording) tagged,
-     streetgen._osm_metres(width) metres, streetgen._osm_speed(maxspeed) kmh,
+     streetgen._within(streetgen._metres(width), 0, 200) metres,
+     streetgen._within(streetgen._kmh(maxspeed), 0, 400) kmh,
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse')
          THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
                           WHEN junction IN ('roundabout', 'circular') OR class IN ('motorway', 'motorway_link')
@@ -283,7 +261,7 @@ FROM (SELECT DISTINCT ON (wording) * FROM pg_temp._import_line ORDER BY wording)
      LATERAL (SELECT coalesce(stated_forward, usual_forward) AS ahead, coalesce(stated_backward,
          usual_backward) AS back,
          coalesce(centre, 0) AS shared) k,
-     LATERAL (SELECT coalesce(CASE WHEN metres <= 200 THEN metres / nullif(ahead + back + shared, 0) END,
+     LATERAL (SELECT coalesce(metres / nullif(ahead + back + shared, 0),
          lane_width) AS lane_each) i,
      LATERAL (SELECT streetgen._osm_roadway_offset(coalesce(placement_forward, CASE direction WHEN 'direct'
              THEN placement END), CASE driving_side WHEN 'right' THEN back + shared ELSE 0 END, ahead,

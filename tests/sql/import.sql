@@ -37,7 +37,7 @@ INSERT INTO osm_line (way_id, class, geom, oneway, maxspeed, width, lanes, lanes
 SELECT streetgen.create_model('osm', 32631) \g /dev/null
 SELECT 'import_osm imports', count(*) > 0 FROM streetgen.import_osm('osm');
 SELECT 'OSM: oneway -1, mph, feet, lanes by direction', direction = 'reverse' AND abs(speed - 48.28) < 0.01 AND abs(width - 7.0104) < 1e-6 AND lane_count = 3 FROM osm.axis WHERE source_ref = '11';
-SELECT 'OSM: layer before bridge, a width that is no number is unknown', level = 2 AND width IS NULL AND speed = 50 FROM osm.axis WHERE source_ref = '12';
+SELECT 'OSM: layer before bridge, a width with a comma', level = 2 AND width = 7.5 AND speed = 50 FROM osm.axis WHERE source_ref = '12';
 SELECT 'OSM: a roundabout is one-way, a bridge without a layer is above', u.direction = 'direct' AND u.level = 1 FROM osm.axis_used u JOIN osm.axis USING (axis_id) WHERE source_ref = '13';
 SELECT 'OSM: steps are not taken', NOT EXISTS (SELECT FROM osm.axis WHERE source_ref = '14');
 SELECT count(*) FROM streetgen.generate('osm') \g /dev/null

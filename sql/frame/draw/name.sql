@@ -127,7 +127,7 @@ BEGIN
                 streetgen._as_css(s.fill, s.line, size / 4, 'metre', NULL, pixel), round(size::numeric, 4)) AS style
         FROM streetgen._names(model, box) n LEFT JOIN kind k ON k.kind = n.importance::text
             JOIN rule s ON s.kind = coalesce(k.drawn_as, ''), ST_Dump(ST_Intersection(n.geom, box)) l,
-            streetgen._metres(s.width, s.unit, pixel) size
+            streetgen._drawn_metres(s.width, s.unit, pixel) size
         WHERE ST_Length(l.geom) > 3 * size ORDER BY n.importance, length DESC, n.name
     LOOP
         words := left(btrim(regexp_replace(named.name, '\s+', ' ', 'g')), 200);

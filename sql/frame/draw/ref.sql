@@ -53,7 +53,7 @@ BEGIN
         SELECT n.ref, l.geom, ST_Length(l.geom) AS length, size, s.fill, s.line
         FROM streetgen._numbers(model, box) n LEFT JOIN kind k ON k.kind = n.importance::text
             JOIN rule s ON s.kind = coalesce(k.drawn_as, ''), ST_Dump(ST_Intersection(n.geom, box)) l,
-            streetgen._metres(s.width, s.unit, pixel) size
+            streetgen._drawn_metres(s.width, s.unit, pixel) size
         WHERE ST_Length(l.geom) > 6 * size ORDER BY n.importance, length DESC, n.ref
     LOOP
         number := left(regexp_replace(route.ref, '\s+', ' ', 'g'), 16);

@@ -63,7 +63,7 @@ CREATE OR REPLACE FUNCTION streetgen._svg_legend(model name, theme text, scale f
             streetgen._as_xml(CASE WHEN length(meaning) > 80 THEN left(meaning, 79) || '…' ELSE meaning END)
     FROM (SELECT DISTINCT ON (meaning) * FROM streetgen._symbols(model, theme, scale)
         WHERE symbol = ANY (symbols) AND meaning IS NOT NULL ORDER BY meaning, symbol) s,
-        streetgen._pattern_as_svg(marker, fill, streetgen._metres(width, unit, 1), 1) pattern
+        streetgen._pattern_as_svg(marker, fill, streetgen._drawn_metres(width, unit, 1), 1) pattern
     $$;
 COMMENT ON FUNCTION streetgen._svg_legend(name, text, float8, bigint[]) IS
     'What the symbols of a drawing mean, in their order from below, each with a swatch (SVG) of 32 by 16 '
@@ -165,8 +165,8 @@ CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel fl
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    WITH symbol AS MATERIALIZED (SELECT r.*, streetgen._pattern_as_svg(r.marker, r.fill, streetgen._metres(r.width,
-            r.unit, pixel), pixel) AS pattern FROM streetgen._symbols(model, theme, scale) r),
+    WITH symbol AS MATERIALIZED (SELECT r.*, streetgen._pattern_as_svg(r.marker, r.fill,
+            streetgen._drawn_metres(r.width, r.unit, pixel), pixel) AS pattern FROM streetgen._symbols(model, theme, scale) r),
     shape AS MATERIALIZED (
         SELECT h.layer, coalesce(k.drawn_as, '') AS kind, h.level, h.id,
             streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path
@@ -182,7 +182,7 @@ BEGIN
                 streetgen._as_css(coalesce(streetgen._pattern_name(s.pattern), s.fill),
                     CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel),
                 CASE s.marker WHEN 'shadow' THEN format(' transform="translate(%1$s %1$s)"',
-                    streetgen._metres(s.width, s.unit, pixel)) END, s.pattern,
+                    streetgen._drawn_metres(s.width, s.unit, pixel)) END, s.pattern,
                 string_agg(format('<path d="%s"/>', h.path), E'\n' ORDER BY h.id, h.path)) AS part
         FROM shape h JOIN symbol s USING (layer, kind) WHERE h.path <> ''
         GROUP BY s.symbol, s.layer, s.kind, s.place, s.fill, s.line, s.marker, s.width, s.unit, s.dash, s.pattern,

@@ -144,18 +144,18 @@ CREATE OR REPLACE FUNCTION streetgen._page(model name, theme text, scale float8,
 COMMENT ON FUNCTION streetgen._page(name, text, float8) IS
     'The colours of paper and ink of a theme, by the rule that lies above others of the layer; none without a rule.';
 
-CREATE OR REPLACE FUNCTION streetgen._metres(width float8, unit text, pixel float8) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._drawn_metres(width float8, unit text, pixel float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT width * CASE unit WHEN 'pixel' THEN pixel ELSE 1 END $$;
-COMMENT ON FUNCTION streetgen._metres(float8, text, float8) IS
+COMMENT ON FUNCTION streetgen._drawn_metres(float8, text, float8) IS
     'A width of a rule in metres, where a pixel is so many metres wide.';
 
 CREATE OR REPLACE FUNCTION streetgen._as_css(fill text, line text, width float8, unit text, dash text, pixel float8)
     RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT format('fill:%s;fill-rule:evenodd', coalesce(fill, 'none')) || CASE WHEN line IS NULL THEN '' ELSE
-            format(';stroke:%s;stroke-width:%s', line, round(streetgen._metres(width, unit, pixel)::numeric, 4))
-            || coalesce(';stroke-dasharray:' || (SELECT string_agg(round(streetgen._metres(d::float8, unit,
+            format(';stroke:%s;stroke-width:%s', line, round(streetgen._drawn_metres(width, unit, pixel)::numeric, 4))
+            || coalesce(';stroke-dasharray:' || (SELECT string_agg(round(streetgen._drawn_metres(d::float8, unit,
                 pixel)::numeric, 4)::text, ' ' ORDER BY n) FROM string_to_table(dash, ' ') WITH ORDINALITY t(d, n)),
                 '') END $$;
 COMMENT ON FUNCTION streetgen._as_css(text, text, float8, text, text, float8) IS

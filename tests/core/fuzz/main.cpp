@@ -68,6 +68,7 @@ int main(int count_of_arguments, char** arguments) {
     check_made("interconnections", interconnection_faults);
     check("primitives", [&] { return primitive_faults(seed); });
     check("alignment", [&] { return alignment_faults(seed); });
+    check("measures", [&] { return measure_faults(seed); });
     check("door", [&] { return door_faults(seed); });
   }
   std::fprintf(stderr, "\n");

@@ -47,6 +47,10 @@ Faults primitive_faults(std::uint64_t seed);
 // Arc roads of such lines: finite, without gaps, their places found on them.
 Faults alignment_faults(std::uint64_t seed);
 
+// Texts of lengths and speeds made of their pieces: whatever they say is finite, with a point or a
+// comma.
+Faults measure_faults(std::uint64_t seed);
+
 // The door for geometries: what is not finite is refused, broken bytes too.
 Faults door_faults(std::uint64_t seed);
 
