@@ -1,7 +1,7 @@
 -- Every highway and aeroway line of an OSM file, with the tags that speak of its street, its turn
--- restrictions, a row for each pair of ways, its signals, signs and crossings, and what stands at
--- streets.  STREETGEN_PREFIX names the tables (PREFIX_line, PREFIX_restriction, PREFIX_control,
--- PREFIX_object), STREETGEN_SRID their projection.
+-- restrictions, a row for each pair of ways, its signals, signs and crossings, what stands at
+-- streets, and routes, a row for each way.  STREETGEN_PREFIX names the tables (PREFIX_line,
+-- PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route), STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
@@ -41,6 +41,7 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'class', type = 'text', not_null = true },
     { column = 'direction', type = 'text' },
     { column = 'traffic_signals_direction', type = 'text' },
+    { column = 'lights', type = 'boolean' }, -- a crossing with lights
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
@@ -55,7 +56,20 @@ local standing = osm2pgsql.define_node_table(prefix .. '_object', {
 local standing_classes = { crossing = true, street_lamp = true, bus_stop = true, traffic_signals = true,
                            stop = true, give_way = true, tree = true, bench = true, bollard = true }
 
+-- A place of which somebody says that nobody crosses there.
+local function no_crossing(tags)
+    return tags.highway == 'crossing' and tags.crossing == 'no'
+end
+
+local function has_lights(tags)
+    return tags.highway == 'crossing' and
+        (tags.crossing == 'traffic_signals' or tags['crossing:signals'] == 'yes')
+end
+
 function osm2pgsql.process_node(object)
+    if no_crossing(object.tags) then
+        return
+    end
     for _, key in ipairs({ 'highway', 'natural', 'amenity', 'barrier' }) do
         if standing_classes[object.tags[key]] then
             standing:insert({ class = object.tags[key], direction = object.tags.direction, geom = object:as_point() })
@@ -65,6 +79,7 @@ function osm2pgsql.process_node(object)
     if controls[object.tags.highway] then
         control:insert({ class = object.tags.highway, direction = object.tags.direction,
                          traffic_signals_direction = object.tags['traffic_signals:direction'],
+                         lights = has_lights(object.tags),
                          geom = object:as_point() })
     end
 end
@@ -78,7 +93,33 @@ local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {
     { column = 'geom', type = 'geometry', projection = srid }, -- of all members; points: via nodes
 })
 
+local route = osm2pgsql.define_relation_table(prefix .. '_route', {
+    { column = 'kind', type = 'text', not_null = true },
+    { column = 'ref', type = 'text' },
+    { column = 'name', type = 'text' },
+    { column = 'ordinality', type = 'integer' }, -- of the way among the members
+    { column = 'role', type = 'text' },
+    { column = 'way_id', type = 'bigint' },
+})
+
+local route_kinds = { bus = 'bus', trolleybus = 'bus', tram = 'tram', bicycle = 'bicycle', truck = 'truck', hgv = 'truck' }
+
+-- A row for each way of a route of buses, trams, bicycles or trucks, but for those of stops.
+local function insert_route(object)
+    local kind = route_kinds[object.tags.route]
+    if object.tags.type ~= 'route' or not kind then
+        return
+    end
+    for i, member in ipairs(object.members) do
+        if member.type == 'w' and not member.role:find('^platform') and not member.role:find('^stop') then
+            route:insert({ kind = kind, ref = object.tags.ref, name = object.tags.name, ordinality = i,
+                           role = member.role, way_id = member.ref })
+        end
+    end
+end
+
 function osm2pgsql.process_relation(object)
+    insert_route(object)
     if object.tags.type ~= 'restriction' then
         return
     end

@@ -52,7 +52,7 @@ GROUNDS = (
     Shape('roadway', ('intersection',), 'node_id', LEAST_IMPORTANCE),
     Shape('junction', ('junction', 'intersection'), 'junction_id', level='i.level', geometry='j.surface', where="j.method <> 'hypothesis'",
           rows='@.junction j JOIN @.intersection i ON node_id = junction_id'),
-    Shape('lane', ('lane',), 'lane_id', 'kind', geometry='l.surface', where="kind IN ('bus', 'cycle')", rows='@.lane l ' + EDGE),
+    Shape('lane', ('lane',), 'lane_id', 'kind', geometry='l.surface', where="kind IN ('bus', 'carpool', 'cycle')", rows='@.lane l ' + EDGE),
     Shape('bay', ('parking_bay', 'street_object'), 'street_object_id', level='coalesce(a.level, 0)', geometry='p.surface', rows='@.parking_bay p ' + OF_AXIS),
     Shape('lane_separator', ('lane_separator',), 'lane_separator_id', 'kind', geometry='p.surface', rows='@.lane_separator p ' + EDGE),
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),

@@ -11,7 +11,7 @@ import sys
 import xml.etree.ElementTree as tree
 
 WIDTH = 900
-CAR, PARKING, BUS, CYCLE, FOOT = "street section", "street bay", "street lane bus", "street lane cycle", "street sidewalk"
+CAR, PARKING, BUS, CARPOOL, CYCLE, FOOT = "street section", "street bay", "street lane bus", "street lane carpool", "street lane cycle", "street sidewalk"
 PATHS = {"defaut": "construction arc", "cedez_le_passage": "construction arc fallback", "stop": "construction signal_head"}
 
 
@@ -56,6 +56,8 @@ def symbol_of(lane):
         return FOOT
     if disallow == "all":
         return PARKING
+    if allow and "hov" in allow:
+        return CARPOOL
     return BUS if allow and "bus" in allow else CYCLE if allow == "bicycle" else CAR
 
 

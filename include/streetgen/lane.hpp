@@ -22,9 +22,15 @@
 namespace streetgen {
 
 // Merging lanes lie beside the others on a part of an edge only, where a ramp is.
-enum class LaneKind { general, bus, cycle, parking, merging };
-// The lanes that lists of turns, widths and lane changes of a source count: general and bus lanes.
-inline bool drives(LaneKind kind) { return kind == LaneKind::general || kind == LaneKind::bus; }
+enum class LaneKind { general, bus, carpool, cycle, parking, merging };
+// The lanes that lists of turns, widths and lane changes of a source count: of motor traffic.
+inline bool drives(LaneKind kind) {
+  return kind == LaneKind::general || kind == LaneKind::bus || kind == LaneKind::carpool;
+}
+// A carpool lane leads where a general lane would.
+inline LaneKind leads_as(LaneKind kind) {
+  return kind == LaneKind::carpool ? LaneKind::general : kind;
+}
 enum class LaneSide { left, centre, right };  // of the roadway, in the direction of the axis
 
 // The order in which lanes are numbered: from the middle outwards, 1 the centre lane where there is

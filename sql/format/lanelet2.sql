@@ -4,7 +4,8 @@ CREATE OR REPLACE FUNCTION streetgen._lanelet2_lane_class()
     RETURNS TABLE(type text, subtype text, participant text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
     AS $$ VALUES ('driving', 'road', 'vehicle'), ('bidirectional', 'road', 'vehicle'), ('entry', 'road', 'vehicle'),
-        ('exit', 'road', 'vehicle'), ('bus', 'bus_lane', 'vehicle:bus'), ('biking', 'bicycle_lane', 'bicycle') $$;
+        ('exit', 'road', 'vehicle'), ('bus', 'bus_lane', 'vehicle:bus'),
+        ('HOV', 'road', 'vehicle:car:hov'), ('biking', 'bicycle_lane', 'bicycle') $$;
 COMMENT ON FUNCTION streetgen._lanelet2_lane_class() IS
     'The subtype of lanelets, and who takes part in their traffic, by the type that lanes have in OpenDRIVE. A parking '
     'lane is no lanelet.';

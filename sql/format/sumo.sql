@@ -2,11 +2,12 @@
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
     RETURNS TABLE(kind text, allow text, disallow text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
     AS $$ VALUES
     ('general', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
     ('merging', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
     ('bus', 'bus coach taxi emergency', NULL),
+    ('carpool', 'hov bus coach taxi motorcycle emergency', NULL),
     ('cycle', 'bicycle', NULL),
     ('parking', NULL, 'all'),
     ('sidewalk', 'pedestrian', NULL) $$;
@@ -92,7 +93,7 @@ BEGIN
                 start_abscissa IS NOT NULL OR end_abscissa IS NOT NULL AS within,
                 CASE WHEN e.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END AS driven,
                 -- Nobody changes to a lane that is closed to him: one between lanes of cars is open, to be crossed.
-                CASE WHEN l.kind = 'bus' AND (SELECT bool_or(j < i) AND bool_or(j > i)
+                CASE WHEN l.kind IN ('bus', 'carpool') AND (SELECT bool_or(j < i) AND bool_or(j > i)
                     FROM unnest(e.lanes) WITH ORDINALITY o(lane_id, j) JOIN lane USING (lane_id)
                     WHERE lane.kind = 'general') THEN 'general' ELSE l.kind END AS kind
             FROM sumo_edge e, streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN lane l USING (lane_id)
@@ -129,7 +130,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_streets(name, jsonb) IS
     'The elements of a plain file of SUMO: the edges with their lanes, and the accepted roundabouts all of whose edges '
-    'are written, each face of a double one by itself. A bus lane between lanes for all is written as one of these. '
+    'are written, each face of a double one by itself. A bus or carpool lane between lanes for all is one of '
+    'these. '
     'Parameter waits says stop where a stop line is: netconvert knows such lines of a whole node only.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(model name, options jsonb)

@@ -2,9 +2,10 @@
 
 CREATE OR REPLACE FUNCTION streetgen._symuvia_vehicle()
     RETURNS TABLE(kind text, vehicle text, speed numeric, wave numeric, density numeric)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
-    ('general', 'VL', 25, -5.88, 0.17), ('bus', 'BUS', 14, -5.88, 0.08), ('cycle', 'VELO', 5, -2.5, 0.4) $$;
+    ('general', 'VL', 25, -5.88, 0.17), ('bus', 'BUS', 14, -5.88, 0.08),
+    ('carpool', 'COVOITURAGE', 25, -5.88, 0.17), ('cycle', 'VELO', 5, -2.5, 0.4) $$;
 COMMENT ON FUNCTION streetgen._symuvia_vehicle() IS
     'The vehicles of a written scenario, each by the kind of the lanes that are its own: free speed (m/s), speed of '
     'the wave (m/s) and greatest density (vehicles a metre) of the triangular fundamental diagram.';
@@ -322,7 +323,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.export_symuvia(name, jsonb) IS
     'A file of SymuVia (reseau.xsd 2.05), line by line. A TRONCON is a lane group, named edge_id along the axis and '
-    '-edge_id against it, with lane 1 at the right; lanes of buses and bicycles are reserved, parking lanes closed. '
+    '-edge_id against it, with lane 1 at the right; lanes of buses, carpools and bicycles are reserved, parking lanes '
+    'closed. '
     'Interconnections that connect are its movements: at a REPARTITEUR between two edges, at a CARREFOURAFEUX among '
     'more, with priority by stop and yield lines where no signals are, and the points of the path. With subject '
     'roundabout, an accepted ring is a GIRATOIRE with its edges inside, and what goes in and out are its movements; '

@@ -113,16 +113,23 @@ CREATE OR REPLACE FUNCTION streetgen._import_osm_controls(model name, control re
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    -- Tables written by an older flex file lack it.
+    lights constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = control
+        AND attname = 'lights' AND NOT attisdropped), 'NULL::boolean');
 BEGIN
     IF control IS NULL THEN
         RETURN QUERY SELECT 'no table of control points, those of the model stay', NULL::text, 0::bigint, NULL::text[];
         RETURN;
     END IF;
+    -- A crossing with lights is two: a crossing, and signals for both ways.
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format('SELECT geom, kind, '
         'streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
-        'node_id::text AS source_ref FROM (SELECT *, streetgen._osm_control(class) AS kind FROM %s) c '
-        'WHERE kind IS NOT NULL', control), only_on_axes => true);
+        'node_id::text AS source_ref FROM (SELECT *, streetgen._osm_control(class) AS kind FROM %1$s) c '
+        'WHERE kind IS NOT NULL UNION ALL SELECT geom, ''signals'', '
+        'streetgen._osm_direction(traffic_signals_direction), node_id || ''/lights'' FROM %1$s WHERE %2$s', control,
+        lights), only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass) IS
-    'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes; importing again follows the '
-    'table. A NULL table leaves all as it was.';
+    'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes, of a crossing with lights the '
+    'signals too; importing again follows the table. A NULL table leaves all as it was.';

@@ -314,6 +314,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model, streetgen._osm_table('_control', prefix, schemas));
+    RETURN QUERY SELECT * FROM streetgen._import_routes(model, source, streetgen._osm_table('_route', prefix, schemas));
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
@@ -321,6 +322,7 @@ COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'both directions), width, oneway (also -1), roundabouts, layer, bridge, tunnel, maxspeed (also mph), name, ref, '
     'class; turn:lanes, width:lanes, bus lanes, cycle and parking lanes on the roadway, of each direction; sidewalk '
     'and sidewalk:left, :right and :both with their :width; and the turn '
-    'restrictions of PREFIX_restriction and the signals, signs and crossings of PREFIX_control. A tag that means '
+    'restrictions of PREFIX_restriction, the signals, signs and crossings of PREFIX_control and the routes of '
+    'PREFIX_route. A tag that means '
     'nothing (width abc, or over 200 m) is unknown, and reported '
     'by way.';

@@ -52,4 +52,4 @@ BEGIN
         '|| row_number() OVER ()) AS label FROM (%s) q', taken, query);
 END $$;
 COMMENT ON FUNCTION streetgen._take_points(name, text) IS
-    'Makes a temporary table of the points of a prepared query, each with a label: its source_ref or its place.';
+    'Makes a temporary table of the rows of a prepared query, each with a label: its source_ref or its place.';

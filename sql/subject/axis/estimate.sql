@@ -83,9 +83,10 @@ COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN cardinality(array_positions(string_to_array(kinds, '|'), 'general')) +
-        cardinality(array_positions(string_to_array(kinds, '|'), 'bus'));
+        cardinality(array_positions(string_to_array(kinds, '|'), 'bus')) +
+        cardinality(array_positions(string_to_array(kinds, '|'), 'carpool'));
 COMMENT ON FUNCTION streetgen.driving_lanes(text) IS
-    'How many lanes of a list of kinds are general or bus lanes. NULL for NULL.';
+    'How many lanes of a list of kinds are for motor traffic: general, bus or carpool. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width float8, parking_lane_width float8)
     RETURNS float8
@@ -105,7 +106,7 @@ CREATE OR REPLACE FUNCTION streetgen.lanes_of_both(stated integer, stated_forwar
 COMMENT ON FUNCTION streetgen.lanes_of_both(integer, integer, integer, boolean, integer, boolean) IS
     'Lanes of a two-way street that both directions use: what is stated; none where lanes of a direction are; else '
     'the one lane that there is, by lane_count or on a narrow street of which no count is stated. Lists of kinds '
-    '(listed) without a general or bus lane leave all of lane_count. An argument that is NULL is unknown.';
+    '(listed) without a lane for motor traffic leave all of lane_count. An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer,
     lane_count integer, fewest integer DEFAULT 1) RETURNS integer
@@ -113,8 +114,8 @@ CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, 
     RETURN CASE WHEN listed THEN stated WHEN NOT open THEN 0 WHEN stated > 0 THEN stated
         ELSE greatest(lane_count - against, fewest) END;
 COMMENT ON FUNCTION streetgen.lanes_of_way(boolean, boolean, integer, integer, integer, integer) IS
-    'General and bus lanes of one direction: what is stated; else what the other direction (against) leaves of '
-    'lane_count, at least so many. A direction that is closed to traffic has none but those that a list of kinds '
+    'General, bus and carpool lanes of one direction: what is stated; else what the other direction (against) leaves '
+    'of lane_count, at least so many. A direction that is closed to traffic has none but those that a list of kinds '
     'names (a bus lane against the traffic). An argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.lane_kinds(driving integer, buses text, bus boolean, driving_side text,
@@ -155,8 +156,9 @@ COMMENT ON FUNCTION streetgen._turn_words() IS 'The turns that a lane can be mar
 
 CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|cycle|parking' WHEN 'width'
-        THEN '(\d{1,2}(\.\d{1,6})?)?' WHEN 'change' THEN '(yes|no|not_left|not_right|only_left|only_right)?'
+    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|carpool|cycle|parking'
+        WHEN 'width' THEN '(\d{1,2}(\.\d{1,6})?)?'
+        WHEN 'change' THEN '(yes|no|not_left|not_right|only_left|only_right)?'
         WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}', streetgen._turn_words()) END) $$;
 COMMENT ON FUNCTION streetgen._lane_list_pattern(text) IS
     'The form of a list of lanes as a regular expression, for streetgen.is_lane_list and the constraints of axis.';
@@ -166,7 +168,7 @@ CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS 
     AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
 COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS
     'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind '
-    '(general, bus, cycle, parking), width (metres, empty or 0: unknown), turn (words of OSM''s turn:lanes parted by '
+    '(general, bus, carpool, cycle, parking), width (metres, empty or 0: unknown), turn (words of turn:lanes parted by '
     ';, empty: nothing said), or change (yes, no, not_left, not_right, only_left, only_right, empty: nothing said). '
     'NULL for NULL.';
 

@@ -52,9 +52,10 @@ CREATE TABLE :"model".axis (
     lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30),
     sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
     sidewalk_right float8 CHECK (sidewalk_right BETWEEN 0 AND 50), flow float8 CHECK (flow BETWEEN 0 AND 1000000),
-    kind_forward text CHECK (kind_forward ~ '^(general|bus|cycle|parking)(\|(general|bus|cycle|parking)){0,39}$'),
+    kind_forward text
+        CHECK (kind_forward ~ '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$'),
     kind_backward text
-        CHECK (kind_backward ~ '^(general|bus|cycle|parking)(\|(general|bus|cycle|parking)){0,39}$'),
+        CHECK (kind_backward ~ '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$'),
     lane_width_forward text
         CHECK (lane_width_forward ~ '^((\d{1,2}(\.\d{1,6})?)?)(\|((\d{1,2}(\.\d{1,6})?)?)){0,39}$'),
     lane_width_backward text
@@ -106,7 +107,8 @@ COMMENT ON COLUMN :"model".axis.roadway_offset IS
     'leaves the axis on the roadway; NULL: 0';
 COMMENT ON CONSTRAINT axis_roadway_offset_check ON :"model".axis IS
     '-100 to 100 m. Leave it empty where the axis runs along the middle.';
-COMMENT ON COLUMN :"model".axis.lane_count IS 'number of general and bus lanes of both directions; NULL: estimated';
+COMMENT ON COLUMN :"model".axis.lane_count IS
+    'number of general, bus and carpool lanes of both directions; NULL: estimated';
 COMMENT ON CONSTRAINT axis_lane_count_check ON :"model".axis IS '1 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.direction IS 'traffic flows in both directions, direct (that of geom) or reverse';
 COMMENT ON CONSTRAINT axis_direction_check ON :"model".axis IS
@@ -125,9 +127,11 @@ COMMENT ON COLUMN :"model".axis.radius IS
     'wanted radius of its corners, metres, 0: none; NULL: from importance or speed';
 COMMENT ON CONSTRAINT axis_radius_check ON :"model".axis IS
     '0 to 200 m. Leave it empty to have it estimated, 0 for no arc.';
-COMMENT ON COLUMN :"model".axis.lanes_forward IS 'general and bus lanes along geom; NULL or 0: from lane_count';
+COMMENT ON COLUMN :"model".axis.lanes_forward IS
+    'general, bus and carpool lanes along geom; NULL or 0: from lane_count';
 COMMENT ON CONSTRAINT axis_lanes_forward_check ON :"model".axis IS '0 to 30. Leave it empty to have it estimated.';
-COMMENT ON COLUMN :"model".axis.lanes_backward IS 'general and bus lanes against geom; NULL or 0: from lane_count';
+COMMENT ON COLUMN :"model".axis.lanes_backward IS
+    'general, bus and carpool lanes against geom; NULL or 0: from lane_count';
 COMMENT ON CONSTRAINT axis_lanes_backward_check ON :"model".axis IS '0 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.lanes_both IS
     'general lanes in the middle that both directions use, of a two-way street; NULL or 0: from lane_count and width';
@@ -144,7 +148,7 @@ COMMENT ON COLUMN :"model".axis.flow IS 'vehicles an hour, of both directions; N
 COMMENT ON CONSTRAINT axis_flow_check ON :"model".axis IS
     '0 to 1000000 vehicles an hour. Leave it empty where it is unknown.';
 COMMENT ON COLUMN :"model".axis.kind_forward IS
-    'kinds of all lanes along geom, such as general|bus|cycle|parking, from left to right; NULL: general lanes only';
+    'kinds of all lanes along geom, such as general|bus|carpool|cycle|parking, from left to right; NULL: all general';
 COMMENT ON CONSTRAINT axis_kind_forward_check ON :"model".axis IS
     'kinds of lanes such as general|bus. Leave it empty where nothing is known of single lanes.';
 COMMENT ON COLUMN :"model".axis.kind_backward IS 'the same against geom, from left to right in driving direction';

@@ -35,9 +35,9 @@ BEGIN
     COMMENT ON COLUMN axis_used.level IS 'level of the axis';
     COMMENT ON COLUMN axis_used.width IS 'width kerb to kerb at the start, metres';
     COMMENT ON COLUMN axis_used.width_end IS 'width kerb to kerb at the end, metres';
-    COMMENT ON COLUMN axis_used.lane_count IS 'number of general and bus lanes of both directions';
-    COMMENT ON COLUMN axis_used.lanes_forward IS 'general and bus lanes along the axis';
-    COMMENT ON COLUMN axis_used.lanes_backward IS 'general and bus lanes against the axis';
+    COMMENT ON COLUMN axis_used.lane_count IS 'number of general, bus and carpool lanes of both directions';
+    COMMENT ON COLUMN axis_used.lanes_forward IS 'general, bus and carpool lanes along the axis';
+    COMMENT ON COLUMN axis_used.lanes_backward IS 'general, bus and carpool lanes against the axis';
     COMMENT ON COLUMN axis_used.lanes_both IS 'lanes that both directions use';
     COMMENT ON COLUMN axis_used.direction IS 'direction of the traffic';
     COMMENT ON COLUMN axis_used.kind_forward IS 'kinds of the lanes along the axis, NULL: all general';

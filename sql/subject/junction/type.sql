@@ -40,7 +40,7 @@ COMMENT ON COLUMN streetgen.junction_lane.at_start IS 'is the leg the start of t
 COMMENT ON COLUMN streetgen.junction_lane.lane_id IS 'the lane';
 COMMENT ON COLUMN streetgen.junction_lane.comes_in IS 'does its traffic come in?';
 COMMENT ON COLUMN streetgen.junction_lane.along_axis IS 'does that traffic run along the axis?';
-COMMENT ON COLUMN streetgen.junction_lane.kind IS 'general, bus or cycle';
+COMMENT ON COLUMN streetgen.junction_lane.kind IS 'general, bus, carpool or cycle';
 COMMENT ON COLUMN streetgen.junction_lane.turn IS 'turns painted on it; NULL: none';
 COMMENT ON COLUMN streetgen.junction_lane.geom IS 'LINESTRING in the direction of that traffic, EWKB';
 

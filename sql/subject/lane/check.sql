@@ -30,7 +30,7 @@ BEGIN
     UNION ALL
     SELECT 'notice', 'narrow lane, m', 'lane', l.lane_id, l.width, l.geom
         FROM lane l, (SELECT value::float8 AS least FROM setting WHERE name = 'lane_width_minimal') s
-        WHERE l.kind IN ('general', 'bus') AND l.width < s.least - 1e-6
+        WHERE l.kind IN ('general', 'bus', 'carpool') AND l.width < s.least - 1e-6
     UNION ALL
     SELECT 'warning', 'lane adjacency override without its lanes', 'lane_adjacency_override',
         o.lane_adjacency_override_id, o.abscissa, o.geom FROM lane_adjacency_override o
@@ -71,4 +71,6 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('lane adjacency override without its lanes',
         'no two lanes of these numbers and of one direction lie beside each other there',
         'delete the override, or give the axis its lanes again'),
-    ('narrow lane, m', 'a general or bus lane is narrower than setting `lane_width_minimal`', 'correct width or lanes');
+    ('narrow lane, m',
+        'a general, bus or carpool lane is narrower than setting `lane_width_minimal`',
+        'correct width or lanes');

@@ -44,7 +44,7 @@ BEGIN
     END IF;
     ALTER TABLE lane ADD start_abscissa float8, ADD end_abscissa float8,
         DROP CONSTRAINT IF EXISTS lane_kind_check,
-        ADD CONSTRAINT lane_kind_check CHECK (kind IN ('general', 'bus', 'cycle', 'parking', 'merging'));
+        ADD CONSTRAINT lane_kind_check CHECK (kind IN ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging'));
 END $$;
 COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
     'Adds to the lanes of a model their kind merging and the columns that say where one begins and ends, where the '
@@ -69,10 +69,32 @@ COMMENT ON FUNCTION streetgen._add_lane_changes(name) IS
     'Adds the columns of lane_separator that say who may cross a line between lanes, where a model was made before '
     'them: over a dashed line all may.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_carpool_lanes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF EXISTS (SELECT FROM pg_constraint WHERE conrelid = format('%I.axis', model)::regclass
+            AND conname = 'axis_kind_forward_check' AND pg_get_constraintdef(oid) ~ 'carpool') THEN
+        RETURN;
+    END IF;
+    ALTER TABLE axis DROP CONSTRAINT IF EXISTS axis_kind_forward_check,
+        DROP CONSTRAINT IF EXISTS axis_kind_backward_check,
+        ADD CONSTRAINT axis_kind_forward_check CHECK (kind_forward ~
+            '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$'),
+        ADD CONSTRAINT axis_kind_backward_check CHECK (kind_backward ~
+            '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$');
+    ALTER TABLE lane DROP CONSTRAINT IF EXISTS lane_kind_check,
+        ADD CONSTRAINT lane_kind_check CHECK (kind IN ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging'));
+END $$;
+COMMENT ON FUNCTION streetgen._add_carpool_lanes(name) IS
+    'Lets axes and lanes of a model have carpool lanes, where it was made before them.';
+
 CREATE OR REPLACE FUNCTION streetgen._mend_lane_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._add_both_ways(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model);
+    PERFORM streetgen._add_both_ways(model), streetgen._add_merging_lanes(model), streetgen._add_lane_changes(model),
+        streetgen._add_carpool_lanes(model);
 END $$;
 COMMENT ON FUNCTION streetgen._mend_lane_tables(name) IS 'Adds to the lanes of a model what older ones lack.';

@@ -44,9 +44,9 @@ COMMENT ON COLUMN :"model".edge.width_end IS 'width of the axis at its end that 
 COMMENT ON COLUMN :"model".edge.roadway_offset IS
     'metres from geom to the middle of the roadway that were used, left positive';
 COMMENT ON COLUMN :"model".edge.lane_count IS
-    'number of general and bus lanes that was used, the sum of the next three';
-COMMENT ON COLUMN :"model".edge.lanes_forward IS 'general and bus lanes along the axis that were used';
-COMMENT ON COLUMN :"model".edge.lanes_backward IS 'general and bus lanes against the axis that were used';
+    'number of general, bus and carpool lanes that was used, the sum of the next three';
+COMMENT ON COLUMN :"model".edge.lanes_forward IS 'general, bus and carpool lanes along the axis that were used';
+COMMENT ON COLUMN :"model".edge.lanes_backward IS 'general, bus and carpool lanes against the axis that were used';
 COMMENT ON COLUMN :"model".edge.lanes_both IS 'lanes that both directions use';
 COMMENT ON COLUMN :"model".edge.sidewalk_left IS 'width of the sidewalk on its left that was used, metres; 0: none';
 COMMENT ON COLUMN :"model".edge.sidewalk_right IS 'the same on its right';

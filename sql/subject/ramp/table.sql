@@ -26,7 +26,7 @@ COMMENT ON COLUMN :"model".ramp.edge_after IS 'the highway behind it';
 COMMENT ON COLUMN :"model".ramp.kind IS 'on: traffic comes upon the highway; off: it leaves';
 COMMENT ON COLUMN :"model".ramp.side IS 'on which the ramp lies, left or right of the highway with its traffic';
 COMMENT ON COLUMN :"model".ramp.lanes_before IS
-    'lanes of the highway before the node in the direction of the ramp''s traffic, general and bus lanes';
+    'lanes of the highway before the node in the direction of the ramp''s traffic, general, bus and carpool lanes';
 COMMENT ON COLUMN :"model".ramp.lanes_ramp IS 'lanes of the link';
 COMMENT ON COLUMN :"model".ramp.lanes_after IS 'lanes of the highway behind the node';
 COMMENT ON COLUMN :"model".ramp.lanes_missing IS

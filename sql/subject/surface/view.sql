@@ -49,7 +49,7 @@ BEGIN
     COMMENT ON COLUMN roadway.level IS 'level of the surface';
     COMMENT ON COLUMN roadway.width IS
         'width of the edge kerb to kerb, metres: of a section at its start, of an intersection at its node';
-    COMMENT ON COLUMN roadway.lane_count IS 'general and bus lanes of the edge';
+    COMMENT ON COLUMN roadway.lane_count IS 'general, bus and carpool lanes of the edge';
     COMMENT ON COLUMN roadway.surface IS 'roadway, never empty';
     COMMENT ON VIEW intersection_group
         IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the '

@@ -24,7 +24,7 @@ struct Leg {
   bool on_ring = false;  // traffic on it goes round a roundabout: from and to there none turns back
 };
 
-using LaneKinds = std::bitset<5>;
+using LaneKinds = std::bitset<6>;
 constexpr std::size_t index_of(LaneKind kind) { return static_cast<std::size_t>(kind); }
 
 struct Verdict {

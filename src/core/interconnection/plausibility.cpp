@@ -29,7 +29,7 @@ constexpr MarkedTurn marked_turns[] = {
     {turn::slight_right, -35}, {turn::right, -90}, {turn::sharp_right, -135},
 };
 
-// The lanes of one kind of a leg, by their index among all.
+// The lanes of a leg that lead as those of one kind, by their index among all.
 using Group = std::vector<int>;
 
 // One movement as its approach sees it.
@@ -44,7 +44,7 @@ struct Way {
 Group group_of(const std::vector<LaneEnd>& lanes, LaneKind kind) {
   Group group;
   for (int i = 0; i < static_cast<int>(lanes.size()); ++i)
-    if (lanes[i].kind == kind) group.push_back(i);
+    if (leads_as(lanes[i].kind) == kind) group.push_back(i);
   return group;
 }
 
@@ -294,8 +294,24 @@ class Plausibility {
         }
       }
     }
-    for (int i = 0; i < n; ++i)
-      at(way, lanes[i], drivable_goal(way, lanes[i], goal(i, shift))) = {true, reason};
+    for (int i = 0; i < n; ++i) {
+      const int reached = drivable_goal(way, lanes[i], goal(i, shift));
+      at(way, lanes[i], reached) = {true, reason};
+      const int open = open_beside(way, lanes[i], reached);
+      if (open >= 0) at(way, lanes[i], open) = {true, reason};
+    }
+  }
+
+  // The general lane nearest to a carpool lane in which a general lane goes on; -1: none is needed.
+  int open_beside(const Way& way, int in, int reached) const {
+    const auto general = [](const LaneEnd& lane) { return lane.kind == LaneKind::general; };
+    if (!general(from(way).in[in]) || way.to->out[reached].kind != LaneKind::carpool) return -1;
+    int best = -1;
+    for (const int o : way.goals)
+      if (general(way.to->out[o]) && !tight(way, in, o) &&
+          (best < 0 || std::abs(o - reached) < std::abs(best - reached)))
+        best = o;
+    return best;
   }
 
   // In the place of a lane that no car comes to, the nearest one where the turn is wide enough.
@@ -402,8 +418,8 @@ class Plausibility {
   }
 
   bool may(const Way& way, int i, int o) const {
-    const LaneKind in = from(way).in[i].kind, out = way.to->out[o].kind;
-    return !way.movement->forbidden(in, out) &&
+    const LaneKind in = leads_as(from(way).in[i].kind), out = leads_as(way.to->out[o].kind);
+    return !forbidden(way, i, o) &&
            (in == out || in == LaneKind::general || out == LaneKind::general);
   }
 

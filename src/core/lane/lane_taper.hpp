@@ -24,7 +24,7 @@ struct LanesAtNode {
 };
 
 // Finds those lanes of `here`, beyond which the street goes on as `there`. Lanes are counted by
-// direction and by kind, general and bus lanes together. Of lanes too many those change that are
+// direction and by kind, lanes of motor traffic together. Of lanes too many those change that are
 // marked for a turn or a merge alone, on their side; beyond these the outer ones.
 ChangingLanes changing_lanes(const LanesAtNode& here, const LanesAtNode& there, DrivingSide side);
 

@@ -40,7 +40,7 @@ void forbid_against_rings(const Streets& streets, const std::vector<Lane>& lanes
   const auto against = [&](int lane, bool along_axis) {
     const auto found = along.find(lanes[lane].edge);
     return found != along.end() && found->second != along_axis &&
-           lanes[lane].kind == LaneKind::general;
+           leads_as(lanes[lane].kind) == LaneKind::general;
   };
   for (Interconnection& path : interconnections) {
     if (!against(path.lane_in, path.along_in) && !against(path.lane_out, path.along_out)) continue;

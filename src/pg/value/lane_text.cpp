@@ -63,6 +63,7 @@ std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& wh
     read.push_back(word_of<LaneKind>(kind, what,
                                      {{"general", LaneKind::general},
                                       {"bus", LaneKind::bus},
+                                      {"carpool", LaneKind::carpool},
                                       {"cycle", LaneKind::cycle},
                                       {"parking", LaneKind::parking}}));
   return read;
@@ -145,6 +146,8 @@ const char* lane_kind_name(LaneKind kind) {
       return "general";
     case LaneKind::bus:
       return "bus";
+    case LaneKind::carpool:
+      return "carpool";
     case LaneKind::cycle:
       return "cycle";
     case LaneKind::parking:

@@ -16,13 +16,13 @@ struct KindWidths {
 };
 
 // `count` general lanes, or those of `kinds`.  `widths` and `turns` that name another number of
-// lanes are not read; they may speak of the general and bus lanes only.  `what` ends each message
+// lanes are not read; they may speak of the lanes of motor traffic only.  `what` ends each message
 // of Error{invalid_input}.
 std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
                                  const std::string& turns, KindWidths defaults,
                                  const std::string& what);
 
-// Whether a list of widths or turns has a word for each lane, or for each general and bus lane.
+// Whether a list of widths or turns has a word for each lane, or for each lane of motor traffic.
 bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes);
 
 // "bus|cycle"; none of an empty text.  `what` as word_of has it.

@@ -115,7 +115,8 @@ void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection
   std::map<std::pair<int, bool>, bool> spreads, reached;
   for (const Interconnection& pair : pairs) {
     const LaneKind in = lanes[pair.lane_in].kind, out = lanes[pair.lane_out].kind;
-    const bool fits = in == out || in == LaneKind::general || out == LaneKind::general;
+    const bool fits = leads_as(in) == leads_as(out) || leads_as(in) == LaneKind::general ||
+                      leads_as(out) == LaneKind::general;
     if (pair.reason == Reason::restriction || !fits) continue;
     spreads[{pair.lane_in, pair.along_in}] |= pair.plausible;
     const bool turns_back = lanes[pair.lane_in].edge == lanes[pair.lane_out].edge;

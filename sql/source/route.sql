@@ -1,0 +1,65 @@
+-- Routes of buses, trams, bicycles and trucks of OpenStreetMap, to the axes that they lead along.
+
+CREATE OR REPLACE FUNCTION streetgen._routed_axes(model name, lines text)
+    RETURNS TABLE(route text, ordinality integer, axis_id bigint, direction text, kind text, ref text, name text)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    ways constant text COLLATE "default" := lines;
+    near constant float8 := 3 * streetgen._tolerance(model);
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH member AS (
+        SELECT r.*, a.axis_id, ST_Force2D(ST_StartPoint(a.geom)) AS starts, ST_Force2D(ST_EndPoint(a.geom)) AS ends
+        FROM pg_temp._import_route r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, r.way_id)),
+    neighbour AS (
+        SELECT *, lead(starts) OVER w AS next_start, lead(ends) OVER w AS next_end, lag(starts) OVER w AS last_start,
+            lag(ends) OVER w AS last_end
+        FROM member WINDOW w AS (PARTITION BY route ORDER BY ordinality)),
+    met AS (
+        SELECT *, ST_DWithin(ends, next_start, near) OR ST_DWithin(ends, next_end, near) AS leads_on,
+            ST_DWithin(starts, next_start, near) OR ST_DWithin(starts, next_end, near) AS leads_back,
+            ST_DWithin(starts, last_start, near) OR ST_DWithin(starts, last_end, near) AS comes_on,
+            ST_DWithin(ends, last_start, near) OR ST_DWithin(ends, last_end, near) AS comes_back
+        FROM neighbour WHERE axis_id IS NOT NULL)
+    SELECT route, ordinality, axis_id, CASE WHEN role = 'forward' THEN 'direct' WHEN role = 'backward' THEN 'reverse'
+            -- Whoever cycles rides either way but where the role says one.
+            WHEN kind = 'bicycle' THEN 'both'
+            -- A ring begins where it ends: its neighbours do not tell.
+            WHEN leads_on AND leads_back IS NOT TRUE OR comes_on AND comes_back IS NOT TRUE
+                THEN CASE WHEN leads_back AND leads_on IS NOT TRUE OR comes_back AND comes_on IS NOT TRUE THEN NULL
+                    ELSE 'direct' END
+            WHEN leads_back AND leads_on IS NOT TRUE OR comes_back AND comes_on IS NOT TRUE THEN 'reverse' END,
+        kind, ref, name
+    FROM met;
+END $$;
+COMMENT ON FUNCTION streetgen._routed_axes(name, text) IS
+    'The axes of the routes of an import, whose lines are those of a source: their order and the way that each is '
+    'driven, by its role or else by the members before and after it.';
+
+CREATE OR REPLACE FUNCTION streetgen._import_routes(model name, line regclass, route regclass)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := route::text;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF route IS NULL THEN
+        RETURN QUERY SELECT 'no table of routes, those of the model stay', NULL::text, 0::bigint, NULL::text[];
+        RETURN;
+    END IF;
+    PERFORM streetgen._take_points('_import_route', format('SELECT relation_id::text AS route, ordinality, '
+        'way_id::text AS way_id, role, kind, ref, name, relation_id::text AS source_ref FROM %s', route));
+    DELETE FROM axis_route WHERE source = origin;
+    INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, source)
+        SELECT r.*, origin FROM streetgen._routed_axes(model, line::text) r ORDER BY route, ordinality;
+    RETURN QUERY SELECT 'routes', r.kind, count(DISTINCT r.route), NULL::text[] FROM axis_route r
+        WHERE r.source = origin GROUP BY r.kind ORDER BY r.kind;
+    DROP TABLE pg_temp._import_route;
+END $$;
+COMMENT ON FUNCTION streetgen._import_routes(name, regclass, regclass) IS
+    'Takes the routes of an OSM table whose ways are axes in place of those that it had; a NULL table leaves all as it '
+    'was.';
