@@ -59,15 +59,9 @@ BEGIN
             HINT = 'For example {"class": {"value": "water"}, "geom": "geom", "width": 8}: class is a column or a '
                 'value, width the breadth of zones that are lines.';
     END IF;
-    geom_of := coalesce(mapping ->> 'geom', 'geom');
-    SELECT name INTO wrong FROM unnest(ARRAY[geom_of, CASE WHEN jsonb_typeof(mapping -> 'class') = 'string'
-        THEN mapping ->> 'class' END]) name WHERE name IS NOT NULL AND NOT EXISTS (SELECT FROM pg_attribute
-            WHERE attrelid = source AND attname = name AND attnum > 0 AND NOT attisdropped);
-    IF FOUND THEN
-        RAISE EXCEPTION 'table % has no column "%"', source, wrong.name USING ERRCODE = '42703',
-            HINT = 'The mapping names columns of the table.';
-    END IF;
-    class_of := CASE WHEN jsonb_typeof(mapping -> 'class') = 'string' THEN format('%I::text', mapping ->> 'class')
+    geom_of := streetgen._source_column(source, coalesce(mapping ->> 'geom', 'geom'));
+    class_of := CASE WHEN jsonb_typeof(mapping -> 'class') = 'string'
+        THEN format('%I::text', streetgen._source_column(source, mapping ->> 'class'))
         ELSE quote_literal(mapping -> 'class' ->> 'value') END;
     width_of := coalesce((mapping ->> 'width')::float8, 5)::text;
     EXECUTE format('CREATE TEMPORARY TABLE _zone ON COMMIT DROP AS SELECT %s AS class,

@@ -55,44 +55,6 @@ BEGIN
             ELSE 'SRID ' || bad.srid || ', which is not known' END
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
-    SELECT i.label, v.name AS name, v.value AS value INTO bad FROM pg_temp._import i,
-        LATERAL (VALUES ('width', i.width, 0, 200), ('width_end', i.width_end, 0, 200), ('speed', i.speed, 0, 400),
-            ('roadway_offset', i.roadway_offset, -100, 100), ('radius', i.radius, 0, 200),
-            ('lane_count', i.lane_count, 0, 30), ('lanes_forward', i.lanes_forward, 0, 30),
-                ('lanes_backward', i.lanes_backward, 0, 30), ('lanes_both', i.lanes_both, 0, 30),
-                ('importance', i.importance, 0, 99), ('sidewalk_left', i.sidewalk_left, 0, 50),
-                ('sidewalk_right', i.sidewalk_right, 0, 50), ('flow', i.flow, 0, 1000000)) v(name, value, low, high)
-        WHERE NOT (v.value BETWEEN low AND high) LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION '% of source row % is %, out of range', bad.name, bad.label, bad.value USING ERRCODE = '22023',
-            HINT = 'Widths and radii go up to 200 m, roadway_offset up to 100 m to either side, sidewalks up to 50 m, '
-                'speeds up to 400 km/h, lane_count up to 30, '
-            'importance up to 99; NULL is unknown.';
-    END IF;
-    SELECT i.label, v.name AS name, v.list AS list INTO bad FROM pg_temp._import i,
-        LATERAL (VALUES ('kind_forward', i.kind_forward, 'kind'), ('kind_backward', i.kind_backward, 'kind'),
-            ('lane_width_forward', i.lane_width_forward, 'width'), ('lane_width_backward', i.lane_width_backward,
-            'width'),
-            ('turn_forward', i.turn_forward, 'turn'), ('turn_backward', i.turn_backward, 'turn'),
-            ('change_forward', i.change_forward, 'change'), ('change_backward', i.change_backward, 'change'))
-            v(name, list, kind)
-        WHERE NOT streetgen.is_lane_list(v.list, v.kind) LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION '% of source row % is "%"', bad.name, bad.label, bad.list USING ERRCODE = '22023',
-            HINT = 'Expected a list such as general|bus, 3.5|3 or left;through|right, one entry a lane; NULL is '
-            'unknown.';
-    END IF;
-    SELECT i.label, i.direction INTO bad FROM pg_temp._import i WHERE i.direction NOT IN ('both', 'direct', 'reverse')
-        LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION 'direction of source row % is "%"', bad.label, bad.direction USING ERRCODE = '22023',
-            HINT = 'Expected both, direct or reverse; NULL is both.';
-    END IF;
-    SELECT i.label, i.level INTO bad FROM pg_temp._import i WHERE i.level NOT BETWEEN -50 AND 50 LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION 'level of source row % is %, out of range', bad.label, bad.level USING ERRCODE = '22023',
-            HINT = 'Levels go from -50 to 50; NULL is 0.';
-    END IF;
 
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
         THEN 'not taken: unknown class' ELSE 'not taken: class' END,
@@ -101,16 +63,16 @@ BEGIN
     DELETE FROM pg_temp._import i USING pg_temp._import j LEFT JOIN pg_temp._import_class c ON c.class = j.class
         WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
 
-    RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.source_ref
-        ORDER BY i.source_ref) FROM pg_temp._import i,
+    RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.label
+        ORDER BY i.label) FROM pg_temp._import i,
         LATERAL (VALUES ('width', i.width), ('width_end', i.width_end), ('speed', i.speed),
             ('lane_count', i.lane_count), ('importance', i.importance)) v(name, value)
         WHERE v.value = 0 GROUP BY v.name ORDER BY v.name;
     UPDATE pg_temp._import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0),
         lane_count = nullif(lane_count, 0), importance = nullif(importance, 0)
         WHERE 0 IN (width, width_end, speed, lane_count, importance);
-    RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.source_ref
-        ORDER BY i.source_ref)
+    RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.label
+        ORDER BY i.label)
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;
 
     -- One row a part, in the model's reference, of the model's dimension.
@@ -276,7 +238,9 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
 END $$;
 COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS
-    'Imports a line table. mapping: model column -> source column (string) or {"value": constant}; SQL is never '
-    'evaluated. With a source_ref, importing again follows the source: new, changed, vanished. Reports counts by '
-    'class, what was not believed, and rows without geometry (NULL or empty), which are left out. A missing column: '
-    '42703; bad rows: 22023; then the model stays as it was.';
+    'Imports a line table. mapping: model column -> source column (string, whatever its case), {"value": constant}, '
+    'or {"column": name, "unit": of texts without one, "values": {text: value}}; SQL is never evaluated. With a '
+    'source_ref, importing again follows the source: new, changed, vanished. Reports counts by class, what was not '
+    'believed, values that mean nothing or are out of range, which are unknown then, and rows without geometry (NULL '
+    'or empty), which are left out. A missing column: 42703; bad lines or a bad mapping: '
+    '22023; then the model stays as it was.';

@@ -27,7 +27,8 @@ DECLARE
     concerned text[];
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._copy_classes(model);
-    FOR told IN SELECT * FROM streetgen._take_rows(model) t WHERE t.what LIKE '%, left out' LOOP
+    FOR told IN SELECT * FROM streetgen._take_rows(model) t
+        WHERE t.what LIKE '%, left out' OR t.what LIKE '% not understood, taken as unknown' LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
     SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NULL LIMIT 1;
@@ -59,14 +60,14 @@ CREATE OR REPLACE FUNCTION streetgen._make_follower(model name, source regclass,
 DECLARE
     follower constant name := streetgen._follower(source::text);
     mapped constant text := streetgen._mapped(source, mapping);
+    entries constant jsonb := streetgen._mapping_entries(source, mapping);
     -- What rows are made of, as text: not every type can be compared.
     was text;
     is_now text;
     event text;
 BEGIN
     SELECT string_agg(format('o.%I::text', name), ', '), string_agg(format('n.%I::text', name), ', ') INTO was, is_now
-        FROM (SELECT value #>> '{}' AS name FROM jsonb_each(mapping) WHERE jsonb_typeof(value) = 'string'
-            UNION SELECT coalesce(mapping ->> 'geom', 'geom')) c;
+        FROM (SELECT DISTINCT value ->> 'column' AS name FROM jsonb_each(entries) WHERE value ? 'column') c;
     EXECUTE format('DROP FUNCTION IF EXISTS %I.%I() CASCADE', model, follower);
     EXECUTE format('CREATE FUNCTION %I.%I() RETURNS trigger LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET '
         'search_path FROM CURRENT AS %L', model, follower, streetgen._fill_template(streetgen._part('follower'),
@@ -74,8 +75,8 @@ BEGIN
             'rows', mapped,
             'no_rows', quote_literal(format('CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT %s '
                 'FROM %%s n WHERE false', replace(mapped, '%', '%%'))),
-            'refs', format('streetgen._refs_of(o.%I::text, o.%I)', mapping ->> 'source_ref',
-                coalesce(mapping ->> 'geom', 'geom')), 'was', was, 'is_now', is_now)));
+            'refs', format('streetgen._refs_of(o.%I::text, o.%I)', entries #>> '{source_ref,column}',
+                entries #>> '{geom,column}'), 'was', was, 'is_now', is_now)));
     PERFORM streetgen._own_function(model, format('%I()', follower),
         'After an edit of ' || source || ': the axes follow');
     FOREACH event IN ARRAY ARRAY['insert', 'update', 'delete', 'truncate'] LOOP
@@ -97,6 +98,7 @@ DECLARE
     -- Its name without the model.
     origin constant text COLLATE "default" := source;
     relation record;
+    ref_column name;
     nameless boolean;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -112,13 +114,14 @@ BEGIN
             HINT = 'Follow a table outside of the schemas of models.';
     END IF;
     PERFORM streetgen._mapped(source, mapping);
-    IF jsonb_typeof(mapping -> 'source_ref') IS DISTINCT FROM 'string' THEN
+    ref_column := streetgen._mapping_entries(source, mapping) #>> '{source_ref,column}';
+    IF ref_column IS NULL THEN
         RAISE EXCEPTION 'the mapping names no column for source_ref' USING ERRCODE = '22023',
             HINT = 'Map it to the column that tells the rows apart, for example {"source_ref": "id"}.';
     END IF;
     -- Before the import: from here on nobody else writes the source.
     PERFORM streetgen._make_follower(model, source, mapping);
-    EXECUTE format('SELECT EXISTS (SELECT FROM %s WHERE %I IS NULL)', source, mapping ->> 'source_ref') INTO nameless;
+    EXECUTE format('SELECT EXISTS (SELECT FROM %s WHERE %I IS NULL)', source, ref_column) INTO nameless;
     IF nameless THEN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
             HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';

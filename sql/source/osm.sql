@@ -152,14 +152,13 @@ SELECT wording, metres AS width,
            'change') AS change_backward,
        streetgen._osm_sidewalk(walk_left, sidewalk, said_walk_left, 'left') AS sidewalk_left,
        streetgen._osm_sidewalk(walk_right, sidewalk, said_walk_right, 'right') AS sidewalk_right,
-       array_remove(ARRAY[CASE WHEN width IS NOT NULL AND metres IS NULL THEN 'width' END,
+       array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END,
                           CASE WHEN lanes IS NOT NULL AND lanes_total IS NULL
                               OR coalesce(lanes_forward, lanes_backward) IS NOT NULL
                               AND coalesce(lanes_total, lanes_sum) IS NULL
                                OR coalesce(lanes_both_ways, lanes_reversible) IS NOT NULL AND centre IS NULL
                                    THEN 'lane_count' END,
-                          CASE WHEN maxspeed NOT IN ('none', 'signals', 'variable') AND kmh IS NULL
-                              THEN 'speed' END,
+                          CASE WHEN speed_unread THEN 'speed' END,
                           CASE WHEN oneway NOT IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0',
                               'reversible', 'alternating') THEN 'direction' END,
                           CASE WHEN layer !~ '^[-+]?\d{1,2}$' THEN 'level' END,
@@ -178,8 +177,7 @@ SELECT wording, metres AS width,
                               AND coalesce(offset_forward, offset_backward) IS NULL THEN 'placement' END],
                               NULL) AS unread
 FROM (SELECT DISTINCT ON (wording) * FROM pg_temp._import_line ORDER BY wording) tagged,
-     streetgen._within(streetgen._metres(width), 0, 200) metres,
-     streetgen._within(streetgen._kmh(maxspeed), 0, 400) kmh,
+     streetgen._osm_width(tags) across(metres, width_unread), streetgen._osm_speed(tags) pace(kmh, speed_unread),
      LATERAL (SELECT CASE WHEN oneway IN ('yes', 'true', '1') THEN 'direct' WHEN oneway IN ('-1', 'reverse')
          THEN 'reverse' WHEN oneway IN ('no', 'false', '0') THEN 'both'
                           WHEN junction IN ('roundabout', 'circular') OR class IN ('motorway', 'motorway_link')

@@ -21,14 +21,8 @@ BEGIN
     FOREACH target IN ARRAY targets LOOP
         entry := coalesce(mapping -> target, CASE WHEN target = ANY (assumed) THEN to_jsonb(target) END);
         IF jsonb_typeof(entry) = 'string' THEN
-            IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = entry #>> '{}'
-                AND attnum > 0 AND NOT attisdropped) THEN
-                RAISE EXCEPTION 'table % has no column "%"', source, entry #>> '{}' USING ERRCODE = '42703',
-                    HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source
-                        AND attnum > 0 AND NOT attisdropped) || '.';
-            END IF;
-            expressions := expressions || format('%I%s AS %I', entry #>> '{}', CASE target WHEN 'geom' THEN ''
-                ELSE '::text' END, target);
+            expressions := expressions || format('%I%s AS %I', streetgen._source_column(source, entry #>> '{}'),
+                CASE target WHEN 'geom' THEN '' ELSE '::text' END, target);
         ELSIF jsonb_typeof(entry) = 'object' AND entry ? 'value' AND target <> 'geom' THEN
             expressions := expressions || format('%L::text AS %I', entry ->> 'value', target);
         ELSIF entry IS NULL OR jsonb_typeof(entry) = 'null' THEN

@@ -16,11 +16,8 @@ BEGIN
         ELSIF word = 'odd_side' AND named NOT IN ('left', 'right') THEN
             RAISE EXCEPTION 'odd_side is "%", expected left or right', named USING ERRCODE = '22023',
                 HINT = 'It is the side of the odd house numbers, seen along the axes.';
-        ELSIF word <> 'odd_side' AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = source AND attname = named
-            AND attnum > 0 AND NOT attisdropped) THEN
-            RAISE EXCEPTION 'table % has no column "%"', source, named USING ERRCODE = '42703',
-                HINT = 'It has ' || (SELECT string_agg(attname, ', ') FROM pg_attribute WHERE attrelid = source
-                    AND attnum > 0 AND NOT attisdropped) || '.';
+        ELSIF word <> 'odd_side' THEN
+            PERFORM streetgen._source_column(source, named);
         END IF;
     END LOOP;
     IF mapping ?| '{odd,even}' THEN
@@ -36,7 +33,8 @@ BEGIN
             HINT = 'For example {"source_ref": "id_arc", "odd": "width_odd", "even": "width_even"}.';
     END IF;
     RETURN (SELECT string_agg(format('SELECT %I::text AS source_ref, %L AS side, %I::text AS said FROM %s',
-        mapping ->> 'source_ref', side, name, source), ' UNION ALL ')
+        streetgen._source_column(source, mapping ->> 'source_ref'), side, streetgen._source_column(source, name),
+        source), ' UNION ALL ')
         FROM jsonb_each_text(sides) s(side, name) WHERE name IS NOT NULL);
 END $$;
 COMMENT ON FUNCTION streetgen._sidewalk_width_query(regclass, jsonb) IS
@@ -48,8 +46,8 @@ CREATE OR REPLACE FUNCTION streetgen._take_sidewalk_widths(source regclass, mapp
 DECLARE
     twin text;
 BEGIN
-    EXECUTE 'CREATE TEMPORARY TABLE _sidewalk_width ON COMMIT DROP AS SELECT s.*, NULL::text AS fate, CASE
-        WHEN said ~* ''^\s*[-+]?(\d{1,15}(\.\d*)?|\.\d+)(e[-+]?\d{1,2})?\s*$'' THEN said::float8 END AS width FROM ('
+    EXECUTE 'CREATE TEMPORARY TABLE _sidewalk_width ON COMMIT DROP AS SELECT s.*, NULL::text AS fate, '
+        'streetgen._metres(said) AS width FROM ('
         || streetgen._sidewalk_width_query(source, mapping) || ') s WHERE said IS NOT NULL';
     SELECT source_ref INTO twin FROM pg_temp._sidewalk_width GROUP BY source_ref, side
         HAVING count(*) > 1 ORDER BY 1 LIMIT 1;

@@ -24,3 +24,17 @@ CREATE TEMPORARY TABLE told AS SELECT * FROM streetgen.import_osm('town');
 SELECT 'import_osm reads widths and speeds so', array_agg(ROW(width, round(speed::numeric, 2), lane_width_forward)::text ORDER BY source_ref) = '{"(7.5,60.00,3.5|3.658)","(5.5,37.04,)"}' FROM town.axis WHERE source_ref < '3';
 SELECT 'and names the ways of others, which have none', (SELECT bool_and(width IS NULL AND speed IS NULL) FROM town.axis WHERE source_ref > '2')
    AND (SELECT array_agg(what || ' ' || source_refs::text ORDER BY what) = '{"speed not understood, taken as unknown {3,4,5}","width not understood, taken as unknown {3,4,5}"}' FROM told WHERE what LIKE '%not understood%');
+
+-- Which tag of a way says its width and its speed.
+CREATE TABLE tagged_line (way_id bigint, class text, name text, ref text, tags jsonb, geom geometry);
+INSERT INTO tagged_line SELECT way_id, 'residential', NULL, NULL, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * way_id), ST_MakePoint(100, 100 * way_id)), 32631) FROM (VALUES
+  (1, '{"width": "14", "width:carriageway": "7", "est_width": "9"}'), (2, '{"est_width": "~4"}'), (3, '{"width": "wide", "est_width": "4 m"}'), (4, '{"maxwidth": "2", "width:effective": "3", "lane_width": "3"}'),
+  (11, '{"maxspeed:forward": "70", "maxspeed:backward": "30"}'), (12, '{"maxspeed:lanes": "|50|30"}'), (13, '{"source:maxspeed": "DE:urban"}'), (14, '{"maxspeed:type": "GB:motorway"}'), (15, '{"zone:maxspeed": "DE:30"}'),
+  (16, '{"maxspeed": "fast", "zone:maxspeed": "FR:30"}'), (17, '{"maxspeed": "20", "source:maxspeed": "XX:nowhere"}'), (18, '{"maxspeed": "none", "source:maxspeed": "sign"}'), (19, '{"source:maxspeed": "XX:urban"}'),
+  (20, '{"maxspeed:advisory": "30"}'), (21, '{"maxspeed": "signals", "maxspeed:type": "DE:rural"}'), (22, '{"maxspeed:lanes": "none|none"}')) v(way_id, tags);
+SELECT streetgen.create_model('village', 32631) \g /dev/null
+CREATE TEMPORARY TABLE told_of_tags AS SELECT * FROM streetgen.import_osm('village', 'tagged');
+SELECT 'width:carriageway goes before width, est_width comes last', jsonb_object_agg(source_ref, width) = '{"1": 7, "2": 4, "3": 4, "4": null}' FROM village.axis WHERE source_ref::integer < 10;
+SELECT 'speeds of directions, lanes, zones and reasons are taken where maxspeed says none', jsonb_object_agg(source_ref, round(speed::numeric)) = '{"11": 70, "12": 50, "13": 50, "14": 113, "15": 30, "16": 30, "17": 20, "18": null, "19": null, "20": null, "21": 100, "22": null}'
+  FROM village.axis WHERE source_ref::integer > 10;
+SELECT 'tags that mean nothing are named, those behind a better one are not asked', array_agg(what || ' ' || source_refs::text ORDER BY what) = '{"speed not understood, taken as unknown {16,19}","width not understood, taken as unknown {3}"}' FROM told_of_tags WHERE what LIKE '%not understood%';

@@ -166,7 +166,8 @@ CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel fl
     AS $$
 BEGIN
     WITH symbol AS MATERIALIZED (SELECT r.*, streetgen._pattern_as_svg(r.marker, r.fill,
-            streetgen._drawn_metres(r.width, r.unit, pixel), pixel) AS pattern FROM streetgen._symbols(model, theme, scale) r),
+            streetgen._drawn_metres(r.width, r.unit, pixel), pixel) AS pattern
+            FROM streetgen._symbols(model, theme, scale) r),
     shape AS MATERIALIZED (
         SELECT h.layer, coalesce(k.drawn_as, '') AS kind, h.level, h.id,
             streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path

@@ -7,7 +7,6 @@ SELECT '<osm version="0.6">'
 UNION ALL (SELECT DISTINCT format('<node id="%s" lat="%s" lon="%s" version="1"/>', id, y, x) FROM known)
 UNION ALL (SELECT format('<way id="%s" version="1">%s%s</way>', way_id, nodes, (
     SELECT string_agg(format('<tag k="%s" v="%s"/>', k, replace(replace(replace(v, '&', '&amp;'), '"', '&quot;'), '<', '&lt;')), '')
-    FROM (VALUES ('highway', class), ('lanes', lanes), ('lanes:forward', lanes_forward), ('lanes:backward', lanes_backward), ('oneway', oneway), ('junction', junction),
-                 ('layer', layer), ('bridge', bridge), ('tunnel', tunnel), ('maxspeed', maxspeed), ('width', width)) tag(k, v) WHERE v IS NOT NULL))
+    FROM (SELECT 'highway' AS k, class AS v UNION ALL SELECT * FROM jsonb_each_text(tags) WHERE key = ANY ('{lanes,lanes:forward,lanes:backward,oneway,junction,layer,bridge,tunnel,maxspeed,width}')) tag))
     FROM taken JOIN reference USING (way_id))
 UNION ALL SELECT '</osm>';
