@@ -8,9 +8,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_places(model name, run text) RETURN
     SELECT places || coalesce((SELECT jsonb_object_agg(hole.key, hole.value)
         FROM unnest(streetgen._parts_of_rooms('_%s_places', places)) r, jsonb_each(r::jsonb) hole), '{}')
     FROM (SELECT jsonb_build_object('run', run, 'model', quote_ident(model),
-        -- Chains of a first run by clusters are left for its end.
+        -- A first run by clusters leaves chains to its end.
         'subjects', (SELECT array_agg(s ORDER BY n) FROM unnest(streetgen._subjects(model)) WITH ORDINALITY u(s, n)
-            WHERE run <> 'cluster' OR s <> ALL (streetgen._subjects_at_end())),
+            WHERE run <> 'cluster' OR s <> ALL (streetgen._subjects_of_reach('chain'))),
         'quoted_model', replace(quote_ident(model), '''', ''''''), 'model_name', replace(model, '''', ''''''),
         'srid', m.srid,
         'whole', run IN ('whole', 'empty'), 'empty', run = 'empty',
@@ -33,12 +33,12 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_statement(places jsonb) RETURNS tex
     AS $$
 DECLARE
     parts text[] := ARRAY[streetgen._upsert_input(places)];
-    later constant text[] := streetgen._later_subjects();
+    groups constant text[] := streetgen._subjects_of_reach('group');
     subject text;
     part text;
 BEGIN
     FOR subject IN SELECT jsonb_array_elements_text(places -> 'subjects') LOOP
-        CONTINUE WHEN subject = ANY (later);
+        CONTINUE WHEN subject = ANY (groups);
         EXECUTE format('SELECT streetgen.%I($1)', '_upsert_' || subject) INTO part USING places;
         parts := parts || part;
     END LOOP;
@@ -53,7 +53,7 @@ COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS
     'whose rows may be written, $2 those that they are computed with, $3 those that changed; of a whole model all '
         'three '
     'are NULL; and whether a change may go on beyond what is written, $4. Gives a row per table: relation, inserted, '
-    'updated, deleted, unchanged, fallbacks, and once what a run for some axes leaves to a later subject (moved).';
+    'updated, deleted, unchanged, fallbacks, and once what a run for some axes leaves to a group (moved).';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[],
     run text, may_spread boolean DEFAULT true)
@@ -133,7 +133,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     LOOP
-        noted := noted || (SELECT _note_later(written));
+        noted := noted || (SELECT _note_groups(written));
         IF cardinality(changed) > most_planned THEN
             FOR relation, inserted, updated, deleted, unchanged, fallbacks, moved IN SELECT *
                 FROM streetgen._upsert_set(model, written, gathered, changed, 'part', may_spread) LOOP
@@ -155,7 +155,7 @@ BEGIN
         EXIT WHEN streetgen._holds_all(changed, locked.changed);
         SELECT locked.written, locked.gathered, locked.changed INTO written, gathered, changed;
     END LOOP;
-    RETURN QUERY SELECT * FROM _update_later(written, all_moved, noted);
+    RETURN QUERY SELECT * FROM _update_groups(written, all_moved, noted);
 END $$;
 COMMENT ON FUNCTION streetgen._upsert_part(name, bigint[], bigint[], bigint[], boolean) IS
     'Computes and upserts what changed axes can change, by the plan of the model for few axes or by one for many; '
