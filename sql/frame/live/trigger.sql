@@ -68,7 +68,7 @@ BEGIN
         BEGIN
             locked := streetgen._lock_places(model, changed, wait => true);
             PERFORM FROM streetgen._upsert_part(model, locked.written, locked.gathered, locked.changed,
-                may_spread => false);
+                edit => true);
             EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
             GET STACKED DIAGNOSTICS spreads_to = PG_EXCEPTION_HINT;
