@@ -210,7 +210,8 @@ CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken FROM axis_class;
+    CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken, width, speed, lanes_by_width
+        FROM axis_class;
 END $$;
 COMMENT ON FUNCTION streetgen._copy_classes(name) IS
     'Copies the classes of a model to where the rows of the import are taken.';

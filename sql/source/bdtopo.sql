@@ -1,5 +1,21 @@
 -- BD TOPO of IGN to axes.
 
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_way(said text, usual text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN coalesce(said, '') ~* '^\s*(non|sans objet|nc|aucun.*)?\s*$' THEN NULL
+        WHEN said ~* 'deux|double|bidirectionnel' THEN 'both' WHEN said ~* 'inverse' THEN 'reverse'
+        WHEN said ~* 'direct' THEN 'direct' ELSE usual END;
+COMMENT ON FUNCTION streetgen._bdtopo_way(text, text) IS
+    'The direction of a lane that BD TOPO names: direct, reverse or both, the usual one where it names none, NULL '
+    'where there is no lane.';
+
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_kerb(design text, said text, usual text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN design ~* 'bande' THEN coalesce(streetgen._bdtopo_way(said, usual), usual) END;
+COMMENT ON FUNCTION streetgen._bdtopo_kerb(text, text, text) IS
+    'The direction of the cycle lane at a kerb, by what was designed there and the direction that is said; NULL where '
+    'no lane is: tracks are none.';
+
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
         name text, ref text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
@@ -14,9 +30,11 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
         ELSE 0 END,
     s.class, CASE s.class WHEN 'Rond-point' THEN s.class END,
-    CASE WHEN bus_forward OR cycle_forward THEN
+    CASE WHEN of_buses AND forward = 1 THEN concat('bus', CASE WHEN cycle_forward THEN '|cycle' END)
+        WHEN bus_forward OR cycle_forward THEN
         streetgen.lane_kinds(forward, NULL, bus_forward, driving_side, cycle_forward, false, false, false) END,
-    CASE WHEN bus_backward OR cycle_backward THEN
+    CASE WHEN of_buses AND backward = 1 THEN concat('bus', CASE WHEN cycle_backward THEN '|cycle' END)
+        WHEN bus_backward OR cycle_backward THEN
         streetgen.lane_kinds(backward, NULL, bus_backward, driving_side, cycle_backward, false, false, false) END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END,
@@ -32,10 +50,15 @@ FROM pg_temp._import_line s,
      LATERAL (SELECT CASE WHEN s.sens ILIKE '%inverse%' THEN 'reverse' WHEN s.sens ILIKE '%direct%'
          AND s.sens NOT ILIKE '%double%' OR s.sens ILIKE 'sens unique' THEN 'direct' ELSE 'both' END AS direction,
                      coalesce(greatest(said_lanes::integer, 1), 1) AS lanes,
-                     coalesce(s.bus ~* 'direct|deux|double|bidirectionnel', false) AS bus_forward,
-                         coalesce(s.bus ~* 'inverse|deux|double|bidirectionnel', false) AS bus_backward,
-                     coalesce(s.cycle ~* 'direct|deux|double|bidirectionnel', false) AS cycle_forward,
-                         coalesce(s.cycle ~* 'inverse|deux|double|bidirectionnel', false) AS cycle_backward) d,
+                     -- What names no direction means that of the traffic: of one lane all of it.
+                     said_lanes = 1 AND streetgen._bdtopo_way(s.bus, 'all') = 'all' AS of_buses) d,
+     LATERAL (SELECT streetgen._bdtopo_way(s.bus, direction) AS bus_way,
+         ARRAY[streetgen._bdtopo_way(s.cycle, direction), streetgen._bdtopo_kerb(s.cycle_right, s.cycle_right_way,
+             CASE direction WHEN 'both' THEN 'direct' ELSE direction END), streetgen._bdtopo_kerb(s.cycle_left,
+             s.cycle_left_way, CASE direction WHEN 'both' THEN 'reverse' ELSE direction END)] AS cycle_ways) way,
+     LATERAL (SELECT coalesce(bus_way IN ('direct', 'both'), false) AS bus_forward,
+         coalesce(bus_way IN ('reverse', 'both'), false) AS bus_backward,
+         cycle_ways && '{direct,both}' AS cycle_forward, cycle_ways && '{reverse,both}' AS cycle_backward) w,
      -- A bus lane against a one-way street takes one of its lanes.
      -- One lane in all, unless buses have one of their own, is of both directions.
      LATERAL (SELECT direction = 'both' AND said_lanes = 1 AND NOT bus_forward
@@ -61,7 +84,11 @@ DECLARE
         '"importance": ["importance"], "level": ["position_par_rapport_au_sol", "pos_sol"], "class": ["nature"], '
         '"name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_coll_g", "nom_1_g", '
         '"nom_rue_g", "nom_voie_g"], "ref": ["cpx_numero", "numero"], "fictif": ["fictif"], '
-        '"bus": ["reserve_aux_bus", "bus"], "cycle": ["bande_cyclable", "cyclable"]}';
+        '"bus": ["reserve_aux_bus", "bus"], "cycle": ["bande_cyclable", "cyclable"], '
+        '"cycle_right": ["amenagement_cyclable_droit", "amgt_cy_d"], '
+        '"cycle_right_way": ["sens_amenagement_cyclable_droit", "sens_cy_d"], '
+        '"cycle_left": ["amenagement_cyclable_gauche", "amgt_cy_g"], '
+        '"cycle_left_way": ["sens_amenagement_cyclable_gauche", "sens_cy_g"]}';
     present text[] := (SELECT array_agg(attname::text ORDER BY attnum) FROM pg_attribute WHERE attrelid = source
         AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source
@@ -88,8 +115,8 @@ BEGIN
         FROM (VALUES ('width', '{width}'::text[]), ('lane_count', '{lane_count}'), ('direction', '{sens}'),
             ('speed', '{speed}'), ('importance', '{importance}'), ('name', '{name}'), ('ref', '{ref}'),
             ('level', '{level}'),
-            ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle}'),
-            ('kind_backward', '{bus,cycle}')) c(name, wants)
+            ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
+            ('kind_backward', '{bus,cycle,cycle_right,cycle_left}')) c(name, wants)
         WHERE jsonb_strip_nulls(found) ?| wants), streetgen._driving_side(model)));
     DROP TABLE pg_temp._import_line;
 END $$;

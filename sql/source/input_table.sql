@@ -73,3 +73,14 @@ COMMENT ON CONSTRAINT axis_route_kind_check ON :"model".axis_route IS
 COMMENT ON COLUMN :"model".axis_route.ref IS 'number of the line, such as 29';
 COMMENT ON COLUMN :"model".axis_route.name IS 'name of the route';
 COMMENT ON COLUMN :"model".axis_route.source IS 'table that it was imported from';
+
+CREATE TABLE :"model".unread_tag (
+    source text NOT NULL, source_ref text NOT NULL, tag text NOT NULL, value text NOT NULL, reason text NOT NULL,
+    PRIMARY KEY (source, source_ref, tag));
+COMMENT ON TABLE :"model".unread_tag IS
+    'Tags of lanes that the last import did not make lanes of, or not as they are written; importers write it';
+COMMENT ON COLUMN :"model".unread_tag.source IS 'key: the source, as in axis';
+COMMENT ON COLUMN :"model".unread_tag.source_ref IS 'key: its identity in the source';
+COMMENT ON COLUMN :"model".unread_tag.tag IS 'key: the tag, such as turn:lanes';
+COMMENT ON COLUMN :"model".unread_tag.value IS 'what it says';
+COMMENT ON COLUMN :"model".unread_tag.reason IS 'why it was not read so';

@@ -68,3 +68,14 @@ SELECT streetgen.create_model('import_shp', 32631) \g /dev/null
 DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_shp', 'import_shape'); END $$;
 SELECT 'version 3, shapefile: name, speed, level, bus and cycle lanes', array_agg((name, speed, level, kind_forward, kind_backward)::text ORDER BY source_ref) = ARRAY['("R DE LA PAIX",30,1,general|general|cycle,bus)', '("R HAUTE",20,0,,)'] FROM import_shp.axis;
 DROP TABLE import_shape;
+-- The columns of 2024.
+CREATE TABLE import_2024 (cleabs text, nature text, largeur_de_chaussee float8, nombre_de_voies integer, sens_de_circulation text, position_par_rapport_au_sol text, fictif boolean, reserve_aux_bus text,
+  amenagement_cyclable_droit text, sens_amenagement_cyclable_droit text, amenagement_cyclable_gauche text, sens_amenagement_cyclable_gauche text, geometrie geometry(LineString, 32631));
+INSERT INTO import_2024 SELECT r[1], 'Route à 1 chaussée', NULL, r[2]::integer, r[3], '0', false, r[4], r[5], r[6], r[7], r[8], ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * n), ST_MakePoint(100, 50 * n)), 32631)
+FROM (VALUES (1, ARRAY['A', '1', 'Sens direct', 'Voie bus', NULL, NULL, NULL, NULL]), (2, ARRAY['B', '2', 'Double sens', NULL, 'Bande cyclable', 'Sens direct', 'Bande cyclable', 'Sens inverse']),
+  (3, ARRAY['C', '2', 'Sens direct', 'Voie bus', 'Bande cyclable', NULL, NULL, NULL]), (4, ARRAY['D', '1', 'Sens direct', NULL, NULL, NULL, 'Bande cyclable', 'Sens inverse']),
+  (5, ARRAY['E', '2', 'Double sens', NULL, 'Piste cyclable', 'Sens direct', 'Bande cyclable', NULL]), (6, ARRAY['F', '2', 'Sens inverse', 'Sens direct', NULL, NULL, NULL, NULL])) v(n, r);
+SELECT streetgen.create_model('import_new', 32631) \gset
+SELECT streetgen.import_bdtopo('import_new', 'import_2024') \g /dev/null
+SELECT 'version of 2024: ' || source_ref, concat(kind_forward, ' / ', kind_backward) = wanted FROM import_new.axis JOIN (VALUES ('A', 'bus / '), ('B', 'general|cycle / general|cycle'), ('C', 'general|bus|cycle / '), ('D', ' / cycle'),
+  ('E', ' / general|cycle'), ('F', 'bus / ')) v(source_ref, wanted) USING (source_ref) ORDER BY source_ref;

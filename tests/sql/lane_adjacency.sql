@@ -44,7 +44,6 @@ SELECT 'the line says who may cross it, seen along the axis', array_agg(format('
   = '{"1 same_direction f f","2 centre f f","3 same_direction f f","4 same_direction t t"}' FROM town.lane_separator JOIN town.edge USING (edge_id) WHERE axis_id = 9;
 SELECT 'typed anew', bool_and(change = 'forbidden') FROM said WHERE NOT along_axis AND change <> 'opposite';
 SELECT 'other words are refused', test.state($$UPDATE town.axis SET change_forward = 'maybe' WHERE axis_id = 9$$) = '23514';
-SELECT 'a list of OpenStreetMap is read', streetgen._osm_list('Yes| not_right |no', 'change') = 'yes|not_right|no' AND streetgen._osm_list('yes|perhaps', 'change') IS NULL;
 -- By hand.
 CREATE VIEW typed AS SELECT v.*, a.lane_position AS from_lane, b.lane_position AS to_lane FROM town.lane_adjacency_editing v JOIN town.lane a ON a.lane_id = lane_a JOIN town.lane b ON b.lane_id = lane_b JOIN town.edge e ON e.edge_id = a.edge_id WHERE axis_id = 1;
 UPDATE town.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT lane_adjacency_id FROM typed WHERE (from_lane, to_lane) = (3, 4));

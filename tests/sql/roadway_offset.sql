@@ -98,7 +98,3 @@ SELECT 'import_axes maps it', array_agg(roadway_offset ORDER BY source_ref) = '{
 UPDATE source SET shift = 0.5 WHERE id = 's3';
 SELECT streetgen.import_axes('beside', 'source', '{"geom": "geom", "source_ref": "id", "roadway_offset": "shift"}') \g /dev/null
 SELECT 'and follows it', roadway_offset = 0.5 FROM beside.axis WHERE source_ref = 's3';
--- Lanes of 3.5 m. Of three forward lanes, the line left of the first: the middle lies 5.25 m to its right.
-SELECT 'placement ' || tag, abs(streetgen._osm_roadway_offset(tag, before, along, lanes, 3.5) - wanted) < 1e-9 FROM (VALUES ('left_of:1', 0, 3, 3, -5.25), ('right_of:3', 0, 3, 3, 5.25), ('middle_of:2', 0, 3, 3, 0),
-  ('right_of:1', 2, 2, 4, 3.5), ('middle_of:1', 1, 1, 2, 1.75), ('left_of:1', 1, 1, 2, 0)) v(tag, before, along, lanes, wanted);
-SELECT 'no placement: ' || tag, streetgen._osm_roadway_offset(tag, 0, 2, 2, 3.5) IS NULL FROM unnest('{transition,left_of:3,left_of:0,left_of:,right,"middle_of:1;2"}'::text[]) tag;

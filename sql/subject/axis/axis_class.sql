@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     AS $$ VALUES
     ('motorway', true, 10.5::float8, 110::float8, 1, 'highway', false, false, true),
     ('motorway_link', true, 6, 70, 2, 'highway_link', false, false, true),
-    ('trunk', true, 10.5, 90, 1, 'fast_road', true, true, true),
+    ('trunk', true, 9, 90, 1, 'fast_road', true, true, true),
     ('trunk_link', true, 6, 60, 2, 'highway_link', false, false, true),
     ('primary', true, 9, 50, 2, NULL, true, true, true),
     ('primary_link', true, 5, 50, 3, 'link', true, true, true),

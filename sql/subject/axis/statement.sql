@@ -91,14 +91,14 @@ LEFT JOIN LATERAL (
     SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
            streetgen.believed_width(width_end, lane_count, most_per_lane) AS believed_end HAVING true) b ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
-    AS lanes_stated) stated
+        AS lanes_stated,
+    coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
+        + coalesce(streetgen.kerbside_width(kind_backward, cycle_lane_width, parking_lane_width), 0)
+        AS kerbside) stated
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed,
         least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)
-               + CASE WHEN lanes_stated IS NULL THEN 0
-                   ELSE coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
-                                                            + coalesce(streetgen.kerbside_width(kind_backward,
-                                                                cycle_lane_width, parking_lane_width), 0) END))
+               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE kerbside END))
                                                                 AS width_used HAVING true) w ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds,
@@ -115,9 +115,12 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT CASE WHEN lane_count IS NOT NULL THEN greatest(lane_count - both_used, 0) WHEN narrow AND both_used > 0
         THEN 0
-                ELSE greatest(CASE WHEN NOT lanes_by_width THEN 1
-                    ELSE streetgen.estimated_lane_count(width_used, speed_used, lane_width) END - both_used,
-                              CASE direction_used WHEN 'both' THEN 2 ELSE 1 END) END AS count_used,
+                WHEN NOT lanes_by_width THEN CASE direction_used WHEN 'both' THEN 2 ELSE 1 END
+                -- Both directions have as many.
+                WHEN direction_used = 'both' THEN 2 * least(streetgen.estimated_lane_count(
+                    greatest(width_used - kerbside - both_used * lane_width, 0) / 2, speed_used, lane_width), 15)
+                ELSE streetgen.estimated_lane_count(greatest(width_used - kerbside, 0), speed_used, lane_width)
+                END AS count_used,
            CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
 LEFT JOIN LATERAL (
     SELECT streetgen.lanes_of_way(direction_used <> 'reverse', kind_forward IS NOT NULL, stated_forward,

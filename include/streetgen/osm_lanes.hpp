@@ -1,0 +1,61 @@
+// The lanes that the tags of a way of OpenStreetMap state.
+//
+// Tag `lanes` counts lanes for motor traffic, lists such as turn:lanes count all lanes: a reading
+// fits both.  Where none does, the longest one wins, and the tag is named.  No tag is lost in
+// silence: what states lanes and is not made stands in `unread`, each with its reason.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "streetgen/lane.hpp"
+
+namespace streetgen {
+
+using OsmTags = std::map<std::string, std::string>;  // highway is the class of the way
+
+struct OsmLane {
+  LaneKind kind = LaneKind::general;
+  bool listed = true;             // lists of lanes count it; lanes of kerbs lie beside these
+  std::string turn{}, change{};   // words of OSM's lists; empty: nothing is said
+  std::optional<double> width{};  // metres
+};
+
+// What the reader takes from elsewhere.
+struct OsmLaneUse {
+  DrivingSide driving_side = DrivingSide::right;
+  double lane_width = 3.5, cycle_lane_width = 1.5, parking_lane_width = 2;  // metres, where unknown
+  std::optional<double> roadway_width{};                                    // metres, stated
+  int usual_lanes = 1;  // of a one-way way of which no lanes are stated
+};
+
+struct UnreadTag {
+  std::string key, reason;
+};
+
+enum class WayDirection { both, direct, reverse };
+
+struct OsmLanes {
+  WayDirection direction = WayDirection::both;
+  // Each list from left to right in its driving direction.
+  std::vector<OsmLane> forward{}, backward{};
+  int both_ways = 0;  // in the middle, for both directions
+  // Are general and bus lanes of the direction stated, or only usual?
+  bool forward_known = false, backward_known = false;
+  std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
+  std::optional<double> roadway_offset{};  // metres from the way to the middle of all lanes, left positive
+  std::vector<UnreadTag> unread{};
+};
+
+OsmLanes read_osm_lanes(const OsmTags& tags, const OsmLaneUse& use);
+
+// What becomes of a tag.  Alternatives of the key stand in brackets: turn:lanes[:forward|:backward].
+struct OsmTagUse {
+  const char* keys;
+  const char* becomes;
+};
+const std::vector<OsmTagUse>& osm_tag_uses();
+
+}  // namespace streetgen

@@ -1,0 +1,18 @@
+-- The lanes that tags of a way of OpenStreetMap state.
+
+CREATE OR REPLACE FUNCTION streetgen._osm_lanes(keys text[], words text[], driving_side text, lane_width float8,
+    cycle_lane_width float8, parking_lane_width float8, roadway_width float8, usual_lanes integer)
+    RETURNS TABLE(direction text, lane_count integer, lanes_forward integer, lanes_backward integer,
+        lanes_both integer, kind_forward text, kind_backward text, lane_width_forward text, lane_width_backward text,
+        turn_forward text, turn_backward text, change_forward text, change_backward text, roadway_offset float8,
+        unread_tags text[], unread_reasons text[])
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 1 COST 100 AS 'MODULE_PATHNAME', 'streetgen_osm_lanes';
+COMMENT ON FUNCTION streetgen._osm_lanes(text[], text[], text, float8, float8, float8, float8, integer) IS
+    'The lanes of a way, as columns of axis, by the keys and words of its tags (highway is its class), where one '
+    'drives on a side and lanes have these widths, metres; roadway_width 0 is unknown. usual_lanes: of a one-way '
+    'street that says none. Tags that were not read so come with their reasons.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_tag_use() RETURNS TABLE(tag text, becomes text)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 40 AS 'MODULE_PATHNAME', 'streetgen_osm_tag_use';
+COMMENT ON FUNCTION streetgen._osm_tag_use() IS
+    'What becomes of each tag that the reader of lanes looks at; alternatives of a key stand in brackets.';

@@ -1,0 +1,100 @@
+#include "osm/kerb_lanes.hpp"
+
+#include "streetgen/measure_text.hpp"
+
+namespace streetgen {
+
+namespace {
+
+CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
+  CycleWish wish;
+  wish.key = tags.said_of("cycleway", kerb);
+  std::string word = tags.value(wish.key);
+  const bool near = kerb == RoadSide::near, sided = !word.empty();
+  if (!sided) {
+    wish.key = "cycleway";
+    word = tags.value(wish.key);
+    // Without a side it speaks of the near kerb of each direction.
+    if (tags.one_way() && (word == "opposite_lane") == near) return wish;
+    if (!tags.one_way() && word == "opposite_lane") {
+      tags.name(wish.key, "a street of both directions has no lane against the traffic");
+      return wish;
+    }
+  }
+  if (word != "lane" && word != "opposite_lane") return wish;
+  std::string oneway = tags.value(tags.key_of("cycleway", kerb) + ":oneway");
+  if (oneway.empty()) oneway = tags.value("cycleway:both:oneway");
+  const bool usual_against =
+      tags.one_way() ? !near && sided && tags.value("oneway:bicycle") == "no" : !near;
+  // It speaks of the direction of the way as it is drawn.
+  wish.against = word == "opposite_lane" || (oneway == "-1"    ? !tags.drawn_against()
+                                             : oneway == "yes" ? tags.drawn_against()
+                                                               : usual_against);
+  wish.along = !wish.against;
+  if (oneway == "no") wish.along = wish.against = true;
+  return wish;
+}
+
+std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
+  for (const std::string& key : {tags.key_of("cycleway", kerb), std::string("cycleway:both"),
+                                 std::string("cycleway")})
+    if (const std::string said = tags.value(key + ":width"); !said.empty()) {
+      const std::optional<double> width = read_metres(said);
+      if (!width || *width > 10) tags.name(key + ":width", "it is no width of a lane");
+      return width && *width <= 10 ? width : std::nullopt;
+    }
+  return std::nullopt;
+}
+
+void put_cycle_lane(RoadSide kerb, DrivingSide side, std::optional<double> width,
+                    HeadingLanes& lanes) {
+  const bool last = (kerb == RoadSide::near) == (side == DrivingSide::right);
+  if (kerb == RoadSide::near ? lanes.has(LaneKind::cycle)
+                             : !lanes.lanes.empty() &&
+                                   (last ? lanes.lanes.back() : lanes.lanes.front()).kind ==
+                                       LaneKind::cycle) {
+    for (OsmLane& lane : lanes.lanes)
+      if (lane.kind == LaneKind::cycle && !lane.width) lane.width = width;
+    return;
+  }
+  put_at(kerb, side, {LaneKind::cycle, false, {}, {}, width}, lanes.lanes);
+}
+
+}  // namespace
+
+CycleWishes wanted_cycle_lanes(WayTags& tags) {
+  return {cycle_lanes_at(RoadSide::near, tags), cycle_lanes_at(RoadSide::far, tags)};
+}
+
+void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) {
+  for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
+    const CycleWish& wish = kerb == RoadSide::near ? wishes.near : wishes.far;
+    if (!wish.along && !wish.against) continue;
+    const std::optional<double> width = width_at(kerb, tags);
+    const bool near = kerb == RoadSide::near;
+    // A direction has its own lanes on its side alone: there runs no lane of the other one.
+    const bool strange = tags.one_way() ? near && wish.against : near ? wish.against : wish.along;
+    if (strange)
+      tags.name(wish.key, "a cycle lane at this kerb runs in the direction of the lanes beside it");
+    if (tags.one_way() ? near || wish.along : near)
+      put_cycle_lane(kerb, lanes.side, width, lanes.along);
+    if (tags.one_way() ? !near && wish.against : !near)
+      put_cycle_lane(RoadSide::near, lanes.side, width, lanes.against);
+  }
+}
+
+void lay_parking_lanes(WayLanes& lanes, const WayTags& tags) {
+  for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
+    const std::string place = tags.value(tags.said_of("parking", kerb)),
+                      stands = tags.value(tags.said_of("parking:lane", kerb));
+    if (place != "lane" && stands != "parallel" && stands != "diagonal" &&
+        stands != "perpendicular" && stands != "marked")
+      continue;
+    const bool beyond = kerb == RoadSide::far &&
+                        (!tags.one_way() || tags.takes_turns() || !lanes.against.lanes.empty());
+    put_at(beyond ? RoadSide::near : kerb, lanes.side, {LaneKind::parking, false},
+           beyond ? lanes.against.lanes : lanes.along.lanes);
+  }
+}
+
+}  // namespace streetgen

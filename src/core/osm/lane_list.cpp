@@ -1,0 +1,132 @@
+#include "osm/lane_list.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace streetgen {
+
+namespace {
+
+constexpr const char* list_names[] = {"turn", "change",   "width", "access", "vehicle",
+                                      "motor_vehicle", "motorcar", "bus",   "psv",    "taxi",
+                                      "hov",  "bicycle",  "cycleway"};
+
+bool reserved(const std::string& word) { return word == "designated" || word == "official"; }
+bool open(const std::string& word) {
+  return reserved(word) || word == "yes" || word == "permissive" || word == "lane";
+}
+bool lane_of_cycles(const std::string& word) {
+  return word == "lane" || word == "exclusive" || word == "advisory" || word == "designated" ||
+         word == "soft_lane";
+}
+
+}  // namespace
+
+std::vector<std::string> parted_list(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = list.find('|', from);
+    words.push_back(list.substr(from, to - from));
+    if (to == std::string::npos) return words;
+    from = to + 1;
+  }
+}
+
+LaneLists::LaneLists(WayTags& tags, Heading heading) : heading_(heading) {
+  for (const std::string name : list_names) {
+    const std::string key = tags.said_of(name + ":lanes", heading), list = tags.value(key);
+    if (list.empty()) continue;
+    std::vector<std::string> words = parted_list(list);
+    if (words.size() > 30) {
+      tags.name(key, "it lists more than 30 lanes");
+      continue;
+    }
+    lists_.push_back({key, std::move(words)});
+    names_.push_back(name);
+  }
+}
+
+int LaneLists::Reading::driving() const {
+  return static_cast<int>(
+      std::count_if(kinds.begin(), kinds.end(), [](LaneKind kind) { return drives(kind); }));
+}
+
+std::string LaneLists::word(const std::string& name, std::size_t length, std::size_t lane) const {
+  for (std::size_t i = 0; i < lists_.size(); ++i)
+    if (names_[i] == name && lists_[i].words.size() == length) return lists_[i].words[lane];
+  return {};
+}
+
+LaneLists::Mark LaneLists::mark(std::size_t length, std::size_t lane, WayTags& tags) const {
+  const auto said = [&](const char* name) { return word(name, length, lane); };
+  std::string cars;  // the word that speaks of cars most closely
+  for (const char* name : {"motorcar", "motor_vehicle", "vehicle", "access"})
+    if (cars.empty()) cars = said(name);
+  const std::string bus = said("bus"), psv = said("psv"), taxi = said("taxi"),
+                    bicycle = said("bicycle");
+  const bool for_buses = reserved(bus) || reserved(psv) || reserved(taxi) || cars == "bus" ||
+                         cars == "psv" || cars == "taxi";
+  if (reserved(said("hov")) || cars == "hov") return Mark::carpool;
+  if (for_buses) return Mark::bus;
+  const bool closed = cars == "no" || cars == "private" || cars == "bicycle";
+  if (closed && (reserved(bicycle) || cars == "bicycle")) return Mark::cycle;
+  if (closed && (open(bus) || open(psv) || open(taxi))) return Mark::bus;
+  if (lane_of_cycles(said("cycleway"))) return Mark::cycle;
+  if (closed && open(bicycle)) return Mark::cycle;
+  if (closed) {
+    if (!tags.speaks_of_buses())
+      for (std::size_t i = 0; i < lists_.size(); ++i)
+        if (lists_[i].words.size() == length && lists_[i].words[lane] == cars)
+          tags.name(lists_[i].key, "nothing says who may drive on a lane that is closed to cars");
+    return Mark::bus;
+  }
+  return reserved(bicycle) ? Mark::maybe_cycle : Mark::general;
+}
+
+std::vector<LaneLists::Reading> LaneLists::readings(KerbCycles kerbs, WayTags& tags) const {
+  std::set<std::size_t, std::greater<>> lengths;
+  for (const List& list : lists_) lengths.insert(list.words.size());
+  std::vector<Reading> found;
+  for (const std::size_t length : lengths) {
+    Reading strict, shared;
+    bool doubtful = false;
+    for (std::size_t lane = 0; lane < length; ++lane) {
+      const Mark said = mark(length, lane, tags);
+      const LaneKind kind = said == Mark::bus       ? LaneKind::bus
+                            : said == Mark::carpool ? LaneKind::carpool
+                            : said == Mark::general ? LaneKind::general
+                                                    : LaneKind::cycle;
+      doubtful |= said == Mark::maybe_cycle;
+      strict.kinds.push_back(kind);
+      shared.kinds.push_back(said == Mark::maybe_cycle ? LaneKind::general : kind);
+    }
+    strict.counted = strict.driving();
+    shared.counted = shared.driving();
+    // A direction is not for bicycles alone where nothing closes it to cars.
+    if (!(doubtful && strict.counted == 0 && heading_ == Heading::along)) found.push_back(strict);
+    shared.supposed = true;
+    if (doubtful) found.push_back(shared);
+    Reading careless = strict;
+    careless.counted = static_cast<int>(length);
+    careless.disagrees = careless.supposed = true;
+    if (careless.counted != strict.counted && !doubtful) found.push_back(careless);
+    if (careless.counted != strict.counted) continue;
+    Reading kerbside = strict;
+    if (kerbs.at_left) kerbside.kinds.front() = LaneKind::cycle;
+    if (kerbs.at_right) kerbside.kinds.back() = LaneKind::cycle;
+    kerbside.counted = kerbside.driving();
+    kerbside.supposed = true;
+    if (kerbside.counted > 0 && kerbside.counted < strict.counted) found.push_back(kerbside);
+  }
+  return found;
+}
+
+bool LaneLists::say_who() const {
+  for (std::size_t i = 0; i < lists_.size(); ++i)
+    for (const char* name : {"bus", "psv", "taxi", "bicycle", "cycleway"})
+      if (names_[i] == name && std::any_of(lists_[i].words.begin(), lists_[i].words.end(), open))
+        return true;
+  return false;
+}
+
+}  // namespace streetgen

@@ -1,0 +1,139 @@
+#include "streetgen/osm_lanes.hpp"
+
+#include "osm/bus_lanes.hpp"
+#include "osm/kerb_lanes.hpp"
+#include "osm/lane_count.hpp"
+#include "osm/lane_list.hpp"
+#include "osm/placement.hpp"
+#include "osm/way_tags.hpp"
+#include "streetgen/measure_text.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr std::size_t most_lanes = 30;  // of all directions, with those of the kerbs
+
+bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_turn(const std::string& words) {
+  for (std::size_t from = 0;;) {
+    const std::size_t to = words.find(';', from);
+    if (!is_one_of(words.substr(from, to - from),
+                   {"", "none", "reverse", "sharp_left", "left", "slight_left", "merge_to_left",
+                    "through", "merge_to_right", "slight_right", "right", "sharp_right"}))
+      return false;
+    if (to == std::string::npos) return true;
+    from = to + 1;
+  }
+}
+
+bool is_change(const std::string& word) {
+  return is_one_of(word, {"", "yes", "no", "not_left", "not_right", "only_left", "only_right"});
+}
+
+// The lanes that a list of so many words speaks of; empty: none.
+std::vector<OsmLane*> lanes_of_list(std::size_t words, std::vector<OsmLane>& lanes) {
+  const auto those = [&](const auto& counts) {
+    std::vector<OsmLane*> found;
+    for (OsmLane& lane : lanes)
+      if (counts(lane)) found.push_back(&lane);
+    return found.size() == words ? found : std::vector<OsmLane*>{};
+  };
+  std::vector<OsmLane*> found = those([](const OsmLane& lane) { return lane.listed; });
+  if (found.empty()) found = those([](const OsmLane& lane) { return drives(lane.kind); });
+  if (found.empty())
+    found = those([](const OsmLane& lane) { return lane.kind != LaneKind::parking; });
+  return found;
+}
+
+// Words that say of no lane what another lane is not.
+bool says_nothing(const LaneLists::List& list) {
+  return std::all_of(list.words.begin(), list.words.end(), [](const std::string& word) {
+    return word.empty() || word == "yes" || word == "none";
+  });
+}
+
+void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
+  for (const LaneLists::List& list : lists.all()) {
+    const std::string name = list.key.substr(0, list.key.find(':'));
+    const std::vector<OsmLane*> named = lanes_of_list(list.words.size(), lanes.lanes);
+    const bool of_who = !is_one_of(name, {"turn", "change", "width"});
+    if (of_who ? list.words.size() != lanes.listed && !says_nothing(list) : named.empty()) {
+      tags.name(list.key, "it lists " + std::to_string(list.words.size()) + " lanes, and there are " +
+                              std::to_string(lanes.lanes.size()));
+      continue;
+    }
+    if (of_who) continue;
+    const auto known = [&](const std::string& word) {
+      return name == "turn"     ? is_turn(word)
+             : name == "change" ? is_change(word)
+                                : word.empty() || read_metres(word).value_or(100) < 100;
+    };
+    const auto strange = std::find_if_not(list.words.begin(), list.words.end(), known);
+    if (strange != list.words.end()) {
+      tags.name(list.key, "\"" + *strange + "\" means nothing there");
+      continue;
+    }
+    for (std::size_t i = 0; i < named.size(); ++i) {
+      if (name == "turn") named[i]->turn = list.words[i];
+      if (name == "change") named[i]->change = list.words[i];
+      if (name == "width" && !list.words[i].empty()) named[i]->width = read_metres(list.words[i]);
+    }
+  }
+}
+
+// Of a two-way street a list without a direction speaks of no lane.
+void name_lists_of_both(const OsmTags& said, WayTags& tags) {
+  if (tags.one_way()) return;
+  for (const char* name : {"turn", "change", "width", "access", "vehicle", "motor_vehicle",
+                           "motorcar", "bus", "psv", "taxi", "hov", "bicycle", "cycleway"})
+    if (const std::string key = std::string(name) + ":lanes"; said.count(key) > 0)
+      tags.name(key, "it says no direction of a street of both");
+}
+
+}  // namespace
+
+OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
+  WayTags tags(said, use.driving_side);
+  const LaneLists along(tags, Heading::along), against(tags, Heading::against);
+  const CycleWishes cycles = wanted_cycle_lanes(tags);
+  WayLanes lanes = counted_lanes(along, against, cycles, use, tags);
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    if (give_to_buses(*of_heading, tags) && lanes.middle > 0)
+      tags.name("lanes", "a lane for both directions is no bus lane");
+  lay_cycle_lanes(cycles, lanes, tags);
+  lay_parking_lanes(lanes, tags);
+  if (!tags.takes_turns()) {
+    take_lists(along, lanes.along, tags);
+    if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);
+  }
+  name_lists_of_both(said, tags);
+
+  OsmLanes read;
+  read.direction = tags.direction();
+  if (lanes.along.lanes.size() + lanes.against.lanes.size() + lanes.middle > most_lanes) {
+    for (const auto& [key, word] : said)
+      if (key.find("lanes") != std::string::npos) tags.name(key, "it makes more than 30 lanes");
+    read.unread = tags.take_unread();
+    return read;
+  }
+  read.both_ways = lanes.middle;
+  read.roadway_offset = placed_offset(lanes, use, tags);
+  const bool known = lanes.along.known && (tags.one_way() || lanes.against.known);
+  if (known || (lanes.total && !tags.takes_turns()))
+    read.lane_count = lanes.along.driving() + lanes.against.driving() + lanes.middle;
+  if (tags.takes_turns()) read.lane_count = lanes.middle;
+  tags.name_strangers();
+  read.unread = tags.take_unread();
+  const bool turned = tags.drawn_against();
+  read.forward = std::move((turned ? lanes.against : lanes.along).lanes);
+  read.backward = std::move((turned ? lanes.along : lanes.against).lanes);
+  read.forward_known = !lanes.shared && (turned ? lanes.against : lanes.along).known;
+  read.backward_known = !lanes.shared && (turned ? lanes.along : lanes.against).known;
+  return read;
+}
+
+}  // namespace streetgen

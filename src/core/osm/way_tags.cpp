@@ -1,0 +1,95 @@
+#include "osm/way_tags.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "osm/tag_use.hpp"
+#include "support/invariant.hpp"
+
+namespace streetgen {
+
+WayTags::WayTags(const OsmTags& tags, DrivingSide side) : tags_(tags) {
+  const std::string oneway = value("oneway"), junction = value("junction"),
+                    highway = value("highway");
+  const auto is = [](const std::string& word, std::initializer_list<const char*> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  takes_turns_ = is(oneway, {"reversible", "alternating"});
+  if (is(oneway, {"yes", "true", "1"}))
+    direction_ = WayDirection::direct;
+  else if (is(oneway, {"-1", "reverse"}))
+    direction_ = WayDirection::reverse;
+  else if (!takes_turns_ && !is(oneway, {"no", "false", "0"})) {
+    if (!oneway.empty()) name("oneway", "it is no direction");
+    if (is(junction, {"roundabout", "circular"}) || is(highway, {"motorway", "motorway_link"}))
+      direction_ = WayDirection::direct;
+  }
+  near_is_right_ = (side == DrivingSide::right) != drawn_against();
+}
+
+std::string WayTags::value(const std::string& key) const {
+  must_hold(tag_is_told(key), "the table of tags says what becomes of each key that is read", 0);
+  const auto found = tags_.find(key);
+  if (found == tags_.end()) return {};
+  std::string word;
+  for (const char letter : found->second)
+    if (!std::isspace(static_cast<unsigned char>(letter)))
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return word;
+}
+
+std::string WayTags::key_of(const std::string& base, Heading heading) const {
+  return base + ((heading == Heading::along) != drawn_against() ? ":forward" : ":backward");
+}
+
+std::string WayTags::key_of(const std::string& base, RoadSide kerb) const {
+  return base + ((kerb == RoadSide::near) == near_is_right_ ? ":right" : ":left");
+}
+
+std::string WayTags::said_of(const std::string& base, Heading heading) const {
+  const std::string key = key_of(base, heading);
+  if (heading == Heading::along && one_way() && value(key).empty()) return base;
+  return key;
+}
+
+std::string WayTags::said_of(const std::string& base, RoadSide kerb) const {
+  const std::string key = key_of(base, kerb);
+  return value(key).empty() ? base + ":both" : key;
+}
+
+std::optional<int> WayTags::count(const std::string& key, int least) {
+  const std::string word = value(key);
+  if (word.empty()) return std::nullopt;
+  const std::string whole = word.substr(0, word.find('.'));
+  const bool is_whole =
+      word.size() == whole.size() || word.find_first_not_of('0', whole.size() + 1) == word.npos;
+  if (is_whole && !whole.empty() && whole.size() <= 2 &&
+      whole.find_first_not_of("0123456789") == whole.npos) {
+    const int number = std::stoi(whole);
+    if (number >= least && number <= 30) return number;
+  }
+  name(key, "it is no number of lanes from " + std::to_string(least) + " to 30");
+  return std::nullopt;
+}
+
+void WayTags::name(const std::string& key, const std::string& reason) {
+  for (const UnreadTag& tag : unread_)
+    if (tag.key == key) return;
+  unread_.push_back({key, reason});
+}
+
+void WayTags::name_strangers() {
+  for (const auto& [key, word] : tags_)
+    if ((":" + key + ":").find(":lanes:") != std::string::npos && !tag_is_told(key))
+      name(key, key.find(":conditional") != std::string::npos ? "it holds at times only"
+                                                              : "it is not known");
+}
+
+bool WayTags::speaks_of_buses() const {
+  return std::any_of(tags_.begin(), tags_.end(), [](const auto& tag) {
+    const std::string parts = ":" + tag.first + ":";
+    return parts.find(":bus:") != std::string::npos || parts.find(":psv:") != std::string::npos;
+  });
+}
+
+}  // namespace streetgen

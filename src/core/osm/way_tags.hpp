@@ -1,0 +1,52 @@
+// The tags of a way as somebody sees them who drives it: a one-way street is driven along, whichever
+// way it is drawn.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "streetgen/osm_lanes.hpp"
+
+namespace streetgen {
+
+enum class Heading { along, against };  // the traffic; of a two-way street: the way
+// Of those who drive along: near is the side on which one drives.
+enum class RoadSide { near, far };
+
+class WayTags {
+ public:
+  WayTags(const OsmTags& tags, DrivingSide side);
+
+  bool one_way() const { return direction_ != WayDirection::both; }
+  // One direction at a time: all lanes are for both.
+  bool takes_turns() const { return takes_turns_; }
+  WayDirection direction() const { return direction_; }
+  bool drawn_against() const { return direction_ == WayDirection::reverse; }
+
+  // The value of a tag without spaces about it, in small letters; empty: there is none.
+  std::string value(const std::string& key) const;
+  std::string key_of(const std::string& base, Heading heading) const;  // lanes -> lanes:forward
+  std::string key_of(const std::string& base, RoadSide kerb) const;    // busway -> busway:left
+  // The first of these keys that the way has: with the suffix of the heading, and, where one alone
+  // is driven, without one.
+  std::string said_of(const std::string& base, Heading heading) const;
+  std::string said_of(const std::string& base, RoadSide kerb) const;  // also :both
+
+  // A count of a tag from `least` to 30; a value that is none is named.
+  std::optional<int> count(const std::string& key, int least);
+
+  void name(const std::string& key, const std::string& reason);
+  void name_strangers();  // tags about lanes that nobody knows
+  std::vector<UnreadTag> take_unread() { return std::move(unread_); }
+  bool speaks_of_buses() const;
+
+ private:
+  const OsmTags& tags_;
+  bool near_is_right_;  // of the way as it is drawn
+  bool takes_turns_ = false;
+  WayDirection direction_ = WayDirection::both;
+  std::vector<UnreadTag> unread_;
+};
+
+}  // namespace streetgen

@@ -1,0 +1,334 @@
+#include "streetgen/osm_lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace streetgen {
+namespace osm_lanes_test {
+
+const char* letter(LaneKind kind) {
+  switch (kind) {
+    case LaneKind::bus: return "bus";
+    case LaneKind::carpool: return "carpool";
+    case LaneKind::cycle: return "cycle";
+    case LaneKind::parking: return "parking";
+    default: return "general";
+  }
+}
+
+std::string list_of(const std::vector<OsmLane>& lanes) {
+  std::string text;
+  for (const OsmLane& lane : lanes) {
+    text += (text.empty() ? "" : " ") + std::string(letter(lane.kind));
+    if (!lane.turn.empty()) text += ":" + lane.turn;
+    if (!lane.change.empty()) text += "/" + lane.change;
+    if (lane.width) text += "=" + std::to_string(*lane.width).substr(0, 4);
+  }
+  return text;
+}
+
+// Lanes of both directions, then those in the middle, then what was not read.
+std::string read(const OsmTags& tags, OsmLaneUse use = {}) {
+  const OsmLanes lanes = read_osm_lanes(tags, use);
+  std::string text = list_of(lanes.forward) + " | " + list_of(lanes.backward);
+  if (lanes.both_ways > 0) text += " | " + std::to_string(lanes.both_ways);
+  for (const UnreadTag& tag : lanes.unread) text += " ?" + tag.key;
+  return text;
+}
+
+OsmLaneUse left_hand() {
+  OsmLaneUse use;
+  use.driving_side = DrivingSide::left;
+  return use;
+}
+
+TEST(OsmLanes, CountsOfTagLanes) {
+  EXPECT_EQ(read({}), "general | general");
+  EXPECT_EQ(read({{"lanes", "4"}}), "general general | general general");
+  EXPECT_EQ(read({{"lanes", "1"}}), " |  | 1");
+  EXPECT_EQ(read({{"lanes", "3"}}), "general | general | 1") << "the same for both directions";
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}}), "general general | general");
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:backward", "2"}}), "general | general general");
+  EXPECT_EQ(read({{"lanes", "5"}, {"lanes:forward", "2"}, {"lanes:both_ways", "1"}}),
+            "general general | general general | 1");
+  EXPECT_EQ(read({{"lanes", "2"}, {"oneway", "yes"}}), "general general | ");
+  EXPECT_EQ(read({{"lanes", "2"}, {"oneway", "-1"}}), " | general general");
+  EXPECT_EQ(read({{"lanes:forward", "3"}, {"oneway", "yes"}}), "general general general | ");
+  for (const char* none : {"2;3", "1.5", "many", "0", "-2", "31", "2 lanes"})
+    EXPECT_EQ(read({{"lanes", none}}), "general | general ?lanes") << none;
+  EXPECT_EQ(read({{"lanes", "2.0"}}), "general | general");
+  EXPECT_EQ(read({{"lanes", "2"}, {"lanes:forward", "2"}}),
+            "general general | general ?lanes");
+  EXPECT_EQ(read_osm_lanes({{"lanes", "3"}, {"oneway", "yes"}}, {}).lane_count, 3);
+  EXPECT_FALSE(read_osm_lanes({}, {}).lane_count);
+  EXPECT_FALSE(read_osm_lanes({{"lanes", "4"}}, {}).forward_known);
+}
+
+TEST(OsmLanes, OneWayStreetsOfUnknownLanesHaveTheUsualOnes) {
+  OsmLaneUse use;
+  use.usual_lanes = 3;
+  EXPECT_EQ(read({{"oneway", "yes"}, {"cycleway:right", "lane"}}, use),
+            "general general general cycle | ");
+  EXPECT_FALSE(read_osm_lanes({{"oneway", "yes"}}, use).forward_known);
+  EXPECT_EQ(read({{"highway", "motorway"}}, use), "general general general | ");
+  EXPECT_EQ(read({{"highway", "motorway"}, {"oneway", "no"}}, use), "general | general");
+}
+
+TEST(OsmLanes, ListsGoFromLeftToRightInDrivingDirection) {
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"turn:lanes", "left|through;Right | none"},
+                  {"width:lanes", "3.5|3 m|"}, {"change:lanes", "no|not_left|yes"}}),
+            "general:left/no=3.50 general:through;right/not_left=3.00 general:none/yes | ");
+  EXPECT_EQ(read({{"oneway", "-1"}, {"lanes", "2"}, {"turn:lanes", "left|"}}),
+            " | general:left general");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes:forward", "3"},
+                  {"turn:lanes:forward", "left|through|right"},
+                  {"width:lanes:forward", "3.2|3.2|3.2"}}),
+            "general:left=3.20 general:through=3.20 general:right=3.20 | ");
+  EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:forward", "left|right"}}),
+            "general:left general:right | general") << "a list says how lanes are shared";
+  EXPECT_EQ(read({{"turn:lanes", "left|right"}}), "general | general ?turn:lanes");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|next_lane"}}),
+            "general general |  ?turn:lanes");
+}
+
+TEST(OsmLanes, ListsCountAllLanesAndTagLanesThoseOfCars) {
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"turn:lanes", "left|through|through|right"},
+                  {"vehicle:lanes", "yes|yes|no|yes"}, {"bicycle:lanes", "yes|no|designated|yes"},
+                  {"width:lanes", "3|3|1.5|3.5"}}),
+            "general:left=3.00 general:through=3.00 cycle:through=1.50 general:right=3.50 | ");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "through|through|right"},
+                  {"bicycle:lanes", "|designated|"}}),
+            "general:through cycle:through general:right | ");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "through|through|right"},
+                  {"cycleway:lanes", "none|lane|none"}}),
+            "general:through cycle:through general:right | ");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "through|right"},
+                  {"bicycle:lanes", "|designated|"}}),
+            "general:through cycle general:right | ") << "a list of cars leaves out the cycle lane";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"bicycle:lanes", "|designated"}}),
+            "general general | ") << "bicycles may use a lane that cars are counted on";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"vehicle:lanes", "||no"},
+                  {"bicycle:lanes", "||designated"}}),
+            "general general cycle |  ?lanes") << "lanes counts the cycle lane too";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|through|"},
+                  {"cycleway:right", "lane"}}),
+            "general:left general:through cycle | ") << "a list counts the cycle lane at the kerb";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|through|right"}}),
+            "general:left general:through general:right |  ?lanes");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "4"}, {"turn:lanes", "left|through|right"}}),
+            "general general general general |  ?turn:lanes") << "it lands on no other lane's place";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"turn:lanes", "left||"},
+                  {"change:lanes", "no|no|no|no"}}),
+            "general:left general general |  ?change:lanes");
+}
+
+TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
+  const OsmTags one_way = {{"oneway", "yes"}, {"lanes", "3"}};
+  const auto with = [&](OsmTags tags) {
+    tags.insert(one_way.begin(), one_way.end());
+    return read(tags);
+  };
+  EXPECT_EQ(with({{"bus:lanes", "||designated"}, {"vehicle:lanes", "||no"}}),
+            "general general bus | ");
+  EXPECT_EQ(with({{"psv:lanes", "yes|yes|designated"}, {"access:lanes", "||no"}}),
+            "general general bus | ");
+  EXPECT_EQ(with({{"bus:lanes", "||yes"}, {"motor_vehicle:lanes", "yes|yes|no"}}),
+            "general general bus | ");
+  EXPECT_EQ(with({{"taxi:lanes", "||designated"}, {"access:lanes", "||no"}}),
+            "general general bus | ");
+  EXPECT_EQ(with({{"hov:lanes", "designated||"}}), "carpool general general | ");
+  EXPECT_EQ(with({{"psv:lanes", "||designated"}, {"bicycle:lanes", "||designated"}}),
+            "general general bus | ") << "bicycles on a bus lane";
+  EXPECT_EQ(with({{"vehicle:lanes", "||no"}}), "general general bus |  ?vehicle:lanes");
+  EXPECT_EQ(with({{"parking:lanes", "||designated"}}), "general general general |  ?parking:lanes");
+  EXPECT_EQ(with({{"hov", "designated"}}), "carpool carpool carpool | ");
+  EXPECT_EQ(with({{"lanes:bus", "1"}}), "general general bus | ");
+  EXPECT_EQ(with({{"busway", "lane"}}), "general general bus | ");
+  EXPECT_EQ(with({{"busway:left", "lane"}, {"turn:lanes", "left|through|through"}}),
+            "bus:left general:through general:through | ");
+  EXPECT_EQ(with({{"busway", "lane"}, {"psv:lanes", "yes|designated|yes"}}),
+            "general bus general | ") << "a list goes before a kerb";
+}
+
+TEST(OsmLanes, BusLanesOfStreetsOfBothDirections) {
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "1"}, {"lanes:backward", "1"},
+                  {"lanes:psv:forward", "1"}}),
+            "general bus | general") << "lanes:forward leaves the bus lane out";
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}, {"lanes:psv:forward", "1"}}),
+            "general bus | general");
+  EXPECT_EQ(read({{"lanes", "3"}, {"busway:right", "lane"}}), "general bus | general");
+  EXPECT_EQ(read({{"lanes", "3"}, {"busway:left", "lane"}}), "general | general bus");
+  EXPECT_EQ(read({{"lanes", "4"}, {"busway", "lane"}}), "general bus | general bus");
+  EXPECT_EQ(read({{"busway", "lane"}}), "general bus | general bus");
+  EXPECT_EQ(read({{"lanes", "1"}, {"busway", "lane"}}), "general bus | general bus ?lanes");
+  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:psv", "2"}}), "general bus | general bus");
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:psv", "1"}}), "general | general | 1 ?lanes:psv");
+}
+
+TEST(OsmLanes, StreetsForBusesAlone) {
+  EXPECT_EQ(read({{"access", "no"}, {"bus", "yes"}, {"psv", "yes"}, {"lanes", "2"}}), "bus | bus");
+  EXPECT_EQ(read({{"motor_vehicle", "no"}, {"psv", "yes"}, {"lanes", "2"}}), "bus | bus");
+  EXPECT_EQ(read({{"highway", "busway"}, {"lanes", "2"}}), "bus | bus");
+  EXPECT_EQ(read({{"highway", "busway"}}), "bus | bus");
+  EXPECT_EQ(read({{"motor_vehicle:backward", "no"}, {"bus:backward", "designated"}}),
+            "general | bus");
+  EXPECT_EQ(read({{"access", "no"}, {"lanes", "2"}}), "general | general");
+  EXPECT_EQ(read({{"access", "no"}, {"motor_vehicle", "yes"}, {"bus", "yes"}, {"lanes", "2"}}),
+            "general | general");
+}
+
+TEST(OsmLanes, LanesAgainstTheTrafficOfOneWayStreets) {
+  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:bus", "no"}, {"lanes", "3"}, {"lanes:forward", "2"},
+                  {"lanes:backward", "1"}, {"bus:lanes:backward", "designated"},
+                  {"vehicle:lanes:forward", "no|yes"}, {"bus:lanes:forward", "designated|yes"}}),
+            "bus general | bus");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:bus", "no"}, {"lanes", "3"}, {"lanes:forward", "2"},
+                  {"lanes:backward", "1"}, {"bus:lanes:backward", "yes"},
+                  {"vehicle:lanes:forward", "no|yes"}}),
+            "bus general | bus");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:forward", "1"},
+                  {"lanes:backward", "1"}, {"access:lanes:backward", "no"},
+                  {"psv:lanes:backward", "designated"}}),
+            "general | bus");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:psv", "no"}, {"lanes", "3"},
+                  {"lanes:backward", "1"}}),
+            "general general | bus") << "without a list";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:psv", "no"}, {"lanes", "3"}, {"lanes:forward", "2"}}),
+            "general general | bus");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:backward", "1"}}),
+            "general | bus ?lanes:backward") << "nobody is said to drive there";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"busway", "opposite_lane"}}),
+            "general | bus");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes:backward", "left"}}),
+            "general general |  ?turn:lanes:backward");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"bicycle:lanes:backward", "designated"}}),
+            "general | cycle");
+}
+
+TEST(OsmLanes, CycleLanesAtKerbs) {
+  const auto one_way = [&](OsmTags tags, const OsmLaneUse& use = {}) {
+    tags["oneway"] = "yes";
+    return read(tags, use);
+  };
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "lane"}}), "general cycle | general cycle");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:both", "lane"}, {"cycleway:both:lane", "advisory"}}),
+            "general cycle | general cycle");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:left", "lane"}, {"cycleway:left:width", "2"}}),
+            "general | general cycle=2.00");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:left", "lane"}, {"cycleway:left:oneway", "-1"}}),
+            "general | general cycle");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "lane"}, {"cycleway:right:oneway", "no"}}),
+            "general cycle | general ?cycleway:right") << "the lane for both is told";
+  EXPECT_EQ(one_way({{"cycleway", "opposite"}, {"oneway:bicycle", "no"}}), "general | ");
+  EXPECT_EQ(one_way({{"cycleway", "opposite_lane"}}), "general | cycle");
+  EXPECT_EQ(one_way({{"cycleway:left", "lane"}, {"oneway:bicycle", "no"}}), "general | cycle");
+  EXPECT_EQ(one_way({{"cycleway:left", "lane"}}), "cycle general | ");
+  EXPECT_EQ(one_way({{"cycleway:left", "lane"}, {"cycleway:left:oneway", "no"}}),
+            "cycle general | cycle") << "a lane of each direction";
+  EXPECT_EQ(one_way({{"cycleway:left", "lane"}, {"cycleway:left:oneway", "-1"},
+                     {"cycleway:right", "lane"}, {"oneway:bicycle", "no"}}),
+            "general cycle | cycle");
+  EXPECT_EQ(one_way({{"cycleway", "lane"}}, left_hand()), "cycle general | ");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "track"}}), "general | general");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "lane"}, {"access:lanes:forward", "bicycle|yes"},
+                  {"access:lanes:backward", "bicycle|yes"},
+                  {"bicycle:lanes:forward", "designated|yes"},
+                  {"bicycle:lanes:backward", "designated|yes"}, {"vehicle:lanes:forward", "no|yes"},
+                  {"vehicle:lanes:backward", "no|yes"}, {"width:lanes:forward", "1.5|2.5"},
+                  {"width:lanes:backward", "1.5|2.5"}}, left_hand()),
+            "cycle=1.50 general=2.50 | cycle=1.50 general=2.50") << "no lane is made twice";
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}, {"lanes:backward", "1"},
+                  {"cycleway:left", "lane"}, {"cycleway:left:lane", "advisory"},
+                  {"cycleway:right", "no"}, {"turn:lanes:forward", "left|"},
+                  {"vehicle:lanes:backward", "yes|yes"},
+                  {"bicycle:lanes:backward", "yes|designated"}}),
+            "general:left general | general cycle");
+}
+
+TEST(OsmLanes, ParkingLanesLieOutermost) {
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "lane"}, {"parking:right", "lane"}}),
+            "general cycle parking | general cycle");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"parking:lane:both", "parallel"}}),
+            "parking general parking | ");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"parking:lane:both", "parallel"},
+                  {"cycleway", "opposite_lane"}}),
+            "general parking | cycle parking");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:right", "street_side"}}), "general | general");
+}
+
+TEST(OsmLanes, LanesInTheMiddle) {
+  EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:both_ways", "left"}}), "general | general | 1");
+  EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:both_ways", "through"}}),
+            "general | general | 1 ?turn:lanes:both_ways");
+  EXPECT_EQ(read({{"lanes", "5"}, {"centre_turn_lane", "yes"}}),
+            "general general | general general | 1");
+  EXPECT_EQ(read({{"lanes", "4"}, {"centre_turn_lane", "yes"}}),
+            "general general | general general | 1 ?centre_turn_lane");
+  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:reversible", "2"}}), "general | general | 2");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:both_ways", "1"}}),
+            "general general |  ?lanes:both_ways");
+  EXPECT_EQ(read({{"oneway", "reversible"}, {"lanes", "2"}}), " |  | 2");
+  EXPECT_EQ(read({{"oneway", "alternating"}, {"lanes", "1"}}), " |  | 1");
+  EXPECT_EQ(read({{"oneway", "reversible"}}), " |  | 2");
+}
+
+TEST(OsmLanes, WhatIsNotReadIsNamed) {
+  EXPECT_EQ(read({{"lanes:psv:conditional", "1 @ (Mo-Fr)"}}),
+            "general | general ?lanes:psv:conditional");
+  EXPECT_EQ(read({{"lanes:forward", "30"}, {"lanes:backward", "1"}}),
+            " |  ?lanes:backward ?lanes:forward");
+  EXPECT_EQ(read({{"oneway", "maybe"}}), "general | general ?oneway");
+  EXPECT_EQ(read({{"destination:lanes", "Lyon|Paris"}}), "general | general")
+      << "it says nothing of lanes";
+}
+
+TEST(OsmLanes, PlacementByTheWidthsOfLanes) {
+  const auto offset = [](const OsmTags& tags) {
+    return read_osm_lanes(tags, {}).roadway_offset.value_or(99);
+  };
+  EXPECT_DOUBLE_EQ(offset({{"oneway", "yes"}, {"lanes", "3"}, {"placement", "right_of:1"}}), -1.75);
+  EXPECT_DOUBLE_EQ(offset({{"oneway", "-1"}, {"lanes", "3"}, {"placement", "right_of:1"}}), 1.75);
+  EXPECT_DOUBLE_EQ(offset({{"oneway", "yes"}, {"lanes", "2"}, {"placement:forward", "right_of:2"}}),
+                   3.5);
+  EXPECT_DOUBLE_EQ(offset({{"lanes", "3"}, {"lanes:forward", "2"},
+                           {"placement:forward", "left_of:1"}}), -1.75)
+      << "the line stays between the directions";
+  EXPECT_DOUBLE_EQ(offset({{"lanes", "3"}, {"lanes:forward", "2"},
+                           {"placement:backward", "left_of:1"}}), -1.75);
+  EXPECT_DOUBLE_EQ(offset({{"oneway", "yes"}, {"lanes", "3"}, {"placement", "right_of:1"},
+                           {"cycleway:right", "lane"}}), -2.5) << "the cycle lane counts";
+  for (const char* none : {"right_of:3", "right_of", "left_of:0", "center", "left_of:1x"})
+    EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"placement", none}}),
+              "general general |  ?placement") << none;
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"placement", "transition"}}),
+            "general general | ");
+}
+
+TEST(OsmLanes, NonsenseIsNamedAndRaisesNothing) {
+  std::mt19937 random(7);
+  const std::vector<std::string> keys = {
+      "lanes", "lanes:forward", "lanes:backward", "lanes:both_ways", "lanes:psv", "turn:lanes",
+      "turn:lanes:forward", "turn:lanes:both_ways", "width:lanes:backward", "bus:lanes", "oneway",
+      "bicycle:lanes:forward", "vehicle:lanes", "cycleway", "cycleway:left:oneway", "busway:left",
+      "cycleway:right:width", "parking:both", "placement", "placement:backward", "change:lanes",
+      "oneway:bus", "access", "hov:lanes", "centre_turn_lane", "junction", "highway"};
+  const std::vector<std::string> words = {
+      "", "yes", "no", "-1", "lane", "opposite_lane", "|", "|||", "designated|", "no|yes|", "3",
+      "999999999999", "-3", "1e9", "left|through;right", ";;|;", "reversible", "right_of:99",
+      "nan", "inf", "\xff\xfe", "üß|ö", "3,5 m|", "busway", std::string(5000, '|')};
+  const auto any = [&](const std::vector<std::string>& list) { return list[random() % list.size()]; };
+  for (int i = 0; i < 10000; ++i) {
+    OsmTags tags;
+    for (int n = random() % 8; n >= 0; --n) tags[any(keys)] = any(words);
+    OsmLaneUse use = i % 2 ? left_hand() : OsmLaneUse{};
+    const OsmLanes lanes = read_osm_lanes(tags, use);
+    EXPECT_LE(lanes.forward.size() + lanes.backward.size() + lanes.both_ways, 30u);
+    EXPECT_TRUE(std::isfinite(lanes.roadway_offset.value_or(0)));
+  }
+}
+
+}  // namespace osm_lanes_test
+}  // namespace streetgen

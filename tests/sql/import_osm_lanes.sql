@@ -1,0 +1,50 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Lanes that tags of OpenStreetMap state, as axes have them.  Each SELECT is one truth: (name, holds).
+SELECT streetgen.create_model('town', 32631), streetgen.create_model('left_hand', 32631, driving_side => 'left') \g /dev/null
+CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, geom geometry(LineString, 32631));
+INSERT INTO osm_line (way_id, class, tags, geom)
+SELECT n, class, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), ST_MakePoint(120, 100 * n)), 32631) FROM (VALUES
+  (1, 'secondary', '{"oneway": "yes", "oneway:bus": "no", "lanes": "3", "lanes:forward": "2", "lanes:backward": "1", "bus:lanes:backward": "yes", "vehicle:lanes:forward": "no|yes"}'),
+  (2, 'unclassified', '{"motor_vehicle": "no", "psv": "yes", "lanes": "2"}'),
+  (3, 'secondary', '{"oneway": "yes", "lanes": "3", "turn:lanes": "left|through|through|right", "vehicle:lanes": "yes|yes|no|yes", "bicycle:lanes": "yes|no|designated|yes", "width:lanes": "3|3|1.5|3,5 m"}'),
+  (4, 'tertiary', '{"lanes": "2", "cycleway": "lane", "bicycle:lanes:forward": "yes|designated", "vehicle:lanes:forward": "yes|no", "bicycle:lanes:backward": "yes|designated", "vehicle:lanes:backward": "yes|no"}'),
+  (5, 'residential', '{"oneway": "yes", "oneway:bicycle": "no", "cycleway": "opposite_lane"}'),
+  (6, 'residential', '{"oneway": "yes", "oneway:bicycle": "no", "cycleway": "opposite"}'),
+  (7, 'secondary', '{"oneway": "-1", "lanes": "3", "turn:lanes": "left|through|right", "cycleway:left": "lane", "placement": "right_of:1"}'),
+  (8, 'secondary', '{"oneway": "yes", "lanes": "3", "turn:lanes": "left|through|right", "cycleway:right": "lane", "placement": "right_of:1"}'),
+  (9, 'secondary', '{}'), (10, 'primary', '{}'), (11, 'trunk', '{}'), (12, 'secondary', '{"width": "14"}'),
+  (13, 'trunk', '{"oneway": "yes", "cycleway:right": "lane"}'), (14, 'trunk', '{"oneway": "yes"}'),
+  (15, 'secondary', '{"lanes": "2", "cycleway:right": "lane", "cycleway:right:oneway": "no"}'),
+  (16, 'secondary', '{"oneway": "reversible"}'), (17, 'secondary', '{"lanes": "1", "oneway": "alternating"}'),
+  (18, 'secondary', '{"oneway": "yes", "lanes": "3", "busway:left": "lane", "turn:lanes": "left|through|through"}'),
+  (19, 'secondary', '{"lanes": "2", "parking:lanes:forward": "|designated"}'),
+  (20, 'secondary', '{"lanes": "3"}'), (21, 'footway', '{"lanes": "many"}'),
+  (22, 'secondary', '{"oneway": "yes", "lanes": "2", "cycleway:right": "lane", "cycleway:right:width": "2.25"}')) v(n, class, tags);
+CREATE TABLE report AS SELECT * FROM streetgen.import_osm('town', 'osm');
+SELECT streetgen.import_osm('left_hand', 'osm') \g /dev/null
+CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coalesce(a.kind_forward, '-'), coalesce(a.kind_backward, '-')) AS kinds, u.lanes_forward AS forward, u.lanes_backward AS backward,
+  u.lanes_both AS both_ways, u.width AS across, a.* FROM town.axis a JOIN town.axis_used u USING (axis_id);
+SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (VALUES (1, 'bus|general / bus'), (2, 'bus / bus'), (3, 'general|general|cycle|general / -'), (4, 'general|cycle / general|cycle'), (5, '- / cycle'),
+  (6, '- / -'), (7, '- / general|general|general|cycle'), (8, 'general|general|general|cycle / -'), (13, 'general|general|general|cycle / -'), (14, '- / -'), (15, 'general|cycle / -'), (18, 'bus|general|general / -'),
+  (19, '- / -')) v(way, kinds) USING (way) ORDER BY way;
+SELECT 'lists speak of lanes one by one', (turn_forward, lane_width_forward) = ('left|through|through|right', '3|3|1.5|3.5') FROM seen WHERE way = 3;
+SELECT 'a width of the cycle lane alone', lane_width_forward = '||2.25' FROM seen WHERE way = 22;
+SELECT 'a lane for cycling against the traffic leaves lanes of cars no narrower than they are', (forward, backward) = (1, 0) AND across - 1.5 BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 5;
+SELECT 'cycling without a lane adds none', backward = 0 AND across / forward BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 6;
+SELECT 'drawn the other way round, the same lanes lie on the same ground', (f.turn_forward, f.kind_forward, f.roadway_offset) = (b.turn_backward, b.kind_backward, -b.roadway_offset) FROM seen f, seen b WHERE f.way = 8 AND b.way = 7;
+SELECT 'two-way streets of unknown lanes have as many each way: way ' || way, forward = backward AND forward = CASE way WHEN 12 THEN 2 ELSE 1 END FROM seen WHERE way BETWEEN 9 AND 12 ORDER BY way;
+SELECT 'their lanes are 2.4 to 4.5 m wide', bool_and(across / (forward + backward) BETWEEN 2.4 AND 4.5) FROM seen WHERE way BETWEEN 9 AND 12;
+SELECT 'a cycle lane leaves the usual lanes of cars', (SELECT forward FROM seen WHERE way = 13) = (SELECT forward FROM seen WHERE way = 14);
+SELECT 'an odd lane of no direction lies in the middle', (forward, backward, both_ways) = (1, 1, 1) FROM seen WHERE way = 20;
+SELECT 'all lanes of a reversible street are for both directions', bool_and(forward = 0 AND backward = 0 AND both_ways > 0) FROM seen WHERE way IN (16, 17);
+SELECT 'what was not made is named', array_agg(source_ref || ' ' || tag ORDER BY source_ref) = '{"15 cycleway:right","19 parking:lanes:forward"}' FROM town.unread_tag WHERE source = 'osm_line';
+SELECT 'with what it says, and why', bool_and(value = 'lane' AND reason LIKE 'a cycle lane at this kerb%') FROM town.unread_tag WHERE source_ref = '15';
+SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{"cycleway:right 15","parking:lanes:forward 19"}' FROM report WHERE what LIKE 'lanes not understood%';
+UPDATE osm_line SET tags = tags - 'parking:lanes:forward' WHERE way_id = 19;
+SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 1 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
+SELECT 'where one drives on the left, the near kerb is the left one', string_agg(kind_forward, ' ' ORDER BY source_ref) = 'general|general|cycle cycle|general|general' FROM (SELECT '1' AS source_ref, kind_forward FROM left_hand.axis WHERE source_ref = '22'
+  UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
+SELECT 'the streets are sound', bool_and(deleted = 0) FROM streetgen.generate('town');
+SELECT 'no list goes astray', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error' OR rule LIKE '%not those of all lanes%');
+SELECT 'every tag that is read has a word on what becomes of it', count(*) > 40 AND bool_and(becomes <> '') AND count(DISTINCT (source, tag)) = count(*) FROM streetgen.tag_use();
