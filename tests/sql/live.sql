@@ -266,7 +266,7 @@ INSERT INTO town.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860200,650330
 INSERT INTO town.lane_override (axis_id, abscissa, ordinality, width) VALUES (17, 40, 1, 2.5);
 DELETE FROM town.axis WHERE axis_id = 11;
 SELECT format('an editor may not %s', statement), test.state(statement) = '42501' FROM unnest(ARRAY['UPDATE town.edge SET width = 1', 'DELETE FROM town.node', 'INSERT INTO town.node (geom) SELECT geom FROM town.node',
-  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'', true)', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
+  'SELECT town._upsert(''{1}'', ''{1}'', ''{1}'')', 'SELECT town._upsert_edited(''{1}'', ''{1}'', ''{1}'')', 'TRUNCATE town.axis', 'ALTER TABLE town.axis DISABLE TRIGGER z_follow_update', 'UPDATE town.setting SET value = value']) statement;
 -- What stands in a session's temporary schema must not run with the owner's rights.
 CREATE TEMPORARY TABLE ran_as (who name);
 GRANT INSERT ON ran_as TO PUBLIC;

@@ -81,8 +81,8 @@ DROP ROLE subject_reader;
 
 -- A toy: a milestone in the middle of each edge. One row of the list of subjects, functions for its table and its part.
 ALTER FUNCTION streetgen._subject() RENAME TO _subject_shipped;
-CREATE FUNCTION streetgen._subject() RETURNS TABLE(place integer, subject text, needs text[], always boolean, by_default boolean, cost text, description text) LANGUAGE sql IMMUTABLE AS $$
-  SELECT * FROM streetgen._subject_shipped() UNION ALL VALUES (9, 'milestone', '{network}'::text[], false, false, 'nothing', 'a stone in the middle of each edge') $$;
+CREATE FUNCTION streetgen._subject() RETURNS TABLE(place integer, subject text, needs text[], reach text, always boolean, by_default boolean, cost text, description text) LANGUAGE sql IMMUTABLE AS $$
+  SELECT * FROM streetgen._subject_shipped() UNION ALL VALUES (9, 'milestone', '{network}'::text[], 'near', false, false, 'nothing', 'a stone in the middle of each edge') $$;
 CREATE FUNCTION streetgen._milestone_computed_table() RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name, gone_each integer) LANGUAGE sql IMMUTABLE AS $$
   VALUES (20, 'milestone', 'milestone', 'milestone_id', 'edge_id', 'milestone', 1) $$;
 SELECT streetgen._compose_computed_table() \g /dev/null

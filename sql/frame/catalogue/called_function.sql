@@ -2,22 +2,14 @@
 
 CREATE OR REPLACE FUNCTION streetgen._setting_function()
     RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
-    AS $$ VALUES
-    ('radius_function', 'float8, float8, integer, integer, text', 'float8', false, 'NULL, or an immutable function '
-        '(width float8, speed float8, importance integer, lane_count integer, kind text) returning float8'),
-    ('roundabout_score', 'float8, float8, float8, float8[]', 'float8', false, 'streetgen.roundabout_score, or a '
-        'function (shape float8, name float8, network float8, weights float8[]) returning float8'),
-    ('trajectory', 'geometry, geometry, geometry, float8', 'geometry', false, 'bezier, arcs, or a function (lane_in '
-        'geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry'),
-    ('classifier', 'streetgen.junction_arm[]', 'text', false, 'streetgen.junction_kind, paper, or a function (arms '
-        'streetgen.junction_arm[]) returning text'),
-    ('signal_program', 'streetgen.signal_request[]', 'streetgen.signal_answer', true, 'phases, paper, or a function '
-        '(movements streetgen.signal_request[]) returning SETOF streetgen.signal_answer'),
-    ('placement_function', 'name, bigint[]', 'streetgen.placement', true, 'none, or a function (model name, edges '
-        'bigint[]) returning SETOF streetgen.placement') $$;
+    LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    RETURN QUERY EXECUTE streetgen._rows_of_rooms('setting_function');
+END $$;
 COMMENT ON FUNCTION streetgen._setting_function() IS
-    'The settings that may name a function of the user''s: what it takes, and whether it returns one or many of what.';
+    'The settings that may name a function of the user''s, from functions _ROOM_setting_function: what it takes, and '
+    'whether it returns one or many of what.';
 
 CREATE OR REPLACE FUNCTION streetgen._function_named(name text, arguments text, result text, many boolean)
     RETURNS regprocedure

@@ -61,8 +61,8 @@ BEGIN
             HINT = format('SELECT * FROM streetgen.setting(%L) lists them.', model);
     END IF;
     IF value IS NULL THEN
-        IF setting IN ('max_width_per_lane', 'radius_function', 'follow_length', 'follow_area',
-            'transition_length', 'kerb_radius_minimal') THEN RETURN NULL; END IF;
+        -- The description of a setting that may be NULL says what that means.
+        IF known.description ~ '\mNULL\M' THEN RETURN NULL; END IF;
         RAISE EXCEPTION 'the value of setting "%" of model "%" is NULL or missing', setting, model
             USING ERRCODE = '22004',
             HINT = format('SELECT streetgen.set(%L, %L, %L) puts the default back.', model, setting, known.value);

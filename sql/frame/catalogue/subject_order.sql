@@ -1,49 +1,59 @@
--- The list of subjects, in the order in which they are computed, with what each needs.
+-- The list of subjects, in the order in which they are computed, with what each needs and how far it reaches.
 
 CREATE OR REPLACE FUNCTION streetgen._subject()
-    RETURNS TABLE(place integer, subject text, needs text[], always boolean, by_default boolean, cost text,
-        description text)
+    RETURNS TABLE(place integer, subject text, needs text[], reach text, always boolean, by_default boolean,
+        cost text, description text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
-    (1, 'network', '{}'::text[], true, true, 'is part of every model',
+    (1, 'network', '{}'::text[], 'near', true, true, 'is part of every model',
         'nodes where axes meet or end, edges between them, and what the network step noticed'),
-    (2, 'surface', '{network}'::text[], true, true, 'is part of every model',
+    (2, 'surface', '{network}'::text[], 'near', true, true, 'is part of every model',
         'section limits, sections, corners and intersections: the roadway'),
-    (3, 'lane', '{surface}'::text[], false, true,
+    (3, 'lane', '{surface}'::text[], 'near', false, true,
         'with interconnection nearly half of the processor time of a first run',
         'lanes, the lines between them, and what is painted on them'),
-    (4, 'interconnection', '{lane}'::text[], false, true, 'with lane nearly half of the processor time of a first run',
+    (4, 'interconnection', '{lane}'::text[], 'near', false, true,
+        'with lane nearly half of the processor time of a first run',
         'paths from lane to lane at every node'),
-    (5, 'kerb', '{surface}'::text[], false, false, 'a tenth of the processor time of a first run',
+    (5, 'kerb', '{surface}'::text[], 'near', false, false, 'a tenth of the processor time of a first run',
         'kerbs: the border of the roadway, and the strip of stones behind it'),
-    (7, 'alignment', '{network}'::text[], false, false, 'little',
+    (7, 'alignment', '{network}'::text[], 'chain', false, false, 'little',
         'roads: edges that go on from each other, as straight pieces and arcs that touch them'),
-    (9, 'block', '{kerb}'::text[], false, false, 'little beside kerb',
+    (9, 'block', '{kerb}'::text[], 'group', false, false, 'little beside kerb',
         'city blocks: what streets enclose, less the roadway, and which block lies on each side of an edge'),
-    (8, 'roundabout', '{surface}'::text[], false, false, 'a tenth of the surfaces',
+    (8, 'roundabout', '{surface}'::text[], 'near', false, false, 'a tenth of the surfaces',
         'roundabouts: rings of the network with their scores; traffic on accepted ones goes round'),
-    (10, 'sidewalk', '{kerb}', false, false, 'more than the surfaces',
+    (10, 'sidewalk', '{kerb}', 'chain', false, false, 'more than the surfaces',
         'sidewalks: strips behind the kerbs'),
-    (12, 'junction', '{interconnection}'::text[], false, false, 'a fifth of a run with lanes and paths',
+    (12, 'junction', '{interconnection}'::text[], 'group', false, false, 'a fifth of a run with lanes and paths',
         'nodes that are one junction, the kind of each, and the paths across them'),
-    (11, 'ramp', '{interconnection}'::text[], false, false, 'nothing that shows',
+    (11, 'ramp', '{interconnection}'::text[], 'near', false, false, 'nothing that shows',
         'ramps: where links meet highways, tangent to their lanes, and the merging lanes there'),
-    (16, 'signal', '{junction}', false, false, 'about as much as junction',
+    (16, 'signal', '{junction}', 'group', false, false, 'about as much as junction',
         'signals: the program of each junction of kind signals, its states, and where lanes wait'),
-    (14, 'overpass', '{network}'::text[], false, false, 'little',
+    (14, 'overpass', '{network}'::text[], 'near', false, false, 'little',
         'overpasses: where two edges cross without a node, and which of them is above'),
-    (15, 'height', '{overpass}'::text[], false, false, 'little',
+    (15, 'height', '{overpass}'::text[], 'chain', false, false, 'little',
         'heights along edges, with clearances and grades where roads pass over and under each other'),
-    (17, 'bridge', '{overpass}'::text[], false, false, 'little',
+    (17, 'bridge', '{overpass}'::text[], 'group', false, false, 'little',
         'bridges and tunnels: stretches of edges over others, or off the ground by their level'),
-    (18, 'object', '{network}', false, false, 'by the number of objects',
+    (18, 'object', '{network}', 'group', false, false, 'by the number of objects',
         'what stands at streets: objects that follow their axes, and the edge at which each stands') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
+    'reach: how far what a row is computed from lies. near: within the reach around the axis. chain: as far as roads '
+    'or kerbs lead on from each other; a first run by clusters leaves these subjects to its end. group: over rows of '
+    'many axes, such as a junction or a block, when these are written. '
     'always: a model cannot do without it. by_default: a new model computes it unless told '
-    'otherwise. For every subject there is a template of its computed tables (streetgen.template), and a function '
-    '_upsert_<subject> (places), its part of the one statement, or _update_<subject>, which follows that; one without '
-    'either is computed with a subject that it needs.';
+    'otherwise. For every subject there is a template of its computed tables (streetgen.template). What is near or a '
+    'chain has a function _upsert_<subject> (places), its part of the one statement. A group has a function '
+    '_update_<subject>, or is computed with a subject that it needs.';
+
+CREATE OR REPLACE FUNCTION streetgen._subjects_of_reach(how_far text) RETURNS text[]
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT ARRAY(SELECT s.subject FROM streetgen._subject() s WHERE s.reach = how_far ORDER BY s.place) $$;
+COMMENT ON FUNCTION streetgen._subjects_of_reach(text) IS
+    'The subjects of one reach (near, chain or group), in their order.';
 
 -- PL/pgSQL, so that a session plans it once: an edit asks several times.
 CREATE OR REPLACE FUNCTION streetgen._subjects(model name) RETURNS text[]

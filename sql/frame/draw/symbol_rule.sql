@@ -26,7 +26,7 @@ COMMENT ON COLUMN streetgen.symbol_rule.theme IS
     'street: as one sees it from above; dark: the same at night; print: in black and white, for printers and copies; '
     'construction: how it was computed, for engineers';
 COMMENT ON COLUMN streetgen.symbol_rule.layer IS
-    'name of what is drawn, such as sidewalk; name: those of streets; ref: numbers of routes in a box, whose border '
+    'name of what is drawn, such as lane; name: those of streets; ref: numbers of routes in a box, whose border '
     'and letters have the colour of the line; ground lies below all, paper and ink are those of a legend; '
     'handle: what one edits or looks through in QGIS';
 COMMENT ON COLUMN streetgen.symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
@@ -171,7 +171,7 @@ CREATE OR REPLACE FUNCTION streetgen._plan_styles(model name, scale float8) RETU
         WHERE theme = 'construction' GROUP BY layer, kind) r $$;
 COMMENT ON FUNCTION streetgen._plan_styles(name, float8) IS
     'The uppermost rules of theme construction at a scale as properties of SVG, for a plan that is drawn in pixels: by '
-    'layer and kind, such as "signal_plan red".';
+    'layer and kind, such as "lane bus".';
 
 CREATE OR REPLACE FUNCTION streetgen._pattern_as_svg(marker text, fill text, apart float8, pixel float8)
     RETURNS text

@@ -3,7 +3,7 @@
 CREATE TYPE streetgen.shape AS (layer text, kind text, level integer, geom geometry, id bigint);
 COMMENT ON TYPE streetgen.shape IS
     'Something of a model that can be drawn, by the rules that streetgen.symbol_rule has for its layer and kind.';
-COMMENT ON COLUMN streetgen.shape.layer IS 'name of what is drawn, such as sidewalk';
+COMMENT ON COLUMN streetgen.shape.layer IS 'name of what is drawn, such as lane';
 COMMENT ON COLUMN streetgen.shape.kind IS 'part of the layer, such as bus of lane; empty: nothing is said';
 COMMENT ON COLUMN streetgen.shape.level IS 'level by which it lies over or under others; NULL: above all';
 COMMENT ON COLUMN streetgen.shape.geom IS 'what is drawn, in metres';

@@ -68,7 +68,7 @@ BEGIN
         BEGIN
             locked := streetgen._lock_places(model, changed, wait => true);
             PERFORM FROM streetgen._upsert_part(model, locked.written, locked.gathered, locked.changed,
-                may_spread => false);
+                edit => true);
             EXIT;
         EXCEPTION WHEN SQLSTATE 'SG001' THEN
             GET STACKED DIAGNOSTICS spreads_to = PG_EXCEPTION_HINT;
@@ -250,7 +250,7 @@ BEGIN
     PERFORM streetgen._make_setting_changed(model),
         streetgen._call_rooms('_make_%s_functions', model, streetgen._rooms()),
         streetgen._make_chain_keys(model), streetgen._make_change_reach(model), streetgen._make_reach(model),
-        streetgen._make_upsert(model), streetgen._make_update_later(model),
+        streetgen._make_upsert(model), streetgen._make_update_groups(model),
         streetgen._make_triggers(model), streetgen._make_refusals(model),
         streetgen._make_marks_by_hand(model), streetgen._make_own_keys(model);
 END $$;

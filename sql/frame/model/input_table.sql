@@ -75,7 +75,7 @@ COMMENT ON TABLE :"model".symbol_rule IS
     'How this model is drawn otherwise: a row stands for that of streetgen.symbol_rule with the same theme, layer, '
     'kind, from_scale and place, or is drawn beside them. One with neither fill nor line draws nothing';
 COMMENT ON COLUMN :"model".symbol_rule.theme IS 'street, dark, print or construction';
-COMMENT ON COLUMN :"model".symbol_rule.layer IS 'a layer of streetgen.symbol_rule, such as sidewalk';
+COMMENT ON COLUMN :"model".symbol_rule.layer IS 'a layer of streetgen.symbol_rule, such as lane';
 COMMENT ON COLUMN :"model".symbol_rule.kind IS 'part of the layer, such as bus of lane; empty: any other';
 COMMENT ON COLUMN :"model".symbol_rule.from_scale IS 'drawn beyond this scale, as the number below the line';
 COMMENT ON COLUMN :"model".symbol_rule.to_scale IS 'drawn up to this scale';

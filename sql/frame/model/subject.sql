@@ -97,6 +97,7 @@ DECLARE
     needing text;
     part text;
     has_streets boolean;
+    told boolean;
     before oid[];
 BEGIN
     PERFORM streetgen._require_owner(model);
@@ -144,8 +145,10 @@ BEGIN
     PERFORM streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
-    -- Traffic that went round goes as the axes say, and the kinds of junctions are told anew.
-    IF subject = 'roundabout' AND ('junction' = ANY (computed) OR streetgen._stale_axes(model) > 0) THEN
+    -- Rows of others may have been computed from what went.
+    EXECUTE (SELECT coalesce(max(query), 'SELECT false') FROM streetgen._queries_of_rooms(ARRAY[subject],
+        '_%s_told_others', 'name, text[]') query) INTO told USING model, computed;
+    IF told THEN
         RETURN QUERY SELECT * FROM streetgen.generate(model, wait => true);
     END IF;
 EXCEPTION WHEN lock_not_available THEN

@@ -1,6 +1,6 @@
 -- Chains: rows that are functions of something longer than the reach. Each chain that a run touches is locked by a key.
 
-CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touched text, at_end boolean)
+CREATE OR REPLACE FUNCTION streetgen._chain() RETURNS TABLE(relation name, touched text)
     LANGUAGE plpgsql STABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$
 BEGIN
@@ -12,9 +12,7 @@ COMMENT ON FUNCTION streetgen._chain() IS
     'chain, the id of each chain that a run may change, split, join or take away when it changes edges: touched has '
     'their edge_id, and of each the axis_id that it is looked up for; axes, an array, those that change; written, an '
     'array, all whose rows it writes; {model} is the schema. The query sees a model before the run. A chain after the '
-    'run is made of new rows and of pieces of chains at these edges. at_end: a first run by clusters leaves '
-    'the table to its end, since its part of the one statement reads nothing but new_node, new_edge, setting, '
-    'found_overpass and tables in a run for all of a model.';
+    'run is made of new rows and of pieces of chains at these edges.';
 
 CREATE OR REPLACE FUNCTION streetgen._chain_key(relation name, chain bigint) RETURNS integer
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
@@ -33,13 +31,6 @@ CREATE OR REPLACE FUNCTION streetgen._has_chains(model name) RETURNS boolean
     AS $$ SELECT EXISTS (SELECT FROM streetgen._chain() c
         WHERE c.relation = ANY (streetgen._computed_tables(model))) $$;
 COMMENT ON FUNCTION streetgen._has_chains(name) IS 'Does a model compute rows that are functions of whole chains?';
-
-CREATE OR REPLACE FUNCTION streetgen._subjects_at_end() RETURNS text[]
-    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT array_agg(DISTINCT t.subject) FROM streetgen._chain() c
-        JOIN streetgen._computed_table() t USING (relation) WHERE c.at_end $$;
-COMMENT ON FUNCTION streetgen._subjects_at_end() IS
-    'The subjects whose tables a first run by clusters leaves to its end.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_chain_keys(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -83,11 +83,8 @@ BEGIN
     LOOP
         EXIT WHEN streetgen._restore_key(model) IS NULL;
     END LOOP;
-    PERFORM streetgen._fill_chains(model);
-    PERFORM FROM streetgen._update_later(model, NULL);
+    PERFORM streetgen._finish_clusters(model);
     EXECUTE format('DROP TABLE %I.deferred_key', model);
-    PERFORM streetgen._call_rooms('_complete_%s', model, streetgen._subjects(model));
 END $$;
 COMMENT ON FUNCTION streetgen._make_keys(name) IS
-    'Makes all keys that are missing, what is computed of whole chains, and what rooms complete by functions '
-    '_complete_ROOM, for who is alone in the model.';
+    'Makes all keys that are missing, and the chains and groups that clusters left, for who is alone in the model.';

@@ -222,11 +222,11 @@ BEGIN
     IF back <> '{}' THEN
         PERFORM streetgen._advance_sequences(model);
     END IF;
-    -- The later subjects find their rows by keys.
-    RETURN QUERY SELECT * FROM streetgen._update_later(model, NULL);
+    -- Groups find their rows by keys.
+    RETURN QUERY SELECT * FROM streetgen._update_groups(model, NULL);
     IF back <> '{}' THEN
         PERFORM streetgen._analyse(format('%I.%I', model, t.relation)::regclass) FROM streetgen._computed_table() t
-            JOIN unnest(streetgen._later_subjects()) later ON later = t.subject
+            JOIN unnest(streetgen._subjects_of_reach('group')) of_group ON of_group = t.subject
             JOIN unnest(streetgen._subjects(model)) computed ON computed = t.subject;
     END IF;
 END $$;

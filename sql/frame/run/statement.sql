@@ -1,6 +1,6 @@
 -- Parts of the one statement and of those that follow it, by name: streetgen._part gives each.
 
---{fill_chains
+--{rows_there
 setting AS MATERIALIZED (SELECT jsonb_object_agg(name, value) AS v FROM {model}.setting),
 new_node AS MATERIALIZED (SELECT *, false AS fresh FROM {model}.node),
 new_edge AS MATERIALIZED (SELECT *, false AS fresh FROM {model}.edge),

@@ -60,7 +60,7 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface::bytea,
                 contested_area > 0, level)::streetgen.former_node)
             FROM former_node),
-        may_spread => {whole} OR $4, subjects => string_to_array('{subjects}', ','),
+        may_spread => NOT {edit}, subjects => string_to_array('{subjects}', ','),
         {arguments}) AS streets)
 
 --{report

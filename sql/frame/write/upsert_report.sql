@@ -16,11 +16,20 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
     (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint, NULL$part$
-    FROM streetgen._computed_table() LEFT JOIN unnest(streetgen._later_subjects()) later ON later = subject
-    WHERE key IS NOT NULL AND places -> 'subjects' ? subject AND later IS NULL $$;
+    FROM streetgen._computed_table()
+    WHERE key IS NOT NULL AND places -> 'subjects' ? subject
+        AND subject <> ALL (streetgen._subjects_of_reach('group')) $$;
 COMMENT ON FUNCTION streetgen._upsert_counts(jsonb) IS
     'End of the one statement: of each table how many rows came, changed, went and stayed, and how many of those '
-    'computed have a method other than hypothesis; in the first row what moved, for later subjects.';
+    'computed have a method other than hypothesis; in the first row what moved, for groups.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_moved(places jsonb) RETURNS text
+    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 'SELECT NULL::text, NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint, '
+        || CASE streetgen._parts_of_rooms('_moved_%s', places) WHEN '{}' THEN 'ARRAY[]::bigint[]'
+            ELSE 'ARRAY(SELECT id FROM moved)' END $$;
+COMMENT ON FUNCTION streetgen._upsert_moved(jsonb) IS
+    'End of the one statement where nobody asks for counts: what moved, for groups.';
 
 CREATE OR REPLACE FUNCTION streetgen._computed_report(streets bigint)
     RETURNS TABLE(number integer, issue text, axis_a bigint, axis_b bigint, measure float8, geom geometry)

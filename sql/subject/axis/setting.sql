@@ -19,3 +19,12 @@ CREATE OR REPLACE FUNCTION streetgen._axis_setting()
         'speed by importance; an entry holds up to the next one, the first also before itself', NULL, NULL, NULL),
     ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL) $$;
 COMMENT ON FUNCTION streetgen._axis_setting() IS 'The settings of axes, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_setting_function()
+    RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('radius_function', 'float8, float8, integer, integer, text', 'float8', false, 'NULL, or an immutable function '
+        '(width float8, speed float8, importance integer, lane_count integer, kind text) returning float8') $$;
+COMMENT ON FUNCTION streetgen._axis_setting_function() IS
+    'The function of the users that a radius may come from, as streetgen._setting_function has it.';

@@ -20,3 +20,12 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_setting()
         NULL) $$;
 COMMENT ON FUNCTION streetgen._interconnection_setting() IS
     'The settings of interconnections, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._interconnection_setting_function()
+    RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('trajectory', 'geometry, geometry, geometry, float8', 'geometry', false, 'bezier, arcs, or a function (lane_in '
+        'geometry, lane_out geometry, centre geometry, tolerance float8) returning geometry') $$;
+COMMENT ON FUNCTION streetgen._interconnection_setting_function() IS
+    'The function of the users that paths may come from, as streetgen._setting_function has it.';

@@ -12,3 +12,12 @@ CREATE OR REPLACE FUNCTION streetgen._junction_setting()
         'signals), or a function (arms streetgen.junction_arm[]) returning text, with its schema', NULL, NULL,
         ARRAY['streetgen.junction_kind', 'paper']) $$;
 COMMENT ON FUNCTION streetgen._junction_setting() IS 'The settings of junctions, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._junction_setting_function()
+    RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('classifier', 'streetgen.junction_arm[]', 'text', false, 'streetgen.junction_kind, paper, or a function (arms '
+        'streetgen.junction_arm[]) returning text') $$;
+COMMENT ON FUNCTION streetgen._junction_setting_function() IS
+    'The function of the users that may tell kinds, as streetgen._setting_function has it.';

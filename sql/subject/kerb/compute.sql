@@ -41,3 +41,10 @@ CREATE OR REPLACE FUNCTION streetgen._kerb_arguments(places jsonb) RETURNS text
         THEN streetgen._upsert_neighbour(places) ELSE 'NULL' END $$;
 COMMENT ON FUNCTION streetgen._kerb_arguments(jsonb) IS
     'Part of the one statement: what the core gets of kerbs: surfaces near what is written that stay.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerb_there(places jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN places -> 'subjects' ? 'kerb' THEN streetgen._fill_template(
+        E'\nnew_kerb AS MATERIALIZED (SELECT * FROM {model}.kerb)', places) END $$;
+COMMENT ON FUNCTION streetgen._kerb_there(jsonb) IS
+    'Part of the statement that ends a first run by clusters: new_kerb, the kerbs there; NULL in a model without.';

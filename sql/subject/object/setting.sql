@@ -17,3 +17,12 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting_beside() RETURNS TABLE(name
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES ('object_names'), ('object_snap') $$;
 COMMENT ON FUNCTION streetgen._object_setting_beside() IS 'The settings of objects that streets do not depend on.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_setting_function()
+    RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('placement_function', 'name, bigint[]', 'streetgen.placement', true, 'none, or a function (model name, edges '
+        'bigint[]) returning SETOF streetgen.placement') $$;
+COMMENT ON FUNCTION streetgen._object_setting_function() IS
+    'The function of the users that may place objects, as streetgen._setting_function has it.';

@@ -56,4 +56,5 @@ found_overpass AS MATERIALIZED (
     SELECT o.*, e.level < 0 AS sinks FROM {model}.overpass o JOIN {model}.edge e ON e.edge_id = o.edge_below)$part$,
         places) END $$;
 COMMENT ON FUNCTION streetgen._overpass_there(jsonb) IS
-    'Part of the statement that fills chains: found_overpass, the overpasses that are there; NULL in a model without.';
+    'Part of the statement that ends a first run by clusters: found_overpass, the overpasses that are there; NULL in '
+    'a model without.';

@@ -59,4 +59,5 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_there(places jsonb) RETURNS text
     AS $$ SELECT CASE WHEN places -> 'subjects' ? 'ramp' THEN streetgen._fill_template($part$
 new_ramp AS MATERIALIZED (SELECT * FROM {model}.ramp)$part$, places) END $$;
 COMMENT ON FUNCTION streetgen._ramp_there(jsonb) IS
-    'Part of the statement that fills chains: new_ramp, the ramps that are there; NULL in a model without.';
+    'Part of the statement that ends a first run by clusters: new_ramp, the ramps that are there; NULL in a model '
+    'without.';

@@ -100,3 +100,13 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_arguments(places jsonb) RETURNS
             FROM circulated JOIN used USING (axis_id))$part$ END $$;
 COMMENT ON FUNCTION streetgen._roundabout_arguments(jsonb) IS
     'Part of the one statement: which way traffic goes round.';
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_told_others(model name, computed text[]) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    -- Traffic that went round goes as the axes say, and the kinds of junctions are told anew.
+    RETURN 'junction' = ANY (computed) OR streetgen._stale_axes(model) > 0;
+END $$;
+COMMENT ON FUNCTION streetgen._roundabout_told_others(name, text[]) IS
+    'Did other subjects of a model read its roundabouts before these were switched off? Then it is computed anew.';

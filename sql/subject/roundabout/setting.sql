@@ -23,3 +23,12 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_setting()
         'does the word of a source count that an axis is part of a roundabout, with the direction that it implies: '
         'true or false', NULL, NULL, ARRAY['true', 'false']) $$;
 COMMENT ON FUNCTION streetgen._roundabout_setting() IS 'The settings of roundabouts, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._roundabout_setting_function()
+    RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('roundabout_score', 'float8, float8, float8, float8[]', 'float8', false, 'streetgen.roundabout_score, or a '
+        'function (shape float8, name float8, network float8, weights float8[]) returning float8') $$;
+COMMENT ON FUNCTION streetgen._roundabout_setting_function() IS
+    'The function of the users that a score may come from, as streetgen._setting_function has it.';

@@ -28,12 +28,6 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs(kerbs text, edges text) RET
 COMMENT ON FUNCTION streetgen._sidewalk_kerbs(text, text) IS
     'A query of kerbs with the widths of their sidewalks, from queries of kerbs and of their edges.';
 
--- The rows of sidewalks, from a query `sidewalk_kerb`.
-CREATE OR REPLACE FUNCTION streetgen._sidewalk_rows() RETURNS text
-    LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT streetgen._part('sidewalk_rows') $$;
-COMMENT ON FUNCTION streetgen._sidewalk_rows() IS 'The query of the rows of sidewalks behind the kerbs sidewalk_kerb.';
-
 -- Along kerbs without a width of their own a width leads from one to the other, however many there are. What is found
 -- goes on as an array: no row count that the planner guesses grows from look to look.
 CREATE OR REPLACE FUNCTION streetgen._kerbs_near(name text, places text, known text) RETURNS text
@@ -68,38 +62,16 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', CASE places ->> 'run' WHEN 'part' THEN streetgen._sidewalk_kerbs_of_part(places)
         ELSE streetgen._fill_template(E'\nsidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
-            -- A cluster does not know its neighbours' kerbs: its sidewalks come with the keys, after the last one.
-            'SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb'
-                || CASE places ->> 'run' WHEN 'cluster' THEN ' WHERE false' ELSE '' END,
+            'SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb',
             'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM new_edge')
             || ')', places) END,
     streetgen._upsert_rows(places, 'sidewalk',
-        columns => 'edge_id, node_id, side, part, width, surface, method', rows => streetgen._sidewalk_rows(),
+        columns => 'edge_id, node_id, side, part, width, surface, method', rows => streetgen._part('sidewalk_rows'),
         there => CASE places ->> 'run' WHEN 'part' THEN $part$
         SELECT s.sidewalk_id FROM (SELECT edge_id, side, part FROM former_kerb
                 UNION SELECT edge_id, side, part FROM sidewalk_kerb WHERE wanted) k,
             LATERAL (SELECT sidewalk_id FROM {model}.sidewalk s
                 WHERE (s.edge_id, s.side, s.part) = (k.edge_id, k.side, k.part) OFFSET 0) s$part$
-            WHEN 'cluster' THEN 'SELECT sidewalk_id FROM {model}.sidewalk WHERE false'
             ELSE 'SELECT sidewalk_id FROM {model}.sidewalk' END)) $$;
 COMMENT ON FUNCTION streetgen._upsert_sidewalk(jsonb) IS
     'Part of the one statement: sidewalks behind new_kerb, and behind kerbs near those that moved.';
-
-CREATE OR REPLACE FUNCTION streetgen._complete_sidewalk(model name) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
-    SET streetgen.computes = 'on'
-    AS $$
-BEGIN
-    IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
-        RETURN;
-    END IF;
-    EXECUTE streetgen._fill_template('WITH sidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
-        'SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM {model}.kerb',
-        'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM {model}.edge')
-        || $sql$)
-        INSERT INTO {model}.sidewalk (edge_id, node_id, side, part, width, surface, method)
-        SELECT edge_id, node_id, side, part, width, surface, method FROM ($sql$ || streetgen._sidewalk_rows() || $sql$
-        ) n ORDER BY number ON CONFLICT DO NOTHING$sql$, streetgen._upsert_places(model, 'whole'));
-END $$;
-COMMENT ON FUNCTION streetgen._complete_sidewalk(name) IS
-    'Makes the sidewalks of a model whose first run by clusters has made all kerbs.';
