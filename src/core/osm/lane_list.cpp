@@ -32,9 +32,18 @@ std::vector<std::string> parted_list(const std::string& list) {
   }
 }
 
+bool speaks_of_each_direction(const std::string& list, const WayTags& tags) {
+  return !tags.one_way() && !tags.takes_turns() &&
+         tags.value("lanes") == std::to_string(2 * parted_list(list).size());
+}
+
 LaneLists::LaneLists(WayTags& tags, Heading heading) : heading_(heading) {
   for (const std::string name : list_names) {
-    const std::string key = tags.said_of(name + ":lanes", heading), list = tags.value(key);
+    std::string key = tags.said_of(name + ":lanes", heading), list = tags.value(key);
+    if (list.empty() && speaks_of_each_direction(tags.value(name + ":lanes"), tags)) {
+      key = name + ":lanes";
+      list = tags.value(key);
+    }
     if (list.empty()) continue;
     std::vector<std::string> words = parted_list(list);
     if (words.size() > 30) {

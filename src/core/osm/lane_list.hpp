@@ -11,6 +11,9 @@ namespace streetgen {
 
 std::vector<std::string> parted_list(const std::string& list);
 
+// Of a street of both directions a list without one speaks of each where tag lanes counts it twice.
+bool speaks_of_each_direction(const std::string& list, const WayTags& tags);
+
 // Of one direction of a way.
 class LaneLists {
  public:

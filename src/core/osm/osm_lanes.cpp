@@ -90,7 +90,8 @@ void name_lists_of_both(const OsmTags& said, WayTags& tags) {
   if (tags.one_way()) return;
   for (const char* name : {"turn", "change", "width", "access", "vehicle", "motor_vehicle",
                            "motorcar", "bus", "psv", "taxi", "hov", "bicycle", "cycleway"})
-    if (const std::string key = std::string(name) + ":lanes"; said.count(key) > 0)
+    if (const std::string key = std::string(name) + ":lanes";
+        said.count(key) > 0 && !speaks_of_each_direction(tags.value(key), tags))
       tags.name(key, "it says no direction of a street of both");
 }
 

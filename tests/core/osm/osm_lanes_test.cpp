@@ -90,6 +90,8 @@ TEST(OsmLanes, ListsGoFromLeftToRightInDrivingDirection) {
   EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:forward", "left|right"}}),
             "general:left general:right | general") << "a list says how lanes are shared";
   EXPECT_EQ(read({{"turn:lanes", "left|right"}}), "general | general ?turn:lanes");
+  EXPECT_EQ(read({{"lanes", "4"}, {"bus:lanes", "yes|designated"}, {"lanes:bus", "2"}}),
+            "general bus | general bus") << "a list of half of the lanes speaks of each direction";
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|next_lane"}}),
             "general general |  ?turn:lanes");
 }
