@@ -27,7 +27,8 @@ chosen_layer() {
 # text_of FILE LAYER: the values of a shapefile, byte by byte as they stand.
 text_of() { ogr2ogr -q -f CSV /vsistdout/ "$1" "$2" --config SHAPE_ENCODING '' 2>/dev/null; }
 
-# shape_encoding FILE LAYER: how the text of a shapefile is to be read; nothing for other files, and where SHAPE_ENCODING or its .cpg says so.
+# shape_encoding FILE LAYER: how the text of a shapefile is to be read; nothing for other files, and where SHAPE_ENCODING, its .cpg or the code page
+# in its .dbf says so.
 # No other encoding than UTF-8 gives valid UTF-8 beyond ASCII, so such text goes before what a .cpg says.
 shape_encoding() {
   local said cpg
@@ -39,7 +40,7 @@ shape_encoding() {
   if [ "$(text_of "$1" "$2" | LC_ALL=C tr -d '\0-\177' | wc -c)" != 0 ] && text_of "$1" "$2" | iconv -f UTF-8 -t UTF-8 >/dev/null 2>&1; then
     [ -z "$cpg" ] || [ "${cpg^^}" = UTF-8 ] || say "the .cpg of $(basename "$1") says $cpg, but its text is UTF-8 and is read so; SHAPE_ENCODING=$cpg reads it as $cpg"
     echo UTF-8
-  elif [ -z "$cpg" ]; then
+  elif [ -z "$cpg" ] && ! grep -q '^  ENCODING_FROM_LDID=' <<<"$said"; then
     echo ISO-8859-1
   fi
 }
@@ -56,7 +57,6 @@ read_vector() {
   run_sql -c "DROP TABLE IF EXISTS streetgen_source.$table"
   ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database" "$file" ${layer:+"$layer"} ${reference[@]+"${reference[@]}"} \
     ${encoding:+--config SHAPE_ENCODING "$encoding"} -nln "$table" -lco GEOMETRY_NAME=geom -lco SCHEMA=streetgen_source -lco PRECISION=NO -nlt PROMOTE_TO_MULTI 2>"$log" || failed=yes
-  # Without the list of all its drivers.
-  sed '/^FAILURE:$/d; /^  -> /d; s/ with the following drivers\.$//' "$log" >&2
-  [ -z "$failed" ] || fail "$file cannot be read by ogr2ogr"
+  [ -z "$failed" ] || fail "$file cannot be read by ogr2ogr$(sed -n 's/^ERROR [0-9]*: /: /p' "$log" | head -1)"
+  cat "$log" >&2
 }

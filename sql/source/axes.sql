@@ -29,6 +29,14 @@ BEGIN
     RETURN QUERY SELECT 'row without geometry, left out', NULL::text, count(*), array_agg(i.label ORDER BY i.label)
         FROM pg_temp._import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom) HAVING count(*) > 0;
     DELETE FROM pg_temp._import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom);
+    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM pg_temp._import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid
+        FROM spatial_ref_sys) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'source row % has %', bad.label, CASE bad.srid WHEN 0 THEN 'no SRID'
+            ELSE 'SRID ' || bad.srid || ', which is not known' END
+            USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
+    END IF;
+    RETURN QUERY SELECT * FROM streetgen._take_lines(model);
     SELECT i.label, GeometryType(i.geom) AS type INTO bad FROM pg_temp._import i
         WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') LIMIT 1;
     IF FOUND THEN
@@ -47,13 +55,6 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has a vertex that is not finite', bad.label USING ERRCODE = '22023',
             HINT = 'Mend the vertex in the source.';
-    END IF;
-    SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM pg_temp._import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid
-        FROM spatial_ref_sys) LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION 'source row % has %', bad.label, CASE bad.srid WHEN 0 THEN 'no SRID'
-            ELSE 'SRID ' || bad.srid || ', which is not known' END
-            USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
 
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL

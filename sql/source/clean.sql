@@ -42,6 +42,43 @@ COMMENT ON FUNCTION streetgen._clean_parts(name, text) IS
     'Cleans the parts of the import by the filters of streetgen.clean, keeping every vertex that another part shares, '
     'or an axis that stays; returns how many changed.';
 
+CREATE OR REPLACE FUNCTION streetgen._chords(what text, curve geometry, srid integer, tolerance float8)
+    RETURNS geometry
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    -- The length of the curve in both references tells how many units of its own a metre is.
+    SELECT ST_CurveToLine(curve, greatest(1e-8 * length, tolerance * coalesce(length / nullif(ST_Length(
+            streetgen._transformed(what, curve, srid)), 0), 1)), 1, 1)
+        FROM ST_Length(curve) AS length
+    $$;
+COMMENT ON FUNCTION streetgen._chords(text, geometry, integer, float8) IS
+    'A curve as lines that leave it by at most the tolerance, metres of the reference srid, and that are the same from '
+    'either end; what names it in an error. Curves over 1,000 km get coarser chords.';
+
+CREATE OR REPLACE FUNCTION streetgen._take_lines(model name)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    target_srid constant integer := (SELECT srid FROM streetgen.model m WHERE m.name = model);
+    tolerance float8;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT value::float8 INTO tolerance FROM setting WHERE name = 'curve_tolerance';
+    UPDATE pg_temp._import i SET geom = streetgen._chords('source row ' || i.label, i.geom, target_srid, tolerance)
+        WHERE GeometryType(i.geom) ~ '^(CIRCULARSTRING|COMPOUNDCURVE|MULTICURVE|GEOMETRYCOLLECTION)';
+    RETURN QUERY SELECT 'other than lines in a collection, left out', NULL::text, count(*), array_agg(i.label
+        ORDER BY i.label) FROM pg_temp._import i, ST_Dump(i.geom) d
+        WHERE GeometryType(i.geom) ~ '^GEOMETRYCOLLECTION' AND ST_Dimension(d.geom) <> 1 AND NOT ST_IsEmpty(d.geom)
+            AND NOT ST_IsEmpty(ST_CollectionExtract(i.geom, 2)) HAVING count(*) > 0;
+    UPDATE pg_temp._import i SET geom = ST_CollectionExtract(i.geom, 2)
+        WHERE GeometryType(i.geom) ~ '^GEOMETRYCOLLECTION' AND NOT ST_IsEmpty(ST_CollectionExtract(i.geom, 2));
+END $$;
+COMMENT ON FUNCTION streetgen._take_lines(name) IS
+    'Makes lines of what rows of the import have instead: chords of curves, the lines of a collection; reports what '
+    'else a collection has.';
+
 CREATE OR REPLACE FUNCTION streetgen._mend_heights()
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE sql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

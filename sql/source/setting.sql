@@ -2,10 +2,12 @@
 
 CREATE OR REPLACE FUNCTION streetgen._source_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
     ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL::text[]),
     ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
+    ('curve_tolerance', '0.01', 'm', 'importers make chords of curves, which leave them by at most this', 0.0001, 1,
+        NULL),
     ('delivery_wins', 'hand', NULL,
         'where both somebody by hand and a new delivery of the source changed a column, this holds until view '
         'import_conflict is settled: hand or source', NULL, NULL, ARRAY['hand', 'source']) $$;

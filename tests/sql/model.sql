@@ -31,6 +31,12 @@ SELECT 'a NULL name is refused', test.state($q$SELECT streetgen.create_model(NUL
 SELECT 'a geographic SRID is refused', test.state($q$SELECT streetgen.create_model('model_b', 4326)$q$) = '22023';
 SELECT 'feet are refused', test.state($q$SELECT streetgen.create_model('model_b', 2263)$q$) = '22023';
 SELECT 'web mercator is refused', test.state($q$SELECT streetgen.create_model('model_b', 3857)$q$) = '22023';
+-- Left and right change places where axes point south and west. Each of these is defined in another way: a prime meridian, another survey.
+SELECT format('a mirrored reference is refused: %s, and %s is the way out', srid, unmirrored), (r).state = '22023' AND (r).said LIKE '%mirrored%' AND (r).hint LIKE format('Use EPSG:%s,%%', unmirrored)
+FROM (SELECT srid, unmirrored, test.refusal(format($q$SELECT streetgen.create_model('model_b', %s)$q$, srid)) r FROM (VALUES (2065, 5221), (5513, 5514), (8352, 8353)) v(srid, unmirrored)) t;
+SELECT 'one whose axes point west and south is turned, not mirrored', NOT streetgen._is_mirrored(2053);
+SELECT 'no zone of UTM is mirrored', bool_and(NOT streetgen._is_mirrored(srid)) AND count(*) = 120 FROM (SELECT h + n AS srid FROM generate_series(1, 60) n, (VALUES (32600), (32700)) v(h)) z;
+SELECT 'nor a national reference', bool_and(NOT streetgen._is_mirrored(srid)) FROM unnest('{2154,27700,28992,31370,3812,3035,5514,2056,3067,25832,2193,3006}'::integer[]) srid;
 SELECT 'the refusal names the UTM zone', test.hint($q$SELECT streetgen.create_model('model_b', 3857)$q$) ~ 'UTM';
 SELECT 'dimension 4 is refused', test.state($q$SELECT streetgen.create_model('model_b', 2154, 4)$q$) = '22023';
 SELECT 'a refused model leaves nothing', NOT EXISTS (SELECT FROM pg_namespace WHERE nspname = 'model_b');

@@ -1,5 +1,46 @@
 -- Spatial references that streets can be built in: projected, in metres, true to scale.
 
+CREATE OR REPLACE FUNCTION streetgen._is_mirrored(srid integer) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    -- Degrees.
+    step constant float8 := 1e-5;
+    place geometry;
+    here geometry;
+    east geometry;
+    north geometry;
+BEGIN
+    -- About the middle of the projection, off the poles.
+    SELECT ST_SetSRID(ST_MakePoint(coalesce(6 * zone - 183, longitude, 0),
+            least(greatest(coalesce(latitude, 0), -80), 80)), 4326) INTO place
+        FROM (SELECT substring(proj4text, '\+zone=(\d+)')::float8 AS zone,
+            substring(proj4text, '\+lon_0=(-?[\d.]+)')::float8 AS longitude,
+            substring(proj4text, '\+lat_0=(-?[\d.]+)')::float8 AS latitude
+            FROM spatial_ref_sys s WHERE s.srid = _is_mirrored.srid) p;
+    here := ST_Transform(place, srid);
+    east := ST_Transform(ST_Translate(place, step, 0), srid);
+    north := ST_Transform(ST_Translate(place, 0, step), srid);
+    RETURN (ST_X(east) - ST_X(here)) * (ST_Y(north) - ST_Y(here))
+        < (ST_Y(east) - ST_Y(here)) * (ST_X(north) - ST_X(here));
+EXCEPTION WHEN internal_error THEN
+    RETURN NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._is_mirrored(integer) IS
+    'Whether north lies to the right of who looks east along a map of that spatial reference, as where its axes point '
+    'south and west; one that is turned is not mirrored. NULL where the projection is not defined in its middle.';
+
+CREATE OR REPLACE FUNCTION streetgen._unmirrored(srid integer) RETURNS integer
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT u.srid FROM spatial_ref_sys m JOIN spatial_ref_sys u
+            ON regexp_replace(u.proj4text, ' \+(axis|towgs84)=\S+', '', 'g')
+                = regexp_replace(m.proj4text, ' \+(axis|towgs84)=\S+', '', 'g')
+        WHERE m.srid = _unmirrored.srid AND NOT streetgen._is_mirrored(u.srid) ORDER BY u.srid LIMIT 1
+    $$;
+COMMENT ON FUNCTION streetgen._unmirrored(integer) IS
+    'The spatial reference of the same projection whose axes point east and north; NULL where there is none.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_srid(srid integer) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -19,10 +60,15 @@ BEGIN
     ELSIF reference.proj4text ~ '\+proj=(merc|webmerc|eqc|mill|cea)( |$)' THEN
         RAISE EXCEPTION 'SRID % does not keep its scale: a 7 m street would be built 4.6 m wide in Paris', srid
             USING ERRCODE = '22023', HINT = utm;
+    ELSIF streetgen._is_mirrored(srid) THEN
+        RAISE EXCEPTION 'SRID % is mirrored, as its axes point south and west: left and right would change places',
+            srid USING ERRCODE = '22023', HINT = coalesce('Use EPSG:' || streetgen._unmirrored(srid) || ', the same '
+                'projection with axes that point east and north.', utm);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_srid(integer) IS
-    'Raises 22023 for spatial references that are unknown, geographic, not in metres or more than 1 % off in scale.';
+    'Raises 22023 for spatial references that are unknown, geographic, not in metres, more than 1 % off in scale or '
+    'mirrored.';
 
 CREATE OR REPLACE FUNCTION streetgen._rim(lines text) RETURNS TABLE(label text, point geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 8 SET search_path = pg_catalog, public

@@ -29,8 +29,9 @@ COMMENT ON FUNCTION streetgen._has_no_results(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._analyse(relation regclass) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    -- ANALYZE mostly sorts boxes under the default sample of 30,000 rows a table.
-    SET default_statistics_target = 25
+    -- ANALYZE mostly sorts boxes under the default sample of 30,000 rows a table. PostGIS tells of each table whose
+    -- geometries lie alike.
+    SET default_statistics_target = 25 SET client_min_messages = warning
     AS $$
 BEGIN
     EXECUTE format('ANALYZE %s', relation);
