@@ -40,9 +40,9 @@ DECLARE
     present constant name[] := ARRAY(SELECT attname FROM pg_attribute WHERE attrelid = source AND attnum > 0
         AND NOT attisdropped);
     tags constant text := CASE WHEN 'tags' = ANY (present) THEN 'tags::jsonb'
-        ELSE format('jsonb_strip_nulls(jsonb_build_object(%s))', (SELECT string_agg(format('%L, %I', tag, name), ', ')
-            FROM unnest(streetgen._osm_column_tags()) tag, LATERAL (SELECT replace(tag, ':', '_') AS name) c
-            WHERE name = ANY (present))) END;
+        ELSE format('jsonb_strip_nulls(jsonb_object(ARRAY[%s]::text[]))', (
+            SELECT string_agg(format('%L, %I', tag, name), ', ') FROM unnest(streetgen._osm_column_tags()) tag,
+            LATERAL (SELECT replace(tag, ':', '_') AS name) c WHERE name = ANY (present))) END;
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS SELECT geom, way_id, class::text, '
         'name::text, %s AS ref, %s AS tags FROM %s', CASE WHEN 'ref' = ANY (present) THEN 'ref::text'

@@ -108,3 +108,9 @@ SELECT streetgen.create_model('import_tagged', 32631) \gset
 SELECT streetgen.import_osm('import_tagged', 'tagged') \g /dev/null
 SELECT 'tags in one column mean what they mean in columns', count(*) = 14 AND bool_and((to_jsonb(t) - 'axis_id' - 'source') = (to_jsonb(c) - 'axis_id' - 'source'))
   FROM import_tagged.axis t JOIN import_right.axis c USING (source_ref);
+-- The tables of the last flex file with columns have all of them.
+SELECT format('CREATE TABLE wide_line (way_id bigint, class text, name text, ref text, %s, geom geometry(LineString, 32631))', string_agg(format('%I text', replace(tag, ':', '_')), ', ')) FROM unnest(streetgen._osm_column_tags()) tag \gexec
+INSERT INTO wide_line (way_id, class, change_lanes, lanes, oneway, geom) VALUES (1, 'primary', 'yes|no', 2, 'yes', 'SRID=32631;LINESTRING(0 0, 100 0)');
+SELECT streetgen.create_model('import_wide', 32631) \gset
+SELECT streetgen.import_osm('import_wide', 'wide') \g /dev/null
+SELECT 'a column of each tag is read', (lane_count, change_forward) = (2, 'yes|no') FROM import_wide.axis;

@@ -18,6 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     ('residential', true, 6, 30, 5, NULL, true, true, true),
     ('living_street', true, 5, 20, 5, NULL, true, true, true),
     ('unclassified', true, 6, 50, 5, NULL, true, true, true),
+    ('busway', true, 7, 50, 4, NULL, true, true, true),
     ('service', true, 4, 20, 6, NULL, true, false, true),
     ('road', true, 6, 50, 5, NULL, true, true, true),
     ('runway', true, 40, 100, 1, NULL, false, false, false),

@@ -138,7 +138,16 @@ void count_both(WayLanes& lanes, const BusWishes& buses, Count& along, Count& ag
 void count_one_way(const WayLanes& lanes, const BusWishes& buses, Count& along, Count& against,
                    WayTags& tags) {
   const bool for_buses = tags.value("oneway:bus") == "no" || tags.value("oneway:psv") == "no";
-  if (against.stated > 0 || against.lists.say_who())
+  // A list alone makes lanes against the traffic where tag lanes counts them.
+  const auto counts_both = [&] {
+    for (const Reading& back : against.readings)
+      for (const Reading& forth : along.readings)
+        if (back.counted + forth.counted == *lanes.total) return true;
+    return along.readings.empty();
+  };
+  const bool open_against = for_buses || tags.value("oneway:bicycle") == "no";
+  if (against.stated > 0 ||
+      (against.lists.say_who() && (open_against || !lanes.total || counts_both())))
     against.settle(against.stated > 0 ? against.stated : std::nullopt, against.key, tags);
   else if (!against.stated && for_buses && along.stated && lanes.total > along.stated)
     against.lanes = *lanes.total - *along.stated;

@@ -85,7 +85,9 @@ LaneLists::Mark LaneLists::mark(std::size_t length, std::size_t lane, WayTags& t
   if (closed) {
     if (!tags.speaks_of_buses())
       for (std::size_t i = 0; i < lists_.size(); ++i)
-        if (lists_[i].words.size() == length && lists_[i].words[lane] == cars)
+        if (lists_[i].words.size() == length && lists_[i].words[lane] == cars &&
+            (names_[i] == "access" || names_[i].find("vehicle") != std::string::npos ||
+             names_[i] == "motorcar"))
           tags.name(lists_[i].key, "nothing says who may drive on a lane that is closed to cars");
     return Mark::bus;
   }

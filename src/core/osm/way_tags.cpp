@@ -80,7 +80,8 @@ void WayTags::name(const std::string& key, const std::string& reason) {
 
 void WayTags::name_strangers() {
   for (const auto& [key, word] : tags_)
-    if ((":" + key + ":").find(":lanes:") != std::string::npos && !tag_is_told(key))
+    if ((":" + key + ":").find(":lanes:") != std::string::npos && !tag_is_told(key) &&
+        key.compare(0, 7, "source:") != 0)
       name(key, key.find(":conditional") != std::string::npos ? "it holds at times only"
                                                               : "it is not known");
 }

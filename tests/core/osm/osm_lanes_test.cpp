@@ -144,7 +144,8 @@ TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
   EXPECT_EQ(with({{"hov:lanes", "designated||"}}), "carpool general general | ");
   EXPECT_EQ(with({{"psv:lanes", "||designated"}, {"bicycle:lanes", "||designated"}}),
             "general general bus | ") << "bicycles on a bus lane";
-  EXPECT_EQ(with({{"vehicle:lanes", "||no"}}), "general general bus |  ?vehicle:lanes");
+  EXPECT_EQ(with({{"vehicle:lanes", "||no"}, {"change:lanes", "no|no|no"}}),
+            "general/no general/no bus/no |  ?vehicle:lanes");
   EXPECT_EQ(with({{"parking:lanes", "||designated"}}), "general general general |  ?parking:lanes");
   EXPECT_EQ(with({{"hov", "designated"}}), "carpool carpool carpool | ");
   EXPECT_EQ(with({{"lanes:bus", "1"}}), "general general bus | ");
@@ -206,6 +207,9 @@ TEST(OsmLanes, LanesAgainstTheTrafficOfOneWayStreets) {
             "general | bus");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes:backward", "left"}}),
             "general general |  ?turn:lanes:backward");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"bus:lanes:forward", "yes|designated"},
+                  {"bus:lanes:backward", "yes|designated"}}),
+            "general bus |  ?bus:lanes:backward") << "lanes counts none of those";
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"bicycle:lanes:backward", "designated"}}),
             "general | cycle");
 }
@@ -282,6 +286,7 @@ TEST(OsmLanes, WhatIsNotReadIsNamed) {
             "general | general ?lanes:psv:conditional");
   EXPECT_EQ(read({{"lanes:forward", "30"}, {"lanes:backward", "1"}}),
             " |  ?lanes:backward ?lanes:forward");
+  EXPECT_EQ(read({{"source:lanes", "survey"}}), "general | general");
   EXPECT_EQ(read({{"oneway", "maybe"}}), "general | general ?oneway");
   EXPECT_EQ(read({{"destination:lanes", "Lyon|Paris"}}), "general | general")
       << "it says nothing of lanes";
