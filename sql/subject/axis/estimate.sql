@@ -96,6 +96,24 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS
     'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
 
+CREATE OR REPLACE FUNCTION streetgen._lanes_width(driving integer, kinds text, widths text, lane_width float8,
+    cycle_lane_width float8, parking_lane_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN widths IS NULL AND kinds IS NULL THEN driving * lane_width
+        ELSE (SELECT coalesce(sum(coalesce(nullif(nullif(CASE cardinality(said) WHEN driving
+                THEN CASE WHEN drives THEN said[nth] END WHEN lanes THEN said[place] END, '')::float8, 0), usual)), 0)
+            FROM (SELECT string_to_array(widths, '|') AS said) s,
+                (SELECT place, drives, count(*) FILTER (WHERE drives) OVER (ORDER BY place) AS nth,
+                    count(*) OVER () AS lanes, CASE WHEN drives THEN lane_width
+                        ELSE coalesce(nullif(CASE kind WHEN 'cycle' THEN cycle_lane_width
+                            ELSE parking_lane_width END, 0), lane_width) END AS usual
+                 FROM (SELECT kind, place, kind NOT IN ('cycle', 'parking') AS drives
+                     FROM unnest(coalesce(string_to_array(kinds, '|'),
+                         array_fill('general'::text, ARRAY[driving]))) WITH ORDINALITY k(kind, place)) k) l) END;
+COMMENT ON FUNCTION streetgen._lanes_width(integer, text, text, float8, float8, float8) IS
+    'How wide the lanes of one direction are together, metres: so many driving lanes, or those of a list of kinds; '
+    'what a list of widths leaves open is as wide as the settings say for its kind.';
+
 CREATE OR REPLACE FUNCTION streetgen.lanes_of_both(stated integer, stated_forward integer, stated_backward integer,
     listed boolean,
         lane_count integer, narrow boolean) RETURNS integer

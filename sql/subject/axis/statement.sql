@@ -97,14 +97,14 @@ CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward
         AS kerbside) stated
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed,
-        least(200, streetgen.estimated_width(lanes_stated, class_width, lane_width, width_default)
-               + CASE WHEN lanes_stated IS NULL THEN 0 ELSE kerbside END))
-                                                                AS width_used HAVING true) w ON true
+        least(200, streetgen.estimated_width(CASE WHEN lanes_by_width IS NOT FALSE THEN lanes_stated END, class_width,
+            lane_width, width_default) + CASE WHEN lanes_stated IS NULL THEN 0 ELSE kerbside END)) AS width_first
+            HAVING true) w ON true
 LEFT JOIN LATERAL (
-    SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_used, speeds,
+    SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_first, speeds,
         speed_per_width)) AS speed_used HAVING true) p ON true
 LEFT JOIN LATERAL (
-    SELECT greatest(width_used, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
+    SELECT greatest(width_first, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
         HAVING true) r ON true
 LEFT JOIN LATERAL (
     SELECT CASE direction_used WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
@@ -118,8 +118,8 @@ LEFT JOIN LATERAL (
                 WHEN NOT lanes_by_width THEN CASE direction_used WHEN 'both' THEN 2 ELSE 1 END
                 -- Both directions have as many.
                 WHEN direction_used = 'both' THEN 2 * least(streetgen.estimated_lane_count(
-                    greatest(width_used - kerbside - both_used * lane_width, 0) / 2, speed_used, lane_width), 15)
-                ELSE streetgen.estimated_lane_count(greatest(width_used - kerbside, 0), speed_used, lane_width)
+                    greatest(width_first - kerbside - both_used * lane_width, 0) / 2, speed_used, lane_width), 15)
+                ELSE streetgen.estimated_lane_count(greatest(width_first - kerbside, 0), speed_used, lane_width)
                 END AS count_used,
            CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
 LEFT JOIN LATERAL (
@@ -130,12 +130,23 @@ LEFT JOIN LATERAL (
                CASE WHEN direction_used = 'both' THEN coalesce(stated_forward, (count_used + 1) / 2)
                    WHEN kind_forward IS NULL THEN 0 ELSE stated_forward END, count_used, fewest) AS backward_used
                    HAVING true) l ON true
+-- A roadway of stated lanes that says no width is as wide as they are together, and that of a class leaves none of
+-- its lanes more than 4.5 m.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN coalesce(kerb_width, believed) IS NOT NULL OR NOT lanes_by_width THEN width_first
+        WHEN num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) = 0
+        THEN least(width_first, (forward_used + backward_used + both_used) * greatest(4.5, lane_width))
+        ELSE least(200, both_used * lane_width
+            + streetgen._lanes_width(forward_used, kind_forward, lane_width_forward, lane_width, cycle_lane_width,
+                parking_lane_width)
+            + streetgen._lanes_width(backward_used, kind_backward, lane_width_backward, lane_width, cycle_lane_width,
+                parking_lane_width)) END AS width_used HAVING true) f ON true
 
 --{setting_used
 CREATE OR REPLACE VIEW setting_used WITH (security_invoker = true) AS
 SELECT jsonb_object_agg(name, value) AS settings, hashtextextended(string_agg(
         concat(name, '=', coalesce(value, '-'), CASE name WHEN 'radius_function'
-            THEN streetgen._predictor_definition(value) END), ',' ORDER BY name){rings}, 2) AS setting_hash
+            THEN streetgen._predictor_definition(value) END), ',' ORDER BY name){rings}, 3) AS setting_hash
 FROM setting WHERE name <> ALL ({beside})
 
 --{rings_used
