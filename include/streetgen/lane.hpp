@@ -46,6 +46,9 @@ namespace turn {
 constexpr unsigned reverse = 1, sharp_left = 2, left = 4, slight_left = 8, through = 16,
                    slight_right = 32, right = 64, sharp_right = 128, merge_left = 256,
                    merge_right = 512;
+constexpr unsigned leftwards = sharp_left | left | slight_left,
+                   rightwards = slight_right | right | sharp_right,
+                   merges = merge_left | merge_right;
 }  // namespace turn
 
 // One lane as it is known before it has a place.
@@ -121,6 +124,8 @@ struct Lane {
   LaneSide side = LaneSide::centre;
   bool along_axis = true;
   bool both_ways = false;
+  // Both directions use it, and each has lanes of its own beside it: it is for those who turn off.
+  bool middle = false;
   LaneKind kind = LaneKind::general;
   double width = 0;        // metres, at the start limit, without what begins or ends there
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit

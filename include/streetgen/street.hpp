@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -221,6 +222,11 @@ struct Former {
   // ChangeSpreads, as soon as that is known.
   bool may_spread = true;
 };
+
+// By 2 * edge for traffic along its axis, by 2 * edge + 1 against it: whether what changes where
+// traffic comes onto an edge of the network may change the node that it comes to.
+using LeadsOn =
+    std::function<std::vector<bool>(const Network& network, const std::vector<Roadway>& roadways)>;
 
 // A run for these axes is due at the same time.
 class ChangeSpreads : public std::exception {

@@ -22,6 +22,7 @@ struct StreetModelInput {
   StreetOverrides overrides;
   Former former;
   std::vector<LanesOfAxis> lanes;
+  std::set<std::int64_t> marked_before{};  // axes whose lanes had marks before the change
   RampRules ramps{};  // their lanes and the outer side follow from `lanes`
   std::vector<LaneOverride> lane_overrides;
   LaneSettings lane_settings;

@@ -10,7 +10,7 @@ CREATE OR REPLACE FUNCTION streetgen._streets(srid integer, settings jsonb, axes
     bends streetgen.street_bend[] DEFAULT NULL, circulations streetgen.street_circulation[] DEFAULT NULL,
     ramp_axes streetgen.street_ramp_axis[] DEFAULT NULL, ramps streetgen.street_ramp[] DEFAULT NULL,
     junctions streetgen.street_junction[] DEFAULT NULL, changes streetgen.street_lane_change[] DEFAULT NULL,
-    leaving streetgen.street_leaving[] DEFAULT NULL)
+    leaving streetgen.street_leaving[] DEFAULT NULL, marked_before streetgen.street_marked[] DEFAULT NULL)
     RETURNS bigint
     LANGUAGE c VOLATILE PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_streets';
 COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], streetgen.street_transition[],
@@ -19,14 +19,15 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         text[], streetgen.street_neighbour[], streetgen.street_control[], streetgen.street_overpass[],
         streetgen.street_bend[], streetgen.street_circulation[], streetgen.street_ramp_axis[],
         streetgen.street_ramp[], streetgen.street_junction[], streetgen.street_lane_change[],
-        streetgen.street_leaving[])
+        streetgen.street_leaving[], streetgen.street_marked[])
     IS 'Computes the streets of a set of axes, as far as those that changed can change them, and keeps them until '
         'the statement ends: gives their number, by which streetgen._computed_node and the like read them. settings: '
         'names and values as words, of all in streetgen._default_setting() that the core reads. may_spread: also where '
         'the change goes on beyond axes that are not outer ones; else that is SG001, with axes for which a run is '
         'due too as its hint, an array. subjects: what is computed besides network and surfaces; words of SQL alone '
         'are passed over. neighbours: for kerbs, all surfaces near that stay; NULL: unknown. ramp_axes: those that may '
-        'be part of a ramp; without any there are no ramps. junctions, changes, leaving: what is known of paint. No '
+        'be part of a ramp; without any there are no ramps. junctions, changes, leaving: what is known of paint. '
+        'marked_before: axes on whose lanes turns were marked. No '
         'axes (NULL) or no subjects (NULL): NULL; any other list may be NULL. A value of a row that is missing: '
         '22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 

@@ -15,7 +15,8 @@ BEGIN
     IF parted THEN
         wanted := ARRAY(SELECT edge_id FROM edge e JOIN streetgen._places(model, options) f ON f.node_id = e.from_node
                 JOIN streetgen._places(model, options) t ON t.node_id = e.to_node WHERE f.place_id = t.place_id
-            UNION SELECT edge_id FROM lane WHERE kind = 'merging');
+            UNION SELECT edge_id FROM lane WHERE kind = 'merging'
+            UNION SELECT edge_id FROM streetgen._lanes_in_middle(model));
     END IF;
     RETURN QUERY WITH place AS MATERIALIZED (SELECT * FROM streetgen._places(model, options)),
     written_edge AS MATERIALIZED (
@@ -45,7 +46,8 @@ BEGIN
     SELECT v.name, g.lane_group_id, g.edge_id, g.along_axis, v.comes_from, v.goes_to, v.since, v.until, v.lanes,
         v.lane_count, g.geom, g.walk, g.walk_width, g.walk_line
     FROM (SELECT c.*, f.place_id AS from_place, t.place_id AS to_place, f.place_id = t.place_id AS loop,
-            c.edge_id IN (SELECT edge_id FROM lane WHERE kind = 'merging') AS merges
+            c.edge_id IN (SELECT edge_id FROM lane WHERE kind = 'merging'
+                UNION ALL SELECT edge_id FROM streetgen._lanes_in_middle(model)) AS merges
         FROM carried c JOIN place f ON f.node_id = from_node JOIN place t ON t.node_id = to_node) g,
     LATERAL (
         -- netconvert knows no edge that comes back to its node: a loop is two, with a node in the middle.
@@ -76,8 +78,12 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_parts(model name, edge bigint, along 
 #variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- Lanes of a group are ordered from the kerb on.
-    RETURN QUERY WITH merging AS (
+    -- Lanes of a group are ordered from the kerb on. Traffic of each direction uses the half of a lane in the middle
+    -- that lies before it, and no car reaches back into the other half.
+    RETURN QUERY WITH middle AS (
+        SELECT m.lane_id, least(0.5 + 7.5 / greatest(x.end_abscissa - x.start_abscissa, 1), 0.75) AS since
+        FROM streetgen._lanes_in_middle(model, edge) m JOIN lane_extent x USING (lane_id)),
+    merging AS (
         SELECT m.lane_id, m.lane_position, CASE WHEN along THEN s ELSE 1 - t END AS since,
             CASE WHEN along THEN t ELSE 1 - s END AS until, (m.side = 'right') = (along = (
                 SELECT value IS DISTINCT FROM 'left' FROM setting WHERE name = 'driving_side')) AS at_kerb
@@ -94,7 +100,8 @@ BEGIN
     cut AS (
         SELECT share, row_number() OVER (ORDER BY share) AS k, count(*) OVER () - 1 AS parts,
             lead(share) OVER (ORDER BY share) AS until
-        FROM (SELECT 0.0::float8 AS share UNION SELECT 1 UNION SELECT 0.5 WHERE from_place = to_place
+        FROM (SELECT 0.0::float8 AS share UNION SELECT 1
+            UNION SELECT 0.5 WHERE from_place = to_place UNION SELECT since FROM middle
             UNION SELECT since FROM merging UNION SELECT until FROM merging) s),
     named AS (
         SELECT *, group_text || CASE k WHEN 1 THEN '' WHEN parts THEN '.end' ELSE '.' || k END AS name,
@@ -103,12 +110,16 @@ BEGIN
     SELECT name, coalesce(lag(next) OVER w, from_place::text), CASE k WHEN parts THEN to_place::text ELSE next END,
         share, until, ARRAY(SELECT lane_id FROM merging m WHERE at_kerb AND m.since <= n.share AND m.until >= n.until
             ORDER BY lane_position * CASE WHEN along THEN -1 ELSE 1 END)
-        || group_lanes || ARRAY(SELECT lane_id FROM merging m WHERE NOT at_kerb AND m.since <= n.share
+        || own_lanes || ARRAY(SELECT lane_id FROM merging m WHERE NOT at_kerb AND m.since <= n.share
             AND m.until >= n.until ORDER BY lane_position * CASE WHEN along THEN -1 ELSE 1 END),
-        (cardinality(group_lanes)
+        (cardinality(own_lanes)
             + (SELECT count(*) FROM merging m WHERE m.since <= n.share AND m.until >= n.until))::integer
-    FROM named n WINDOW w AS (ORDER BY k);
+    FROM named n CROSS JOIN LATERAL (SELECT ARRAY(SELECT lane_id FROM unnest(group_lanes) WITH ORDINALITY g(lane_id, i)
+            WHERE NOT EXISTS (SELECT FROM middle m WHERE m.lane_id = g.lane_id AND m.since > n.share)
+            ORDER BY i) AS own_lanes) g
+    WINDOW w AS (ORDER BY k);
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_parts(name, bigint, boolean, bigint[], text, bigint, bigint) IS
-    'The parts of a lane group beside which lanes merge, for SUMO: a merging lane begins or ends between two parts, '
-    'and nobody goes on from its end.';
+    'The parts of a lane group beside which lanes merge or that has a lane in the middle, for SUMO: a merging lane '
+    'begins or ends between two parts, and nobody goes on from its end; a lane in the middle begins past half way, so '
+    'that the two directions never meet on it.';

@@ -145,8 +145,10 @@ BEGIN
                 GROUP BY axis_id) e USING (axis_id)
             WHERE EXISTS (SELECT FROM line l WHERE (l.x, l.y) = (b.x, b.y) AND b.geom && l.box
                 AND ST_DWithin(b.geom, l.geom, l.margin + coalesce(e.width, widest) / 2))),
-        -- Merging lanes come along a highway from afar, from links that meet it.
-        run AS MATERIALIZED (SELECT axis_id, from_node, to_node, geom FROM _merging_run(written)),
+        -- Merging lanes come along a highway from afar, from links that meet it, and turn marks from before a node of
+        -- two edges.
+        run AS MATERIALIZED (SELECT axis_id, from_node, to_node, geom FROM _merging_run(written)
+            UNION ALL SELECT axis_id, from_node, to_node, geom FROM _marked_run(written)),
         run_node AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS ids FROM run),
         -- With what meets it farther on: that bounds its edges.
         bounded AS MATERIALIZED (SELECT from_node, to_node, geom FROM own

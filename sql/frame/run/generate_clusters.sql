@@ -33,7 +33,8 @@ BEGIN
             streetgen._district_of(ST_XMax(geom) + margin, size) AS east,
             streetgen._district_of(ST_YMax(geom) + margin, size) AS north
         FROM (SELECT geom, reach AS margin FROM line UNION ALL SELECT geom, 10 FROM beside_line
-            UNION ALL SELECT geom, 10 FROM _merging_run(requested || written)) g)
+            UNION ALL SELECT geom, 10 FROM _merging_run(requested || written)
+            UNION ALL SELECT geom, 10 FROM _marked_run(requested || written)) g)
     SELECT (SELECT axes FROM id),
            (SELECT array_agg(DISTINCT key) FROM box, streetgen._districts(west, south, east, north) key)
         INTO near, districts;

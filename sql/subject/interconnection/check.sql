@@ -19,6 +19,8 @@ BEGIN
                 CASE WHEN l.start_abscissa IS NULL THEN e.from_node END)) v(along, leaves, enters)
             ON l.both_ways OR l.along_axis = v.along
         WHERE l.kind <> 'parking'),
+    -- Nobody need turn off from a lane in the middle, and one comes to it from the lanes beside.
+    middle AS MATERIALIZED (SELECT lane_id FROM streetgen._lanes_in_middle(model)),
     decided AS MATERIALIZED (
         SELECT DISTINCT ON (c.interconnection_id) d.*, c.interconnection_id, c.connecting AS was_connecting,
             c.plausible, c.control AS was_control, c.method AS was_method
@@ -54,13 +56,13 @@ BEGIN
         JOIN degree d ON d.node_id = l.enters
         WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM interconnection c
             WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along) AND c.plausible)
-            AND d.node_id NOT IN (SELECT node_id FROM busy_node)
+            AND l.lane_id NOT IN (SELECT lane_id FROM middle) AND d.node_id NOT IN (SELECT node_id FROM busy_node)
     UNION ALL
     SELECT 'notice', 'lane that no plausible way reaches', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l
         JOIN degree d ON d.node_id = l.leaves
         WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM interconnection c
             WHERE (c.lane_out, c.along_out) = (l.lane_id, l.along) AND c.plausible)
-            AND d.node_id NOT IN (SELECT node_id FROM busy_node)
+            AND l.lane_id NOT IN (SELECT lane_id FROM middle) AND d.node_id NOT IN (SELECT node_id FROM busy_node)
     UNION ALL
     SELECT 'warning', 'pairs of lanes over interconnections_maximal, none made', 'node', node_id, pairs, n.geom
         FROM busy_node JOIN node n USING (node_id)

@@ -80,6 +80,10 @@ CREATE OR REPLACE FUNCTION streetgen._lane_arguments(places jsonb) RETURNS text
             SELECT array_agg(ROW (axis_id, change_forward, change_backward)::streetgen.street_leaving
                 ORDER BY axis_id)
             FROM {model}.axis WHERE ({whole} OR axis_id = ANY ($2))
-                AND coalesce(change_forward, change_backward) IS NOT NULL)$part$), places) $$;
+                AND coalesce(change_forward, change_backward) IS NOT NULL)$part$,
+        CASE WHEN places -> 'subjects' ? 'lane' THEN $part$marked_before => (
+            SELECT array_agg(DISTINCT ROW (e.axis_id)::streetgen.street_marked)
+            FROM {model}.edge e JOIN {model}.lane l ON l.edge_id = e.edge_id AND l.turn IS NOT NULL
+            WHERE NOT {whole} AND e.axis_id = ANY ($1))$part$ END), places) $$;
 COMMENT ON FUNCTION streetgen._lane_arguments(jsonb) IS
     'Part of the one statement: what the core gets of lanes.';

@@ -30,7 +30,8 @@ COMMENT ON COLUMN :"model".lane.width IS
 COMMENT ON COLUMN :"model".lane.axis_offset IS
     'offset of the centre line at the start limit, metres to the left of the axis';
 COMMENT ON COLUMN :"model".lane.turn IS
-    'movements that the source says it allows, as OSM''s turn:lanes; NULL: nothing is said';
+    'movements that it is marked for, by the source of its street or of a street before it, as OSM''s turn:lanes; '
+    'NULL: nothing is said';
 COMMENT ON COLUMN :"model".lane.geom IS
     'centre line between the limits, in the direction of the axis: where along_axis is false its traffic runs '
     'against it, where both_ways is true it runs either way';

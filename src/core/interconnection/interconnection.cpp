@@ -132,6 +132,11 @@ class InterconnectionBuilder {
     LaneEnd end{kind, lane.turns, {}, {}};
     end.place = planar(leg.at_start ? lane.line.front() : lane.line.back());
     end.direction = direction_at(lane, leg.at_start) * (runs_along(leg, comes_in) ? 1 : -1);
+    const Edge& edge = streets_.network.edges[lane.edge];
+    const Point node =
+        planar(streets_.network.nodes[leg.at_start ? edge.from_node : edge.to_node].point);
+    end.aside = cross(end.direction, end.place - node);
+    end.middle = lane.middle;
     return end;
   }
 

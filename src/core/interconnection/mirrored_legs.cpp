@@ -23,6 +23,7 @@ void mirror(std::vector<LaneEnd>& lanes) {
     lane.turns = mirrored(lane.turns);
     lane.place.y = -lane.place.y;
     lane.direction.y = -lane.direction.y;
+    lane.aside = -lane.aside;
   }
 }
 

@@ -15,6 +15,8 @@ struct LaneEnd {
   unsigned turns = 0;
   Point place;
   Point direction;
+  double aside = 0;     // metres from the node, to the left as one drives
+  bool middle = false;  // of both directions, for those who turn off
 };
 
 // An end of an edge at the node; lanes from left to right in their driving direction.

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
 
 #include "geometry/polyline.hpp"
 #include "interconnection/mirrored_legs.hpp"
 #include "interconnection/movement_angle.hpp"
 #include "interconnection/turn.hpp"
-#include "support/infinite.hpp"
+#include "lane/lane_succession.hpp"
+#include "lane/turn_mark.hpp"
 
 namespace streetgen {
 
@@ -18,18 +20,10 @@ constexpr double slight = 0.9;     // of the angle of a slight turn: parallel la
 constexpr double sharp = 100;      // degrees: beyond it a tight movement is one that none takes
 constexpr double noticeable = 20;  // degrees: a path that turns less has no tight radius
 constexpr double importance_weight = 10;  // degrees that a step of importance is worth
+constexpr int alone = 10;                 // lanes to what goes the same way, where nothing does
 
-struct MarkedTurn {
-  unsigned bit;
-  double angle;
-};
-constexpr MarkedTurn marked_turns[] = {
-    {turn::sharp_left, 135},   {turn::left, 90},   {turn::slight_left, 35},
-    {turn::merge_left, 0},     {turn::through, 0}, {turn::merge_right, 0},
-    {turn::slight_right, -35}, {turn::right, -90}, {turn::sharp_right, -135},
-};
-
-// The lanes of a leg that lead as those of one kind, by their index among all.
+// The lanes of a leg that lead as those of one kind, by their index among all; those in the middle
+// apart.
 using Group = std::vector<int>;
 
 // One movement as its approach sees it.
@@ -44,7 +38,14 @@ struct Way {
 Group group_of(const std::vector<LaneEnd>& lanes, LaneKind kind) {
   Group group;
   for (int i = 0; i < static_cast<int>(lanes.size()); ++i)
-    if (leads_as(lanes[i].kind) == kind) group.push_back(i);
+    if (leads_as(lanes[i].kind) == kind && !lanes[i].middle) group.push_back(i);
+  return group;
+}
+
+Group middle_of(const std::vector<LaneEnd>& lanes) {
+  Group group;
+  for (int i = 0; i < static_cast<int>(lanes.size()); ++i)
+    if (lanes[i].middle) group.push_back(i);
   return group;
 }
 
@@ -94,10 +95,51 @@ class Plausibility {
   void approach(int leg) {
     unsigned marked = 0;
     for (const LaneEnd& lane : legs_[leg].in) marked |= lane.turns;
+    const Group middle = middle_of(legs_[leg].in);
+    const std::vector<const Movement*> turns =
+        middle.empty() ? std::vector<const Movement*>{} : turn_off(leg, middle);
     for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle}) {
       const Group lanes = group_of(legs_[leg].in, kind);
-      if (!lanes.empty()) assign(lanes, kind, open_ways(leg, lanes, kind, marked & turn::reverse));
+      if (lanes.empty()) continue;
+      std::vector<Way> open = open_ways(leg, lanes, kind, marked & turn::reverse);
+      if (kind == LaneKind::general) leave_to_middle(lanes, turns, open);
+      assign(lanes, kind, open);
     }
+  }
+
+  // From lanes in the middle traffic turns off to the left, or goes on to the middle of a street
+  // that alone goes on.  Gives the movements that it takes.
+  std::vector<const Movement*> turn_off(int leg, const Group& lanes) {
+    std::vector<Way> open = open_ways(leg, lanes, LaneKind::general, false);
+    for (const Way& way : open) judge_all(way, lanes, Reason::lane_kind);
+    open.erase(std::remove_if(open.begin(), open.end(), [&](const Way& w) { return turns_back(w); }),
+               open.end());
+    const bool goes_on = open.size() == 1 && goes_on_alone(open.front());
+    const int through = way_through(open);
+    std::vector<const Movement*> taken;
+    for (int j = 0; j < static_cast<int>(open.size()); ++j) {
+      Way& way = open[j];
+      const bool left = through < 0 ? way.angle > 0 : j < through;
+      if (!goes_on && !left) continue;
+      way.goals = goes_on ? middle_of(way.to->out) : targets(*way.to, LaneKind::general);
+      if (way.goals.empty()) continue;
+      connect(way, lanes, Reason::lane_order);
+      if (!goes_on) taken.push_back(way.movement);
+    }
+    return taken;
+  }
+
+  // Who turns off from the middle does so from no lane beside it, unless it is marked or has no
+  // other way.
+  void leave_to_middle(const Group& lanes, const std::vector<const Movement*>& turns,
+                       std::vector<Way>& open) const {
+    const auto left_to_middle = [&](const Way& way) {
+      return std::find(turns.begin(), turns.end(), way.movement) != turns.end();
+    };
+    for (const int i : lanes)
+      if (from_lane(open, i).turns & turn::leftwards) return;
+    if (std::all_of(open.begin(), open.end(), left_to_middle)) return;
+    open.erase(std::remove_if(open.begin(), open.end(), left_to_middle), open.end());
   }
 
   // The ways that lanes of a kind may take, from left to right; of the others it says why not.
@@ -169,12 +211,15 @@ class Plausibility {
         said.push_back(mark.angle);
     for (std::size_t j = 0; j < ways.size(); ++j)
       if (!turns_back(ways[j])) onwards.push_back(j);
+    bool one_to_one = said.size() == onwards.size();
+    for (std::size_t k = 0; one_to_one && k < said.size(); ++k)
+      one_to_one = answers(ways[onwards[k]].angle, said[k]);
     std::vector<Group> served(ways.size());
     for (std::size_t k = 0; k < said.size(); ++k) {
-      // As many marks as ways: one to one from left to right; else the way nearest to the mark,
-      // and those of its kind that no mark is nearer to.
+      // As many marks as ways that answer them: one to one from left to right; else the way nearest
+      // to the mark, and those of its kind that no mark is nearer to.
       std::vector<std::size_t> meant;
-      if (said.size() == onwards.size()) {
+      if (one_to_one) {
         meant = {onwards[k]};
       } else {
         meant = {nearest_way(ways, said[k])};
@@ -192,11 +237,23 @@ class Plausibility {
       const std::vector<Group> shared = serve_in_order(bearing, subset);
       for (std::size_t j = 0; j < meant.size(); ++j) add(served[meant[j]], shared[j]);
     }
+    serve_unmarked(lanes, ways, onwards, served);
     for (std::size_t j = 0; j < ways.size(); ++j)
       if (turns_back(ways[j]))
         for (const int i : lanes)
           if (from_lane(ways, i).turns & turn::reverse) add(served[j], {i});
     return served;
+  }
+
+  // An outermost lane on which nothing is marked takes the turns on its side that no mark means.
+  void serve_unmarked(const Group& lanes, const std::vector<Way>& ways,
+                      const std::vector<std::size_t>& onwards, std::vector<Group>& served) const {
+    const auto serve = [&](int lane, auto first, auto last) {
+      if (from_lane(ways, lane).turns == 0)
+        for (auto j = first; j != last && served[*j].empty(); ++j) served[*j] = {lane};
+    };
+    serve(lanes.front(), onwards.begin(), onwards.end());
+    serve(lanes.back(), onwards.rbegin(), onwards.rend());
   }
 
   static void add(Group& group, const Group& more) {
@@ -278,8 +335,8 @@ class Plausibility {
     const int low = std::min(0, m - n), high = std::max(0, m - n);
     const auto goal = [&](int i, int shift) { return goals[std::clamp(i + shift, 0, m - 1)]; };
     int shift = 0;
-    if (turn_of(way.angle) == Turn::through) {
-      shift = shift_straight_on(way, lanes, low, high);
+    if (turn_of(way.angle) == Turn::through || goes_on_alone(way)) {
+      shift = shift_straight_on(way, lanes, high);
     } else {
       // Along the kerb that it turns about, or as near to it as the radius allows.
       const int side = turns_back(way) ? (inner_left(way) ? 1 : -1) : (way.angle > 0 ? 1 : -1);
@@ -324,10 +381,16 @@ class Plausibility {
     return best < 0 ? wanted : best;
   }
 
-  // Lanes that others enter from one side are left to them; else the least move sideways.
-  int shift_straight_on(const Way& way, const Group& lanes, int low, int high) const {
-    const Group& goals = way.goals;
-    if (low == high) return low;
+  // Whether a street goes on as another, and neither leads elsewhere.
+  bool goes_on_alone(const Way& way) const {
+    return !turns_back(way) && std::all_of(ways_.begin(), ways_.end(), [&](const Way& other) {
+      return other.movement == way.movement || turns_back(other) ||
+             (other.movement->from != way.movement->from && other.to != way.to);
+    });
+  }
+
+  // Lanes that others enter from one side are left to them; else lanes go on as they lie.
+  int shift_straight_on(const Way& way, const Group& lanes, int high) const {
     if (high > 0) {
       bool from_left = false, from_right = false;
       for (const Way& other : ways_)
@@ -336,23 +399,13 @@ class Plausibility {
           (other.order > way.order ? from_left : from_right) = true;
       if (from_left != from_right) return from_left ? high : 0;
     }
-    const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());
-    int best = low;
-    double least = infinite;
-    for (int shift = low; shift <= high; ++shift) {
-      double moved = 0;
-      for (int i = 0; i < n; ++i) {
-        const LaneEnd& in = from(way).in[lanes[i]];
-        const LaneEnd& out = way.to->out[goals[std::clamp(i + shift, 0, m - 1)]];
-        const double aside = cross(unit(in.direction + out.direction), out.place - in.place);
-        moved += aside * aside;
-      }
-      if (moved < least - 1e-6) {
-        least = moved;
-        best = shift;
-      }
-    }
-    return best;
+    const auto abreast = [](const std::vector<LaneEnd>& ends, const Group& group) {
+      std::vector<LaneAbreast> found;
+      for (const int i : group) found.push_back({ends[i].turns, ends[i].aside});
+      return found;
+    };
+    return succession(abreast(from(way).in, lanes), abreast(way.to->out, way.goals),
+                      DrivingSide::right);
   }
 
   // Whether the lanes beside the other direction are the left ones.
@@ -391,26 +444,35 @@ class Plausibility {
   }
 
   // The less, the likelier.  Of equals the first in the order of legs and lanes.
-  using Cost = std::tuple<bool, bool, bool, long long>;
+  using Cost = std::tuple<bool, bool, bool, bool, long long>;
 
-  // The distance of the pair from what else goes the same way, in lanes.
-  double astray(const Way& way, int in, int out) const {
-    double least = 10;
-    const auto &ins = from(way).in, &outs = way.to->out;
-    for (int i = 0; i < static_cast<int>(ins.size()); ++i)
-      for (int o = 0; o < static_cast<int>(outs.size()); ++o)
+  // What else goes the same way: its distance from the pair, in lanes, and whether it crosses it.
+  // Without any, the outermost lanes of the side to which one turns are the nearest.
+  struct Astray {
+    int lanes = 0;
+    bool crosses = false;
+  };
+  Astray astray(const Way& way, int in, int out) const {
+    const int n = static_cast<int>(from(way).in.size()), m = static_cast<int>(way.to->out.size());
+    std::optional<int> nearest;
+    bool crosses = false;
+    for (int i = 0; i < n; ++i)
+      for (int o = 0; o < m; ++o)
         if (at(way, i, o).plausible) {
-          const bool crosses = (i - in) * (o - out) < 0;
-          least = std::min(least, std::abs(i - in) + std::abs(o - out) + (crosses ? 2. : 0.));
+          const int lanes = std::abs(i - in) + std::abs(o - out);
+          nearest = std::min(nearest.value_or(lanes), lanes);
+          crosses = crosses || (i - in) * (o - out) < 0;
         }
-    return least;
+    if (nearest) return {*nearest, crosses};
+    return {alone + (in_steps(way.angle) > 0 ? in + out : n - 1 - in + m - 1 - out), false};
   }
 
   Cost cost(const Way& way, int in, int out) const {
     const Verdict& verdict = at(way, in, out);
+    const Astray beside = astray(way, in, out);
     return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
-            tight(way, in, out),
-            in_steps(std::abs(way.angle) + importance_weight * astray(way, in, out))};
+            tight(way, in, out), beside.crosses,
+            in_steps(std::abs(way.angle) + importance_weight * beside.lanes)};
   }
 
   bool forbidden(const Way& way, int in, int out) const {
@@ -419,7 +481,7 @@ class Plausibility {
 
   bool may(const Way& way, int i, int o) const {
     const LaneKind in = leads_as(from(way).in[i].kind), out = leads_as(way.to->out[o].kind);
-    return !forbidden(way, i, o) &&
+    return !forbidden(way, i, o) && !from(way).in[i].middle && !way.to->out[o].middle &&
            (in == out || in == LaneKind::general || out == LaneKind::general);
   }
 
@@ -462,10 +524,10 @@ class Plausibility {
     };
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
       for (int i = 0; i < static_cast<int>(legs_[leg].in.size()); ++i)
-        if (!spreads(leg, i)) add(likeliest_on(leg, i));
+        if (!legs_[leg].in[i].middle && !spreads(leg, i)) add(likeliest_on(leg, i));
     for (int leg = 0; leg < static_cast<int>(legs_.size()); ++leg)
       for (int o = 0; o < static_cast<int>(legs_[leg].out.size()); ++o)
-        if (!reached(leg, o)) add(likeliest_to(leg, o));
+        if (!legs_[leg].out[o].middle && !reached(leg, o)) add(likeliest_to(leg, o));
   }
 
   // A tight path goes where both its lanes have another, or one that is neither tight nor back; of

@@ -6,6 +6,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
+#include "lane/carried_marks.hpp"
 #include "lane/lane_change.hpp"
 #include "lane/lane_layout.hpp"
 #include "lane/lane_taper.hpp"
@@ -158,6 +159,13 @@ LineBetween line_between(const std::vector<PlacedLane>& lanes, int position) {
   return {SeparatorKind::centre, driven <= 2};
 }
 
+// One direction may drive on a lane of its own.
+bool has_own_lane(const std::vector<LaneWish>& wishes, bool along_axis) {
+  return std::any_of(wishes.begin(), wishes.end(), [&](const LaneWish& wish) {
+    return drives(wish.kind) && !wish.both_ways && wish.along_axis == along_axis;
+  });
+}
+
 LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneWish>& wishes,
                      const TaperedLanes& tapered, bool with_surface, const LaneSettings& settings) {
   const std::vector<PlacedLane> placed = placed_lanes(strip, wishes, settings.order);
@@ -167,6 +175,7 @@ LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneW
   const auto strip_at = [&](int p) {
     return placed[p - 1].stretch ? part_of(strip, *placed[p - 1].stretch) : strip;
   };
+  const bool parted = has_own_lane(wishes, true) && has_own_lane(wishes, false);
   LanesOfEdge out;
   std::vector<Line> borders;
   for (const LaneShares& border : shares) borders.push_back(line_at_shares(strip, border));
@@ -184,6 +193,7 @@ LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneW
     lane.side = side;
     lane.along_axis = wish.along_axis;
     lane.both_ways = wish.both_ways;
+    lane.middle = wish.both_ways && drives(wish.kind) && parted;
     lane.kind = wish.kind;
     lane.turns = wish.turns;
     if (stretch == nullptr) {
@@ -252,7 +262,8 @@ class LaneBuilder {
         controls_(end_controls(streets.network, axes, controls, settings.control_distance,
                                paint.junctions)),
         changes_(paint.changes, paint.leaving),
-        wishes_(std::move(axes), std::move(overrides), circulations, settings) {}
+        wishes_(std::move(axes), std::move(overrides), circulations, settings),
+        carried_(streets.network, streets.roadways, wishes_, settings) {}
 
   Lanes run() {
     const std::vector<NodeRank> ranks = ranks_of(streets_);
@@ -263,7 +274,8 @@ class LaneBuilder {
       tell_progress("lanes", e, streets_.network.edges.size());
       const LaneStrip strip = strip_of(streets_, e);
       const bool crossed = limits_crossed(streets_, e);
-      const auto [wishes, decisions] = wishes_.of(streets_.network.edges[e]);
+      auto [wishes, decisions] = wishes_.of(streets_.network.edges[e]);
+      carried_.carry(e, wishes);
       const TaperedLanes tapered = tapered_lanes(strip.profile, wishes);
       LanesOfEdge made = lanes_of(geos_, strip, wishes, tapered, !crossed, settings_);
       std::size_t ordinary = 0;
@@ -300,7 +312,8 @@ class LaneBuilder {
     TaperedLanes tapered;
     const auto at_end = [&](bool at_start, const WidthProfile::Beyond& beyond) {
       if (beyond.edge < 0) return ChangingLanes{};
-      const std::vector<LaneWish> there = wishes_.of(streets_.network.edges[beyond.edge]).lanes;
+      std::vector<LaneWish> there = wishes_.of(streets_.network.edges[beyond.edge]).lanes;
+      carried_.carry(beyond.edge, there);
       return changing_lanes({wishes, at_start}, {there, beyond.at_start}, settings_.driving_side);
     };
     tapered.start = at_end(true, profile.beyond_start);
@@ -313,6 +326,7 @@ class LaneBuilder {
   std::vector<EndControl> controls_;  // by slot
   LaneChanges changes_;
   LaneWishes wishes_;
+  CarriedMarks carried_;
   Geos geos_;
 };
 

@@ -12,10 +12,9 @@ namespace {
 
 constexpr double same_share = 1e-9;  // of a width: what differs by less differs by rounding
 
-constexpr unsigned leftwards =
-    turn::reverse | turn::sharp_left | turn::left | turn::slight_left | turn::merge_right;
-constexpr unsigned rightwards =
-    turn::slight_right | turn::right | turn::sharp_right | turn::merge_left;
+// A lane that turns or merges so, and goes on no other way, lies on one side.
+constexpr unsigned ends_on_left = turn::reverse | turn::leftwards | turn::merge_right;
+constexpr unsigned ends_on_right = turn::rightwards | turn::merge_left;
 
 enum class Class { driving, cycle, parking };
 
@@ -57,8 +56,8 @@ Split split(const std::vector<LaneWish>& all, const std::vector<int>& lanes, int
     return static_cast<int>(std::find_if(from, to, [&](int i) { return !marked(i, sideways); }) -
                             from);
   };
-  const int left = count(lanes.begin(), lanes.end(), leftwards);
-  const int right = count(lanes.rbegin(), lanes.rend(), rightwards);
+  const int left = count(lanes.begin(), lanes.end(), ends_on_left);
+  const int right = count(lanes.rbegin(), lanes.rend(), ends_on_right);
   if (side == DrivingSide::right) {
     const int outer = std::min(right, too_many), inner = std::min(left, too_many - outer);
     return {inner, too_many - inner};

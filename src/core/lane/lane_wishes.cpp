@@ -6,6 +6,17 @@
 
 namespace streetgen {
 
+namespace {
+
+bool marked(const LanesOfAxis& axis) {
+  const auto turns = [](const LaneWish& lane) { return lane.turns != 0; };
+  const AxisLanes& lanes = axis.lanes;
+  return std::any_of(lanes.forward.begin(), lanes.forward.end(), turns) ||
+         std::any_of(lanes.backward.begin(), lanes.backward.end(), turns);
+}
+
+}  // namespace
+
 LaneWishes::LaneWishes(std::vector<LanesOfAxis> axes, std::vector<LaneOverride> overrides,
                        const std::vector<Circulation>& circulations, const LaneSettings& settings)
     : axes_(std::move(axes)),
@@ -18,6 +29,8 @@ LaneWishes::LaneWishes(std::vector<LanesOfAxis> axes, std::vector<LaneOverride> 
       overrides_.begin(), overrides_.end(),
       [](const LaneOverride& a, const LaneOverride& b) { return a.axis_id < b.axis_id; });
 }
+
+bool LaneWishes::mark_any() const { return std::any_of(axes_.begin(), axes_.end(), marked); }
 
 LaneWishes::OfEdge LaneWishes::of(const Edge& edge) const {
   const auto axis = std::lower_bound(

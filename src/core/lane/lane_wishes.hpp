@@ -24,6 +24,11 @@ class LaneWishes {
   // The wishes of the source for the axis, then of roundabouts, then of overrides.
   OfEdge of(const Edge& edge) const;
 
+  // Whether traffic goes round a roundabout on the edge.
+  bool circulates(const Edge& edge) const { return circulations_.of(edge) != nullptr; }
+  // Whether the source marks turns on lanes of any axis.
+  bool mark_any() const;
+
  private:
   void decide(const Edge& edge, OfEdge& found) const;
 

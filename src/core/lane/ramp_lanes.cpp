@@ -9,8 +9,6 @@ namespace streetgen {
 namespace {
 
 constexpr unsigned onwards = turn::through;
-constexpr unsigned parting_leftwards = turn::sharp_left | turn::left | turn::slight_left;
-constexpr unsigned parting_rightwards = turn::slight_right | turn::right | turn::sharp_right;
 
 // The lanes of one direction.
 RampLanes counted(const std::vector<LaneWish>& lanes, bool along_axis) {
@@ -19,8 +17,8 @@ RampLanes counted(const std::vector<LaneWish>& lanes, bool along_axis) {
     if (!drives(lane.kind) || lane.along_axis != along_axis) continue;
     ++found.count;
     if (!(lane.turns & onwards)) continue;
-    if (lane.turns & parting_leftwards) ++found.parting_left;
-    if (lane.turns & parting_rightwards) ++found.parting_right;
+    if (lane.turns & turn::leftwards) ++found.parting_left;
+    if (lane.turns & turn::rightwards) ++found.parting_right;
   }
   return found;
 }

@@ -36,7 +36,7 @@ void stay_within(const Streets& streets, const Former& former) {
 
 Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& settings,
                 const StreetOverrides& overrides, const Former& former, bool with_kerbs,
-                const RampRules& ramps) {
+                const RampRules& ramps, const LeadsOn& leads_on) {
   Layout layout(axes, settings, overrides.bends);
   check_network(layout.streets.network);
   find_ramps(layout, ramps);
@@ -47,7 +47,7 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   settle_limits(layout, limits_by_hand(layout, overrides.limits));
   solve_joints(layout, radii);
   check_limits(layout.streets);
-  const Affected moved = find_affected(layout, former);
+  const Affected moved = find_affected(layout, former, leads_on);
   stay_within(layout.streets, former);
   const std::map<int, MultiPolygon> beyond_reach =
       settle_owners(layout, moved, with_kerbs && !former.neighbours);

@@ -46,12 +46,14 @@ class Change {
                std::vector<const FormerSurface*>(edges_.size()),
                std::vector<const FormerSurface*>(nodes_.size())} {}
 
-  Affected moved() {
+  Affected moved(const LeadsOn& leads_on) {
     compare_edges();
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       if (!layout_.outer(static_cast<int>(n)) && (met_[n] || follows_met(n)))
         moved_.nodes[n] = true;
     lead_followers_on();
+    if (leads_on && !former_.edges.empty())
+      lead_along(leads_on(layout_.streets.network, layout_.streets.roadways));
     compare_nodes();
     return moved_;
   }
@@ -206,6 +208,26 @@ class Change {
     if (layout_.meets_outer(node)) spreads_to_[e] = true;
   }
 
+  // Along each edge that leads on from a node that moved, to its other end.
+  void lead_along(const std::vector<bool>& leads) {
+    std::vector<int> led;
+    for (int n = 0; n < static_cast<int>(nodes_.size()); ++n)
+      if (moved_.nodes[n]) led.push_back(n);
+    while (!led.empty()) {
+      const int node = led.back();
+      led.pop_back();
+      for (const EdgeEnd& end : layout_.junctions[node].ends) {
+        const Edge& edge = edges_[end.edge];
+        const int next = end.at_start ? edge.to_node : edge.from_node;
+        if (!leads[2 * end.edge + (end.at_start ? 0 : 1)] || moved_.nodes[next] ||
+            layout_.axis_of(end.edge).outer)
+          continue;
+        move_end(end.edge, next);
+        led.push_back(next);
+      }
+    }
+  }
+
   void lead_followers_on() {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       for (const int other : layout_.junctions[n].followed)
@@ -357,9 +379,9 @@ void mark_by(const std::vector<GivenUp>& given_up,
 
 }  // namespace
 
-Affected find_affected(Layout& layout, const Former& former) {
+Affected find_affected(Layout& layout, const Former& former, const LeadsOn& leads_on) {
   Change change(layout, former);
-  Affected moved = change.moved();
+  Affected moved = change.moved(leads_on);
   auto &edges = layout.streets.affected_edges, &nodes = layout.streets.affected_nodes;
   edges = moved.edges;
   nodes = moved.nodes;

@@ -30,6 +30,6 @@ struct Affected {
 };
 
 // Marks the affected edges and nodes in `layout.streets`. `former` must outlive the result.
-Affected find_affected(Layout& layout, const Former& former);
+Affected find_affected(Layout& layout, const Former& former, const LeadsOn& leads_on = {});
 
 }  // namespace streetgen

@@ -179,6 +179,8 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                  column(ramps, "abscissa", FLOAT8OID), column_or_null(ramps, "tangent", FLOAT8OID),
                  column_or_null(ramps, "length", FLOAT8OID)};
   call->paint = take_paint(fcinfo, 19, 20, 21);
+  const Rows marked = rows(fcinfo, 22, "axes marked before");
+  call->marked_before = {marked.count, column(marked, "axis_id", INT8OID)};
 }
 
 }  // namespace streetgen::pg

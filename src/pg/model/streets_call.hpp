@@ -77,6 +77,10 @@ struct StreetsCall {
     int count;
     Column axis_id, abscissa, tangent, length;
   } ramps;
+  struct {
+    int count;
+    Column axis_id;
+  } marked_before;
   bool may_spread;
   struct {
     int count;

@@ -460,6 +460,8 @@ StreetsInput read_input(const StreetsCall& call) {
   input.model.former = former_of(call);
   input.model.lanes = lanes_of(call, settings);
   input.model.overrides = street_overrides_of(call);
+  for (int i = 0; i < call.marked_before.count; ++i)
+    input.model.marked_before.insert(DatumGetInt64(call.marked_before.axis_id.values[i]));
   input.model.lane_overrides = lane_overrides_of(call);
   input.model.lane_settings = lane_settings_of(settings);
   input.model.controls = read_controls(call.controls);

@@ -109,7 +109,7 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
 }
 
 // Where a pair is allowed to a lane, one is plausible: to a lane out, where it is of another edge;
-// bus and cycle lanes may meet in vain.
+// bus and cycle lanes may meet in vain, and from a lane in the middle nobody may turn off.
 void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection>& pairs,
                Faults& faults) {
   std::map<std::pair<int, bool>, bool> spreads, reached;
@@ -117,7 +117,8 @@ void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection
     const LaneKind in = lanes[pair.lane_in].kind, out = lanes[pair.lane_out].kind;
     const bool fits = leads_as(in) == leads_as(out) || leads_as(in) == LaneKind::general ||
                       leads_as(out) == LaneKind::general;
-    if (pair.reason == Reason::restriction || !fits) continue;
+    const bool middle = lanes[pair.lane_in].middle || lanes[pair.lane_out].middle;
+    if (pair.reason == Reason::restriction || !fits || middle) continue;
     spreads[{pair.lane_in, pair.along_in}] |= pair.plausible;
     const bool turns_back = lanes[pair.lane_in].edge == lanes[pair.lane_out].edge;
     if (!turns_back || pair.plausible) reached[{pair.lane_out, pair.along_out}] |= pair.plausible;

@@ -25,6 +25,7 @@ struct LanedAxis {
   double width = 0;
   double speed = 50;
   int both_ways = 0;  // lanes
+  double offset = 0;  // of the roadway, metres to the left of the axis
 };
 
 inline std::vector<LaneWish> general(int count, unsigned turns = 0) {
@@ -44,14 +45,18 @@ inline LanedAxis narrow(std::int64_t id, const Line& line) {
 
 class JoinedTown {
  public:
-  explicit JoinedTown(const std::vector<LanedAxis>& roads, double radius = 8) {
+  explicit JoinedTown(const std::vector<LanedAxis>& roads, double radius = 8,
+                      DrivingSide side = DrivingSide::right) {
     std::vector<LanesOfAxis> wishes;
     for (const LanedAxis& r : roads) {
       axes_.push_back({r.id, r.line, 0, r.width, r.width, radius, 5, r.speed});
+      axes_.back().roadway_offset = r.offset;
       wishes.push_back({r.id, {r.forward, r.backward, general(r.both_ways)}});
     }
     streets_ = streets(axes_, {});
-    lanes_ = streetgen::lanes(streets_, wishes, {}, {}).lanes;
+    LaneSettings settings;
+    settings.driving_side = side;
+    lanes_ = streetgen::lanes(streets_, wishes, {}, settings).lanes;
   }
 
   std::vector<Interconnection> join(const std::vector<TurnRestriction>& restrictions = {},
@@ -61,6 +66,7 @@ class JoinedTown {
   }
 
   const Lane& lane(int index) const { return lanes_[index]; }
+  int lane_count() const { return static_cast<int>(lanes_.size()); }
   // Whether the point lies on the roadway.
   bool holds(const Point& p) const {
     const auto on = [&](const MultiPolygon& surface) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <tuple>
 
 #include "geometry/polyline.hpp"
 #include "interconnection/joined_town.hpp"
@@ -85,6 +86,144 @@ TEST(Plausible, MarksOfAForkGoToItsArmsInOrder) {
   const auto all = town.join();
   EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}}));
   EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{2, 1}}));
+}
+
+// The left turn lies behind the next node: at the first one a street leaves to the right alone.
+TEST(Plausible, AMarkThatNoWayAnswersLeadsStraightOn) {
+  LanedAxis marked = road(1, west, 2, 0);
+  marked.forward[0].turns = turn::left;
+  marked.forward[1].turns = turn::through;
+  const JoinedTown town({marked, road(2, south, 0, 1), road(3, east, 0, 2)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}}));
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{2, 1}}));
+}
+
+TEST(Plausible, AnUnmarkedOuterLaneTakesTheTurnsOnItsSide) {
+  LanedAxis marked = road(1, west, 2, 1);
+  marked.forward[0].turns = turn::left;
+  const JoinedTown town(
+      {marked, road(2, south, 1, 1), road(3, east, 1, 1), road(4, north, 1, 1)});
+  const auto all = town.join();
+  EXPECT_EQ(plausible(town, all, 1, 4), (Ranks{{1, 1}}));
+  EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{2, 1}}));
+  EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{2, 1}}));
+}
+
+const Line onwards{{0, 0, 0}, {100, 0, 0}};
+
+TEST(Plausible, ALaneEndsOnTheSideToWhichItMerges) {
+  for (const unsigned mark : {turn::merge_left, turn::merge_right}) {
+    LanedAxis marked = road(1, west, 3, 0);
+    marked.forward[mark == turn::merge_left ? 2 : 0].turns = mark;
+    const JoinedTown town({marked, road(3, onwards, 2, 0)});
+    EXPECT_EQ(plausible(town, town.join(), 1, 3),
+              mark == turn::merge_left ? (Ranks{{1, 1}, {2, 2}, {3, 2}})
+                                       : (Ranks{{1, 1}, {2, 1}, {3, 2}}));
+  }
+}
+
+TEST(Plausible, LanesThatLieOnOneLineLeadIntoEachOther) {
+  // The axis runs along the left border of the second lane, then of the first.
+  LanedAxis three = road(1, west, 3, 0), two = road(3, onwards, 2, 0);
+  three.offset = -1.75;
+  two.offset = -3.5;
+  const JoinedTown town({three, two});
+  EXPECT_EQ(plausible(town, town.join(), 1, 3), (Ranks{{1, 1}, {2, 1}, {3, 2}}));
+  // The same about a bend.
+  two.line = {{0, 0, 0}, {30, 95, 0}};
+  const JoinedTown bent({three, two});
+  EXPECT_EQ(plausible(bent, bent.join(), 1, 3), (Ranks{{1, 1}, {2, 1}, {3, 2}}));
+}
+
+TEST(Plausible, PathsToSpecialLanesCrossNoOthers) {
+  LanedAxis special = road(3, onwards, 4, 0);
+  special.forward[0].kind = LaneKind::cycle;
+  special.forward[3].kind = LaneKind::bus;
+  const JoinedTown town({road(1, west, 3, 0), special});
+  const Ranks four = plausible(town, town.join(), 1, 3);
+  EXPECT_EQ(four.count({1, 1}), 1u);
+  EXPECT_EQ(four.count({3, 4}), 1u);
+  LanedAxis beside = road(3, onwards, 2, 0);
+  beside.forward[1].kind = LaneKind::cycle;
+  const JoinedTown merging({road(1, west, 2, 0), beside});
+  EXPECT_EQ(plausible(merging, merging.join(), 1, 3), (Ranks{{1, 1}, {2, 1}, {2, 2}}));
+}
+
+// Streets of three lanes, the middle one for both directions; ranks count it where it lies along
+// the axis alone.
+class MiddleLane : public testing::Test {
+ protected:
+  static LanedAxis street(std::int64_t id, const Line& line) {
+    LanedAxis axis = road(id, line, 1, 1);
+    axis.both_ways = 1;
+    axis.width += 3.5;
+    return axis;
+  }
+  struct Passes {
+    std::int64_t from, to;
+    bool from_middle, to_middle;
+    bool operator<(const Passes& o) const {
+      return std::tie(from, to, from_middle, to_middle) <
+             std::tie(o.from, o.to, o.from_middle, o.to_middle);
+    }
+    bool operator==(const Passes& o) const { return !(*this < o) && !(o < *this); }
+  };
+  static std::set<Passes> passes(const JoinedTown& town,
+                                 const InterconnectionSettings& settings = {}) {
+    std::set<Passes> found;
+    for (const Interconnection& i : town.join({}, settings))
+      if (i.plausible)
+        found.insert({town.axis_of(i.lane_in), town.axis_of(i.lane_out),
+                      town.lane(i.lane_in).middle, town.lane(i.lane_out).middle});
+    return found;
+  }
+};
+
+TEST_F(MiddleLane, IsForLeftTurnsAlone) {
+  const JoinedTown town({street(1, west), street(2, onwards), road(3, north, 1, 1)});
+  EXPECT_EQ(passes(town), (std::set<Passes>{{1, 2, false, false},
+                                            {2, 1, false, false},
+                                            {1, 3, true, false},
+                                            {2, 3, false, false},
+                                            {3, 1, false, false},
+                                            {3, 2, false, false}}));
+}
+
+TEST_F(MiddleLane, IsForRightTurnsWhereOneDrivesOnTheLeft) {
+  InterconnectionSettings settings;
+  settings.driving_side = DrivingSide::left;
+  const JoinedTown town({street(1, west), street(2, onwards), road(3, south, 1, 1)}, 8,
+                        DrivingSide::left);
+  EXPECT_EQ(passes(town, settings), (std::set<Passes>{{1, 2, false, false},
+                                                      {2, 1, false, false},
+                                                      {1, 3, true, false},
+                                                      {2, 3, false, false},
+                                                      {3, 1, false, false},
+                                                      {3, 2, false, false}}));
+}
+
+TEST_F(MiddleLane, IsNoWayIntoAStreetWithoutOne) {
+  const JoinedTown town({street(1, west), road(2, onwards, 1, 1), road(3, north, 1, 1)});
+  EXPECT_EQ(passes(town).count({1, 2, true, false}), 0u);
+  EXPECT_EQ(passes(town).count({2, 1, false, true}), 0u);
+  EXPECT_EQ(passes(town).count({1, 3, true, false}), 1u);
+}
+
+TEST_F(MiddleLane, GoesOnWhereTheStreetAloneDoes) {
+  const JoinedTown town({street(1, west), street(2, onwards)});
+  EXPECT_EQ(passes(town), (std::set<Passes>{{1, 2, false, false},
+                                            {2, 1, false, false},
+                                            {1, 2, true, true},
+                                            {2, 1, true, true}}));
+}
+
+TEST_F(MiddleLane, AMarkedLaneBesideItTurnsOffToo) {
+  LanedAxis marked = street(1, west);
+  marked.forward[0].turns = turn::left | turn::through;
+  const JoinedTown town({marked, street(2, onwards), road(3, north, 1, 1)});
+  EXPECT_EQ(passes(town).count({1, 3, true, false}), 1u);
+  EXPECT_EQ(passes(town).count({1, 3, false, false}), 1u);
 }
 
 TEST(Plausible, ARestrictionForbidsTheTurn) {
