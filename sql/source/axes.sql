@@ -68,10 +68,11 @@ BEGIN
         ORDER BY i.label) FROM pg_temp._import i,
         LATERAL (VALUES ('width', i.width), ('width_end', i.width_end), ('speed', i.speed),
             ('lane_count', i.lane_count), ('importance', i.importance)) v(name, value)
-        WHERE v.value = 0 GROUP BY v.name ORDER BY v.name;
-    UPDATE pg_temp._import SET width = nullif(width, 0), width_end = nullif(width_end, 0), speed = nullif(speed, 0),
+        WHERE v.value < 0.001 GROUP BY v.name ORDER BY v.name;
+    UPDATE pg_temp._import SET width = streetgen._within(width, 0.001, 200),
+        width_end = streetgen._within(width_end, 0.001, 200), speed = streetgen._within(speed, 0.001, 400),
         lane_count = nullif(lane_count, 0), importance = nullif(importance, 0)
-        WHERE 0 IN (width, width_end, speed, lane_count, importance);
+        WHERE least(width, width_end, speed, lane_count, importance) < 0.001;
     RETURN QUERY SELECT u.name || ' not understood, taken as unknown', NULL::text, count(*), array_agg(i.label
         ORDER BY i.label)
         FROM pg_temp._import i, unnest(i.unread) u(name) GROUP BY u.name ORDER BY u.name;

@@ -66,3 +66,18 @@ SELECT format('%s is refused: %s', mapping, (r).said), (r).state = '22023' AND (
   '{"source_ref": {"column": "id", "values": {"1": 2}}}', '{"width": {"value": 5, "values": {"1": 2}}}', '{"geom": "id"}', '{"speed": {"value": "fast"}}']) mapping) t;
 SELECT 'a list of values is no SQL', count(*) = 4 FROM streetgen.import_axes('nameless', 'arc', $${"kind": {"column": "fclass", "values": {"'); DROP TABLE arc; --": "x'y"}}, "name": {"value": "');DROP TABLE arc;--"}}$$) WHERE what = 'taken' OR what LIKE 'kind%';
 SELECT 'and the table is there', count(*) = 6 FROM arc;
+
+-- Ten thousand rows of pieces of texts: none stops an import, and each value is read or its row is named.
+SELECT setseed(0.35) \g /dev/null
+CREATE TABLE nonsense AS SELECT i AS id, t[1] AS w, t[2] AS s, t[3] AS n, t[4] AS d, t[5] AS k, t[6] AS l, ST_Translate(pg_temp.lines(i / 100), 500000 + 200 * (i % 100), 0) AS geom
+FROM (SELECT ARRAY['7', '3,5', '1.234,5', '-', ';', '|', '~', '''', '"', ' ', 'm', 'ft', 'mph', 'kn', 'walk', 'DE:', 'GB:', 'zone', 'urban', ':', 'nan', '1e', '+', '99999999999999999999', 'bus', 'general', 'é', E'\t', '%', '\', '1', '-1', 'both']) c(p),
+  generate_series(1, 10000) i, LATERAL (SELECT array_agg(text) AS t FROM (SELECT (SELECT coalesce(string_agg(p[1 + floor(random() * cardinality(p))::integer + 0 * g], ''), '')
+    FROM generate_series(1, floor(random() * 5 + 0 * (i + nth))::integer) g) AS text FROM generate_series(1, 6) nth) t) t;
+SELECT streetgen.create_model('odd', 32631) \g /dev/null
+CREATE TEMPORARY TABLE told_of_nonsense AS SELECT * FROM streetgen.import_axes('odd', 'nonsense', '{"source_ref": "id", "width": {"column": "w", "unit": "ft"}, "speed": {"column": "s", "unit": "mph"}, "lane_count": "n", "direction": "d", "kind_forward": "k", "lane_width_forward": "l"}');
+SELECT 'nonsense stops no import', count(*) = 10000 FROM odd.axis;
+SELECT format('each %s is read, empty, or named by its row', name), count(*) = 300 AND bool_and((value IS NULL OR name = 'direction') = (btrim(said) = '' OR named) OR name = 'direction') AND bool_or(named)
+  FROM (SELECT v.name, v.value, v.said, EXISTS (SELECT FROM told_of_nonsense t WHERE t.what IN (v.name || ' not understood, taken as unknown', v.name || ' of zero, taken as unknown')
+      AND n.id::text = ANY (t.source_refs)) AS named FROM nonsense n JOIN odd.axis a ON a.source_ref = n.id::text,
+    LATERAL (VALUES ('width', a.width::text, n.w), ('speed', a.speed::text, n.s), ('lane_count', a.lane_count::text, n.n), ('direction', a.direction, n.d), ('kind_forward', a.kind_forward, n.k),
+      ('lane_width_forward', a.lane_width_forward, n.l)) v(name, value, said) WHERE n.id <= 300) r GROUP BY name ORDER BY name;
