@@ -27,7 +27,7 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         'due too as its hint, an array. subjects: what is computed besides network and surfaces; words of SQL alone '
         'are passed over. neighbours: for kerbs, all surfaces near that stay; NULL: unknown. ramp_axes: those that may '
         'be part of a ramp; without any there are no ramps. junctions, changes, leaving: what is known of paint. '
-        'marked_before: axes on whose lanes turns were marked. No '
+        'marked_before: axes on whose lanes lay turn marks of others. No '
         'axes (NULL) or no subjects (NULL): NULL; any other list may be NULL. A value of a row that is missing: '
         '22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 

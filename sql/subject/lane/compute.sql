@@ -83,7 +83,14 @@ CREATE OR REPLACE FUNCTION streetgen._lane_arguments(places jsonb) RETURNS text
                 AND coalesce(change_forward, change_backward) IS NOT NULL)$part$,
         CASE WHEN places -> 'subjects' ? 'lane' THEN $part$marked_before => (
             SELECT array_agg(DISTINCT ROW (e.axis_id)::streetgen.street_marked)
-            FROM {model}.edge e JOIN {model}.lane l ON l.edge_id = e.edge_id AND l.turn IS NOT NULL
-            WHERE NOT {whole} AND e.axis_id = ANY ($1))$part$ END), places) $$;
+            FROM {model}.edge e JOIN {model}.axis a USING (axis_id)
+                JOIN {model}.lane l ON l.edge_id = e.edge_id AND l.turn IS NOT NULL AND l.kind <> 'merging'
+            -- A list that does not fit the lanes marks none of them.
+            WHERE NOT {whole} AND e.axis_id = ANY ($1)
+                AND (CASE WHEN l.along_axis THEN a.turn_forward ELSE a.turn_backward END IS NULL
+                    OR cardinality(string_to_array(CASE WHEN l.along_axis THEN a.turn_forward ELSE a.turn_backward END,
+                        '|')) <> (SELECT count(*) FROM {model}.lane o WHERE o.edge_id = l.edge_id
+                            AND o.along_axis = l.along_axis AND NOT o.both_ways
+                            AND o.kind IN ('general', 'bus', 'carpool'))))$part$ END), places) $$;
 COMMENT ON FUNCTION streetgen._lane_arguments(jsonb) IS
     'Part of the one statement: what the core gets of lanes.';

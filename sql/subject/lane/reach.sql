@@ -50,18 +50,22 @@ BEGIN
             SELECT array_agg(edge_id) AS ids FROM (
                 SELECT edge_id FROM edge WHERE from_node = ANY ((SELECT ids FROM node)::bigint[])
                 UNION SELECT edge_id FROM edge WHERE to_node = ANY ((SELECT ids FROM node)::bigint[])) e),
-        run(edge_id) AS (
-            SELECT DISTINCT edge_id FROM lane
-                WHERE edge_id = ANY ((SELECT ids FROM at_node)::bigint[]) AND turn IS NOT NULL
+        -- Each edge is looked up by its key.
+        run(edge_id, from_node, to_node, short) AS (
+            SELECT e.* FROM (SELECT DISTINCT edge_id FROM lane
+                WHERE edge_id = ANY ((SELECT ids FROM at_node)::bigint[]) AND turn IS NOT NULL) m,
+                LATERAL (SELECT edge_id, from_node, to_node, ST_Length(geom) < 101 FROM edge e
+                    WHERE e.edge_id = m.edge_id OFFSET 0) e
             -- Over an edge within a junction marks go on as over a node of two edges. The core bounds its length.
-            UNION SELECT o.edge_id FROM run r JOIN edge e USING (edge_id),
-                unnest(ARRAY[e.from_node, e.to_node]) n(node_id), LATERAL (
-                    SELECT e.*, count(*) OVER () AS degree FROM (
-                        SELECT e.edge_id FROM edge e WHERE e.from_node = n.node_id
-                        UNION ALL SELECT e.edge_id FROM edge e WHERE e.to_node = n.node_id OFFSET 0) e) o
-            WHERE (o.degree = 2 OR ST_Length(e.geom) < 101) AND o.edge_id <> r.edge_id
-                AND EXISTS (SELECT FROM lane l WHERE l.edge_id = o.edge_id AND l.turn IS NOT NULL))
-        SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.geom FROM run JOIN edge e USING (edge_id);
+            UNION SELECT o.edge_id, o.from_node, o.to_node, ST_Length(o.geom) < 101
+            FROM run r, unnest(ARRAY[r.from_node, r.to_node]) n(node_id), LATERAL (
+                SELECT e.*, count(*) OVER () AS degree FROM (
+                    SELECT e.* FROM edge e WHERE e.from_node = n.node_id
+                    UNION ALL SELECT e.* FROM edge e WHERE e.to_node = n.node_id OFFSET 0) e) o
+            WHERE (o.degree = 2 OR r.short) AND o.edge_id <> r.edge_id
+                AND (SELECT true FROM lane l WHERE l.edge_id = o.edge_id AND l.turn IS NOT NULL LIMIT 1))
+        SELECT e.* FROM run r, LATERAL (SELECT edge_id, axis_id, from_node, to_node, geom FROM edge e
+            WHERE e.edge_id = r.edge_id OFFSET 0) e;
     END $body$;
     PERFORM streetgen._own_function(model, '_marked_run(bigint[])',
         'The edges with turn marks that have to do with the edges of some axes: those that meet them, and on over '

@@ -28,5 +28,5 @@ COMMENT ON COLUMN streetgen.street_leaving.forward IS 'axis.change_forward';
 COMMENT ON COLUMN streetgen.street_leaving.backward IS 'axis.change_backward';
 
 CREATE TYPE streetgen.street_marked AS (axis_id bigint);
-COMMENT ON TYPE streetgen.street_marked IS 'An axis on whose lanes turns were marked before the change.';
+COMMENT ON TYPE streetgen.street_marked IS 'An axis on whose lanes lay turn marks of another before the change.';
 COMMENT ON COLUMN streetgen.street_marked.axis_id IS 'the axis';
