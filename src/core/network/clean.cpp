@@ -75,7 +75,12 @@ class TightTurn {
   explicit TightTurn(double r_min) : r_min_(r_min) {}
   void keep(const Point& point) { last_ = point; }
   bool drops(const Point& at, const Point& after) const {
-    if (distance(last_, after) == 0) return false;
+    const Point chord = after - last_;
+    const double size = norm(chord);
+    if (size == 0) return false;
+    // A fold would lose its end, and the street with it.
+    const double along = dot(at - last_, chord) / size;
+    if (along < -r_min_ || along > size + r_min_) return false;
     const double offset = r_min_ * std::tan(std::abs(angle(at - last_, after - at)) / 2);
     return offset > distance(last_, at) / 2 || offset > distance(at, after) / 2;
   }

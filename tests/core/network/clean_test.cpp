@@ -113,6 +113,18 @@ TEST(Clean, LeavesALineThatReturnsToItsStartItsLength) {
   EXPECT_EQ(farthest_from(clean(dead_end, {}, 0.3, 3), dead_end), 0);
 }
 
+// Going back on one's own line, and in a hairpin; what turns within the radius is noise.
+TEST(Clean, AFoldKeepsItsFarthestPoint) {
+  for (const double aside : {0.0, 0.5, 4.0}) {
+    const Line fold{{0, 0}, {100, 0}, {50, aside}};
+    EXPECT_EQ(xs(clean(fold, {}, 0.3, 3)), xs(fold)) << aside;
+  }
+  const Line folds{{50, 0}, {0, 0}, {100, 0}, {60, 0}};
+  EXPECT_EQ(xs(clean(folds, {}, 0.3, 3)), xs(folds));
+  EXPECT_EQ(xs(clean({{0, 0}, {20, 0}, {19, 0.5}, {40, 0}}, {}, 0.3, 3)),
+            (std::vector<double>{0, 19, 40}));
+}
+
 TEST(Clean, LeavesASmallLoopItsSides) {
   const Line loop{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};  // every bend tighter than 3 m
   EXPECT_EQ(xs(clean(loop, {}, 0.3, 3)), xs(loop));
