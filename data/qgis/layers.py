@@ -133,6 +133,12 @@ def finding(look):
     return rules(*((severity, f"severity = '{severity}'", point(look.knob(severity), 'triangle', size)) for severity, size in (('notice', 3), ('warning', 3.6), ('error', 4.2))))
 
 
+def proposed(look):
+    """Axes as they would be."""
+    return rules(*((proposal, f"proposal = '{proposal}'", line(look.handle('proposed'), width, dashes)) for proposal, width, dashes in (
+        ('delete', 0.5, '1;1'), ('split', 0.8, '3;1'), ('join', 0.8, None))))
+
+
 def by_hand(relation, columns):
     """What users decided; here also that which fits nowhere can be seen and deleted."""
     return Layer('edit/by hand', relation, f'{relation}_id', 'geom', mark('star', 3), columns)
@@ -245,6 +251,8 @@ def escaped(column):
 CHECKED = (
     Layer('checks', 'check_result', 'check_result_id', 'place', finding, shown=True,
           tip=f'<b>{escaped("severity")}: {escaped("rule")}[% coalesce(\', \' || round("measure", 2), \'\') %]</b><br>{escaped("relation")} [% "id" %]<br>{escaped("hint")}'),
+    Layer('checks', 'axis_to_mend', 'id', 'geom', proposed, shown=True,
+          tip=f'<b>[% "proposal" %]: {escaped("rule")}, [% round("measure", 2) %] m</b><br>id [% "id" %]'),
     Layer('checks', 'report', 'report_id', 'geom', mark('cross2', 3, 'error'), query=REPORT, kind='Point', shown=True),
     Layer('checks', 'activity', 'activity_id', 'extent', border(), shown=True),
     Layer('checks', 'edit_log', 'edit_log_id', 'extent', border(), shown=True),

@@ -76,6 +76,9 @@ enum class NetworkIssue {
   wide_cluster,    // points or nodes chain wider than three tolerances: not joined
   crossing,        // two axes of one level cross without a vertex (split or passed over)
   collapsed_axis,  // an axis shorter than the tolerance, or whose ends join: it has no edge
+  // Of streets alone, street_network.hpp:
+  lies_on_another,  // a stretch of an axis that lies on another one
+  misses,           // an end in the roadway of another one, without a node
 };
 
 struct NetworkReport {
@@ -83,7 +86,8 @@ struct NetworkReport {
   std::int64_t axis_a = 0;
   std::int64_t axis_b = 0;  // equal to axis_a where only one is concerned
   Point point;
-  double measure = 0;  // width of the cluster, or length of the axis, metres
+  // Metres: width of the cluster, length of the axis or stretch, or from the end to the other axis.
+  double measure = 0;
 };
 
 struct Network {

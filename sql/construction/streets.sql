@@ -31,6 +31,13 @@ COMMENT ON FUNCTION streetgen._streets(integer, jsonb, streetgen.street_axis[], 
         'axes (NULL) or no subjects (NULL): NULL; any other list may be NULL. A value of a row that is missing: '
         '22004; a setting that is missing, a value out of range or unknown, a geometry that is none: 22023.';
 
+CREATE OR REPLACE FUNCTION streetgen._network(srid integer, settings jsonb, axes streetgen.street_axis[])
+    RETURNS bigint
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_network';
+COMMENT ON FUNCTION streetgen._network(integer, jsonb, streetgen.street_axis[]) IS
+    'Computes the network of a set of axes, and keeps it as streetgen._streets does its streets: of those only '
+    'streetgen._computed_report, _computed_node and _computed_edge have rows. Errors are those of _streets.';
+
 CREATE OR REPLACE FUNCTION streetgen._ids_put(list internal, number integer, id bigint) RETURNS internal
     LANGUAGE c IMMUTABLE PARALLEL SAFE AS 'MODULE_PATHNAME', 'streetgen_ids_put';
 COMMENT ON FUNCTION streetgen._ids_put(internal, integer, bigint) IS 'Step of streetgen._ids.';

@@ -111,13 +111,6 @@ COMMENT ON FUNCTION streetgen._mend_heights() IS
     'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours '
     'along the line, or 0; reports the lines.';
 
-CREATE OR REPLACE FUNCTION streetgen._doubled(axes bytea[], levels integer[], near float8) RETURNS float8[]
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 AS 'MODULE_PATHNAME', 'streetgen_doubled';
-COMMENT ON FUNCTION streetgen._doubled(bytea[], integer[], float8) IS
-    'Of each axis (EWKB of a LINESTRING) the metres that lie within near, 0 to 1000 m, of another one of its level, '
-    'of the one where they are most: told by segments that run within ten degrees of each other. Lists of different '
-    'length: 2202E; NULL: 22004; bad geometry or number: 22023.';
-
 CREATE OR REPLACE FUNCTION streetgen._suspects(model name)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -126,30 +119,33 @@ CREATE OR REPLACE FUNCTION streetgen._suspects(model name)
 #variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH doubled AS (
-        SELECT unnest(ids) AS axis_id,
-            unnest(streetgen._doubled(lines, levels, (SELECT value::float8 FROM setting
-            WHERE name = 'clean_epsilon'))) AS metres
-        FROM (SELECT array_agg(axis_id) AS ids, array_agg(geom::bytea) AS lines, array_agg(level) AS levels
-            FROM axis) a)
+    RETURN QUERY WITH network AS MATERIALIZED (
+        -- Without the radius, so that a predictor of the user's is not asked.
+        SELECT streetgen._network(Find_SRID(model::text, 'axis', 'geom'),
+            (SELECT jsonb_object_agg(name, value) || '{"trajectory": "arcs"}' FROM setting),
+            array_agg(ROW (axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, 0, importance,
+                speed, lanes_forward, lanes_backward, lanes_both, NULL, NULL, NULL, NULL, NULL, NULL, true, false
+                )::streetgen.street_axis ORDER BY axis_id)) AS number FROM axis_used),
+    missed AS (SELECT r.issue, r.measure, coalesce(a.source_ref, a.axis_id::text) AS source_ref
+        FROM streetgen._computed_report((SELECT number FROM network)) r JOIN axis a ON a.axis_id = r.axis_a)
     SELECT attribute || ' not believed', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
         FROM streetgen._unbelieved(model) GROUP BY attribute
     UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text)
         ORDER BY a.source_ref) FROM axis a
     WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0
-    UNION ALL (SELECT CASE WHEN metres > 0.99 * ST_Length(geom) THEN 'lies on another axis'
-        ELSE 'lies on another axis in part' END, NULL, count(*),
-        array_agg(coalesce(source_ref, axis_id::text) ORDER BY source_ref)
-    FROM doubled JOIN axis USING (axis_id) WHERE metres > least(5, 0.5 * ST_Length(geom)) GROUP BY 1
-        ORDER BY 1);
+    UNION ALL SELECT issue, NULL, count(DISTINCT source_ref), array_agg(DISTINCT source_ref ORDER BY source_ref)
+        FROM missed WHERE issue = 'axis lies on another' GROUP BY issue
+    UNION ALL SELECT format('%s: tolerance %s would join them all', issue, ceil(10 * max(measure) - 0.001) / 10), NULL,
+        count(*), array_agg(source_ref ORDER BY source_ref)
+        FROM missed WHERE issue LIKE 'end of an axis%' GROUP BY issue;
 EXCEPTION WHEN internal_error THEN
     -- PostGIS' name for a computation that was interrupted. The interrupt still waits, and is taken before RAISE: the
     -- call ends as 57014.
     RAISE;
 END $$;
 COMMENT ON FUNCTION streetgen._suspects(name) IS
-    'Axes that importers report: a width that is not believed, a line that meets itself, and 5 m or half of an axis '
-    'within clean_epsilon of another axis of its level.';
+    'Axes that importers report: a width that is not believed, a line that meets itself, and what the network of all '
+    'axes tells: lines upon lines, and ends that miss.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_twin(source_ref text) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog

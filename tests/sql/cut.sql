@@ -67,6 +67,8 @@ DECLARE
 BEGIN
   SELECT * INTO street FROM quarter.axis WHERE axis_id = old;
   street.axis_id := new;
+  -- As wide as the old one is by hand: that stays the street while both lie there.
+  street.width := (SELECT width FROM quarter.axis_used WHERE axis_id = old);
   street.source_ref := street.source_ref || ' again';
   street.geom := ST_Reverse(street.geom);
   street.direction := CASE street.direction WHEN 'direct' THEN 'reverse' WHEN 'reverse' THEN 'direct' ELSE street.direction END;

@@ -21,6 +21,8 @@ DO $$ BEGIN
       (5, 'LINESTRING(100 100,200 100,200 200,100 200,100 100)', 0), (6, 'LINESTRING(150 150,160 150)', 0), (7, 'LINESTRING(200 200,230 230)', 0), (8, 'LINESTRING(160 150,170 160)', 0),
       (9, 'LINESTRING(0 0,300 0)', 0), (10, 'LINESTRING(300 0,400 0,400 100)', -2), (11, 'LINESTRING(400 100,300 300)', -2), (12, 'LINESTRING(400 100,500 100)', 1),
       (13, 'LINESTRING(100 100,100 60)', 0), (14, 'LINESTRING(30 250,60 250,60 280,30 280,30 250)', 0), (15, 'LINESTRING(0 300,30 250)', 0)) v(id, line, level);
+  -- Two that lead one way each are two edges, though one lies on the other.
+  UPDATE figure.axis SET direction = CASE axis_id WHEN 1 THEN 'direct' ELSE 'reverse' END WHERE axis_id IN (1, 9);
   PERFORM streetgen.generate('figure');
 END $$;
 CREATE TABLE made AS SELECT 'figure'::name AS model, * FROM streetgen.export_topology('figure', 'figure town') UNION ALL SELECT 'quarter', * FROM streetgen.export_topology('quarter', 'town');

@@ -268,7 +268,7 @@ BEGIN
         FROM edge e JOIN axis_used u USING (axis_id) GROUP BY axis_id)
     SELECT count(*) FROM axis a LEFT JOIN generated g USING (axis_id)
     WHERE g.changed OR g.axis_id IS NULL AND NOT EXISTS (SELECT FROM report r WHERE r.axis_a = a.axis_id
-        AND r.issue = 'collapsed_axis') INTO stale;
+        AND r.issue IN ('collapsed_axis', 'axis lies on another')) INTO stale;
     RETURN stale;
 END $$;
 COMMENT ON FUNCTION streetgen._stale_axes(name) IS

@@ -39,6 +39,19 @@ CREATE OR REPLACE FUNCTION streetgen._make_reach(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _place_without_edge(requested bigint[]) RETURNS TABLE(geom geometry, width float8)
+        LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT
+        AS $body$
+    -- Too short for an edge, it joined others.
+    SELECT geom, 0 FROM report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'
+    -- It lay on edges of another, which it cut.
+    UNION ALL SELECT e.geom, greatest(e.width, e.width_end) + 2 * abs(e.roadway_offset)
+        FROM report r JOIN edge e ON e.axis_id = r.axis_b
+        WHERE r.axis_a = ANY (requested) AND r.issue = 'axis lies on another'
+            AND e.geom && ST_Expand(r.geom, r.measure)
+    $body$;
+    PERFORM streetgen._own_function(model, '_place_without_edge(bigint[])',
+        'Where axes lie that have no edge of their own, or not everywhere, and how wide the street there is');
     CREATE OR REPLACE FUNCTION _reach(requested bigint[], OUT stale bigint[], OUT written bigint[],
         OUT gathered bigint[], OUT cells integer[], OUT districts integer[], OUT chains integer[])
         LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
@@ -76,8 +89,7 @@ BEGIN
             SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN axis USING (axis_id)
             UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM edge
                 WHERE axis_id = ANY (requested)
-            -- Too short for an edge, it joined others.
-            UNION ALL SELECT geom, 0 FROM report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'),
+            UNION ALL SELECT geom, width FROM _place_without_edge(requested)),
         near AS MATERIALIZED (
             SELECT e.*, distance <= 3 * tolerance AS met
             FROM line l, LATERAL (
@@ -107,9 +119,10 @@ BEGIN
                 AND ST_DWithin(e.geom, l.geom, reach + (l.width + greatest(e.width, e.width_end)) / 2
                     + abs(e.roadway_offset)))
         SELECT ARRAY(SELECT axis_id FROM part
-                -- An axis that joined its ends may part them.
+                -- An axis that joined its ends may part them, one that lay on another may be a street.
                 UNION SELECT axis_a FROM report r JOIN line l ON l.geom && ST_Expand(r.geom, measure + 3 * tolerance)
-                    WHERE issue = 'collapsed_axis'
+                    WHERE issue IN ('collapsed_axis', 'axis lies on another')
+                UNION SELECT axis_a FROM report WHERE axis_b = ANY (requested) AND issue = 'axis lies on another'
                 UNION SELECT unnest(requested)),
             e.edges, e.turned
             INTO written, edges, turned
@@ -162,7 +175,7 @@ BEGIN
             SELECT axis_id FROM edge WHERE from_node = ANY ((SELECT ids FROM met)::bigint[])
                 UNION SELECT axis_id FROM edge WHERE to_node = ANY ((SELECT ids FROM met)::bigint[])
             -- An axis too short for an edge has no node, but may place that of others.
-            UNION SELECT axis_a FROM report r WHERE issue = 'collapsed_axis'
+            UNION SELECT axis_a FROM report r WHERE issue IN ('collapsed_axis', 'axis lies on another')
                 AND ST_Expand(geom, measure)
                     && (SELECT ST_Expand(ST_Extent(geom)::geometry, 3 * tolerance) FROM bounded)
                 AND EXISTS (SELECT FROM axis a JOIN node n ON ST_DWithin(n.geom, a.geom, 3 * tolerance)
@@ -195,8 +208,7 @@ BEGIN
                 SELECT geom, u.width FROM unnest(present, widths) u(axis_id, width) JOIN axis USING (axis_id)
                 UNION ALL SELECT geom, greatest(width, width_end) + 2 * abs(roadway_offset) FROM edge
                     WHERE axis_id = ANY (requested) AND NOT still
-                UNION ALL SELECT geom, 0 FROM report WHERE axis_a = ANY (requested) AND issue = 'collapsed_axis'
-                    AND NOT still) l,
+                UNION ALL SELECT geom, width FROM _place_without_edge(requested) WHERE NOT still) l,
                 streetgen._cells(l.geom, greatest(reach + (l.width + widest) / 2, 3 * tolerance) / 2, size) key);
         -- The outside changes with edges alone.
         chains := chains || ARRAY(SELECT DISTINCT key FROM _chain_keys(requested, written, turned, edges)

@@ -68,7 +68,8 @@ BEGIN
     UNION ALL
     SELECT 'notice', 'not_generated', 'axis', u.axis_id, ST_Length(u.geom), u.geom FROM used u
         WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = u.axis_id)
-        AND NOT EXISTS (SELECT FROM report r WHERE r.axis_a = u.axis_id AND r.issue = 'collapsed_axis')
+        AND NOT EXISTS (SELECT FROM report r WHERE r.axis_a = u.axis_id
+            AND r.issue IN ('collapsed_axis', 'axis lies on another'))
     UNION ALL
     SELECT 'notice', 'kind that is no class, taken as unknown', 'axis', a.axis_id, 0, a.geom FROM axis a
         WHERE NOT EXISTS (SELECT FROM axis_class c WHERE c.class = a.kind) AND a.kind IS NOT NULL
@@ -251,4 +252,12 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('crossing', 'two axes of one level cross without a node',
         'give the axes a common vertex or another level, or set `crossing` to split'),
     ('collapsed_axis', 'an axis is shorter than the tolerance and has no edge',
-        'delete the axis, or make `tolerance` smaller');
+        'delete the axis, or make `tolerance` smaller'),
+    ('axis lies on another',
+        'so many metres of the axis lie in the middle half of another street and run along it; they make no street '
+        'where the other one leads as well',
+        'accept the proposal of view `axis_to_mend`, or delete the axis; without a proposal it alone leads in its '
+        'direction, or to another street'),
+    ('end of an axis in the roadway of another, without a node',
+        'the end misses the other axis by the measure, and no traffic turns there',
+        'accept the proposal of view `axis_to_mend`, or set `tolerance` to the measure or more');

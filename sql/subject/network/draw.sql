@@ -79,7 +79,8 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, pla
         unnest('{1,2,3,4}'::text[]) street(kind) WHERE layer = 'name' AND from_scale = 0;
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'handle', 'axis', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'axis to edit'),
-    ('construction', 'handle', 'node', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'node to drag');
+    ('construction', 'handle', 'node', 980, '#2b6cb0', '#2b6cb0', 1, 'pixel', 'node to drag'),
+    ('construction', 'handle', 'proposed', 980, '#c2410c', '#c2410c', 1, 'pixel', 'axis as it would be mended');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit) VALUES
     ('street', 'ref', '1', 25000, 970, '#b3541e', '#ffffff', 10, 'pixel'),
     ('street', 'ref', '2', 25000, 970, '#f6c878', '#3a2a08', 10, 'pixel'),

@@ -4,9 +4,14 @@ CREATE OR REPLACE FUNCTION streetgen._mend_network_tables(model name, srid integ
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF streetgen._lacks_column(model, 'edge', 'curve') THEN
         EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
     END IF;
+    -- Another index takes its place.
+    IF to_regclass('report_collapsed') IS NOT NULL THEN
+        DROP INDEX report_collapsed;
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_network_tables(name, integer) IS
-    'Adds to the edges of a model the curve that older ones lack.';
+    'Adds to the edges of a model the curve that older ones lack, and drops an index of theirs.';

@@ -80,3 +80,44 @@ left_node AS MATERIALIZED (
             FROM written_axis) LIMIT 1) IS NULL
             AND (SELECT true FROM {model}.edge WHERE to_node = o.node_id AND axis_id NOT IN (SELECT axis_id
                 FROM written_axis) LIMIT 1) IS NULL)
+
+--{axis_to_mend
+CREATE OR REPLACE VIEW axis_to_mend WITH (security_invoker = true) AS
+WITH lying AS (
+    SELECT axis_a, array_agg(axis_b ORDER BY measure DESC, axis_b) AS others, sum(measure) AS measure,
+        array_agg(geom) AS places
+    FROM report WHERE issue = 'axis lies on another' GROUP BY axis_a),
+lying_piece AS (
+    SELECT l.*, a.geom, streetgen._off_twins(a.geom, e.starts, e.ends, l.places) AS pieces, e.starts IS NULL AS whole
+    FROM lying l JOIN axis a ON a.axis_id = l.axis_a, LATERAL (
+        SELECT array_agg(start_abscissa) AS starts, array_agg(end_abscissa) AS ends FROM edge
+        WHERE axis_id = l.axis_a) e
+    WHERE NOT EXISTS (SELECT FROM unnest(places) p WHERE NOT ST_DWithin(p, a.geom, 0.5))),
+missed AS (
+    SELECT r.axis_a, r.axis_b, r.measure, r.geom AS place, b.geom AS other, e.half_width, e.nodes,
+        row_number() OVER (PARTITION BY axis_a ORDER BY r.measure DESC, r.axis_b) AS nth
+    FROM report r JOIN axis b ON b.axis_id = r.axis_b, LATERAL (
+        SELECT max(greatest(width, width_end)) / 2 + max(abs(roadway_offset)) AS half_width,
+            ST_Collect(n.geom) AS nodes
+        FROM edge JOIN node n ON n.node_id IN (from_node, to_node) WHERE axis_id = r.axis_b) e
+    WHERE r.issue = 'end of an axis in the roadway of another, without a node'
+        -- Edges lie where their nodes are, and those within the tolerance of the axes.
+        AND ST_DWithin(b.geom, r.geom, r.measure
+            + (SELECT 2 * value::float8 FROM setting WHERE name = 'tolerance'))),
+joined AS (
+    SELECT a.axis_id, array_remove(ARRAY[m.axis_b, n.axis_b], NULL) AS others, m.measure,
+        streetgen._joined(streetgen._joined(a.geom, m.place, m.other, m.nodes, m.half_width), n.place, n.other,
+            n.nodes, n.half_width) AS geom
+    FROM missed m JOIN axis a ON a.axis_id = m.axis_a
+        LEFT JOIN missed n ON n.axis_a = m.axis_a AND n.nth = 2
+    WHERE m.nth = 1 AND ST_DWithin(ST_Boundary(a.geom), m.place, 0.5)),
+proposal AS (
+    SELECT 'axis lies on another' AS rule, axis_a || others AS axes, CASE WHEN whole THEN 'delete' ELSE 'split' END
+        AS proposal, l.measure, CASE WHEN whole THEN (SELECT b.geom FROM axis b WHERE b.axis_id = others[1])
+        ELSE pieces END AS geom
+    FROM lying_piece l WHERE whole OR pieces IS NOT NULL
+    UNION ALL SELECT 'end of an axis in the roadway of another, without a node', axis_id || others, 'join', measure,
+        geom FROM joined WHERE geom IS NOT NULL)
+SELECT hash_record_extended(ROW (rule, axes, geom::bytea), 0) & 9223372036854775807 AS id, rule, axes, proposal,
+    measure, ST_Multi(geom)::geometry(MultiLineString{z}, {srid}) AS geom
+FROM proposal

@@ -62,13 +62,16 @@ CREATE TABLE :"model".report (
     issue text NOT NULL, axis_a bigint NOT NULL, axis_b bigint NOT NULL, measure float8 NOT NULL,
     geom geometry(Point, :srid) NOT NULL);
 CREATE INDEX report_axis ON :"model".report (axis_a);
-CREATE INDEX report_collapsed ON :"model".report USING gist (ST_Expand(geom, measure))
-    WHERE issue = 'collapsed_axis';
+CREATE INDEX report_without_edge ON :"model".report USING gist (ST_Expand(geom, measure))
+    WHERE issue IN ('collapsed_axis', 'axis lies on another');
 CREATE INDEX report_other ON :"model".report (axis_b);
 COMMENT ON TABLE :"model".report IS
-    'What the network step noticed: wide_cluster, crossing, collapsed_axis; check_model shows it';
-COMMENT ON COLUMN :"model".report.issue IS 'wide_cluster, crossing or collapsed_axis';
+    'What the network step noticed; check_model shows it';
+COMMENT ON COLUMN :"model".report.issue IS
+    'wide_cluster; crossing; collapsed_axis; axis lies on another; end of an axis in the roadway of another, without a '
+    'node';
 COMMENT ON COLUMN :"model".report.axis_a IS 'the axis';
 COMMENT ON COLUMN :"model".report.axis_b IS 'the other axis, or the same';
-COMMENT ON COLUMN :"model".report.measure IS 'width of the cluster or length of the axis, metres';
+COMMENT ON COLUMN :"model".report.measure IS 
+    'metres: width of the cluster, length of the axis or of what lies on another, or from the end to the other axis';
 COMMENT ON COLUMN :"model".report.geom IS 'place';

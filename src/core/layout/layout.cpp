@@ -8,6 +8,7 @@
 #include "geometry/polyline.hpp"
 #include "layout/node_corner.hpp"
 #include "layout/smooth_edges.hpp"
+#include "streetgen/street_network.hpp"
 
 namespace streetgen {
 
@@ -22,13 +23,9 @@ std::int64_t millimetres(double metres) { return std::llround(1000 * metres + 0.
 Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted,
                const std::vector<RoadOverride>& overrides)
     : settings(wanted) {
-  std::vector<NetworkAxis> lines;
   std::unordered_map<std::int64_t, const StreetAxis*> by_id;
-  for (const StreetAxis& axis : all) {
-    lines.push_back({axis.axis_id, axis.line, axis.level});
-    by_id.emplace(axis.axis_id, &axis);
-  }
-  streets.network = network(lines, settings.tolerance, settings.crossing);
+  for (const StreetAxis& axis : all) by_id.emplace(axis.axis_id, &axis);
+  streets.network = street_network(all, settings.tolerance, settings.crossing);
   if (settings.smoothing) smooth_edges(streets.network, *settings.smoothing, overrides);
   for (const Edge& edge : streets.network.edges) axes.push_back(by_id.at(edge.axis_id));
   streets.roadways.reserve(axes.size());

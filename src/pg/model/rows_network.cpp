@@ -18,6 +18,10 @@ const char* issue_name(NetworkIssue issue) {
       return "crossing";
     case NetworkIssue::collapsed_axis:
       return "collapsed_axis";
+    case NetworkIssue::lies_on_another:
+      return "axis lies on another";
+    case NetworkIssue::misses:
+      return "end of an axis in the roadway of another, without a node";
   }
   return "";
 }

@@ -10,6 +10,7 @@
 #include "model/streets_give.hpp"
 #include "model/streets_input.hpp"
 #include "model/streets_rows.hpp"
+#include "streetgen/street_network.hpp"
 
 extern "C" {
 #include <utils/array.h>
@@ -34,6 +35,14 @@ ComputedStreets compute_streets(const StreetsCall& call) {
   } catch (const ChangeSpreads& spreads) {
     throw Error(ErrorKind::spreads, spreads.what(), array_of(spreads.axes()));
   }
+}
+
+ComputedStreets compute_network(const StreetsCall& call) {
+  const StreetsInput input = read_input(call);
+  const StreetSettings& settings = input.model.settings;
+  StreetModel model;
+  model.streets.network = street_network(input.model.axes, settings.tolerance, settings.crossing);
+  return {std::move(model), input.srid, input.has_z};
 }
 
 // Computations of statements under way, by number: each is there until its statement has ended.
@@ -114,6 +123,16 @@ STREETGEN_FUNCTION(streetgen_streets) {
   begin_progress(call.axes.count);
   const Outcome outcome = compute([&] { slot->value = new Kept(compute_streets(call)); });
   end_progress();
+  report(outcome);
+  PG_RETURN_INT64(slot->value->number());
+}
+
+STREETGEN_FUNCTION(streetgen_network) {
+  using namespace streetgen::pg;
+  StreetsCall call{};
+  take_network(fcinfo, &call);
+  Slot<Kept>* slot = make_slot<Kept>(fcinfo->flinfo->fn_mcxt);
+  const Outcome outcome = compute([&] { slot->value = new Kept(compute_network(call)); });
   report(outcome);
   PG_RETURN_INT64(slot->value->number());
 }

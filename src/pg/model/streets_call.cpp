@@ -54,7 +54,7 @@ void take_subjects(FunctionCallInfo fcinfo, int argument, StreetsCall* call) {
 
 }  // namespace
 
-void take(FunctionCallInfo fcinfo, StreetsCall* call) {
+void take_network(FunctionCallInfo fcinfo, StreetsCall* call) {
   call->srid = PG_GETARG_INT32(0);
   take_settings(fcinfo, 1, call);
 
@@ -80,6 +80,10 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column_or_null(axes, "turn_backward", TEXTOID),
                 column(axes, "changed", BOOLOID),
                 column(axes, "outer_axis", BOOLOID)};
+}
+
+void take(FunctionCallInfo fcinfo, StreetsCall* call) {
+  take_network(fcinfo, call);
 
   const Rows transitions = rows(fcinfo, 3, "transitions");
   call->transitions = {transitions.count, column(transitions, "axis_id", INT8OID),

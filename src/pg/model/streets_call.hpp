@@ -88,7 +88,9 @@ struct StreetsCall {
   } subjects;
 };
 
-// Raises where a row lacks a value that it needs.
+// The reference, settings and axes alone.  Raises where a row lacks a value that it needs.
+void take_network(FunctionCallInfo fcinfo, StreetsCall* call);
+// All arguments, in the same way.
 void take(FunctionCallInfo fcinfo, StreetsCall* call);
 
 }  // namespace streetgen::pg

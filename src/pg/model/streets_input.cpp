@@ -90,6 +90,11 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.importance = DatumGetInt32(rows.importance.values[i]);
     axis.level = DatumGetInt32(rows.level.values[i]);
     axis.speed = measure(rows.speed, 0, 1000, "speed");
+    const auto leads = [&](const Column& lanes) {
+      return DatumGetInt32(lanes.values[i]) + DatumGetInt32(rows.lanes_both.values[i]) > 0;
+    };
+    axis.leads_forward = leads(rows.lanes_forward);
+    axis.leads_backward = leads(rows.lanes_backward);
     axis.changed = DatumGetBool(rows.changed.values[i]);
     axis.outer = DatumGetBool(rows.outer_axis.values[i]);
     axis.transition_start = own(axis.axis_id, true);

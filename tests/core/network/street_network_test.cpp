@@ -1,0 +1,217 @@
+#include "streetgen/street_network.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "geometry/polyline.hpp"
+
+namespace streetgen {
+namespace street_network_test {
+
+StreetAxis street(std::int64_t id, Line line, double width = 8) {
+  StreetAxis axis;
+  axis.axis_id = id;
+  axis.line = std::move(line);
+  axis.width = axis.width_end = width;
+  return axis;
+}
+
+Network of(const std::vector<StreetAxis>& axes) {
+  return street_network(axes, 0.5, Crossing::over);
+}
+
+std::vector<NetworkReport> told(const Network& network, NetworkIssue issue) {
+  std::vector<NetworkReport> reports;
+  for (const NetworkReport& report : network.reports)
+    if (report.issue == issue) reports.push_back(report);
+  return reports;
+}
+
+double metres_of(const Network& network, std::int64_t axis_id) {
+  double sum = 0;
+  for (const Edge& edge : network.edges)
+    if (edge.axis_id == axis_id) sum += length(edge.line);
+  return sum;
+}
+
+TEST(Twin, OfTwoNamesForOneStreetTheLaterOneIsNone) {
+  const Network n = of({street(1, {{0, 0}, {100, 0}, {200, 0}}), street(2, {{200, 0}, {0, 0}})});
+  EXPECT_EQ(metres_of(n, 1), 200);
+  EXPECT_EQ(metres_of(n, 2), 0);
+  const auto reports = told(n, NetworkIssue::lies_on_another);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].axis_a, 2);
+  EXPECT_EQ(reports[0].axis_b, 1);
+  EXPECT_NEAR(reports[0].measure, 200, 1e-9);
+  EXPECT_NEAR(distance(reports[0].point, {100, 0}), 0, 1e-9);
+}
+
+TEST(Twin, TheMoreImportantThenTheWiderOneIsTheStreet) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}, 6), street(2, {{0, 0}, {100, 0}}, 7)};
+  EXPECT_EQ(metres_of(of(axes), 1), 0);
+  axes[0].importance = 2;
+  EXPECT_EQ(metres_of(of(axes), 2), 0);
+}
+
+TEST(Twin, APartOfALongerLineWithOtherVertices) {
+  const Network n = of({street(1, {{0, 0}, {40, 0}, {60, 0}, {200, 0}}, 9),
+                        street(2, {{150, 0}, {60, 0}, {40, 0}, {40, 90}}, 6)});
+  EXPECT_NEAR(metres_of(n, 2), 90, 1e-9);
+  const auto reports = told(n, NetworkIssue::lies_on_another);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_NEAR(reports[0].measure, 110, 1e-9);
+}
+
+// Two centre lines of one street of 8 m lie on each other up to a quarter of that; two
+// carriageways do not.
+TEST(Twin, WithinTheMiddleHalfOfItsStreet) {
+  for (const double apart : {0.4, 1.0, 1.9, 2.1, 4.0}) {
+    const Network n = of({street(1, {{0, 0}, {20, 0}, {180, 0}, {200, 0}}),
+                          street(2, {{0, 0}, {20, apart}, {180, apart}, {200, 0}})});
+    EXPECT_EQ(metres_of(n, 2) == 0, apart < 2) << apart;
+  }
+}
+
+TEST(Twin, BesideItWhereItsOffsetSaysSo) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}), street(2, {{100, 0}, {0, 0}})};
+  axes[0].roadway_offset = axes[1].roadway_offset = 4;
+  EXPECT_GT(metres_of(of(axes), 2), 0);
+  axes[1].roadway_offset = -4;
+  EXPECT_EQ(metres_of(of(axes), 2), 0);
+}
+
+TEST(Twin, OnAnotherLevelIsAStreet) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}), street(2, {{0, 0}, {100, 0}})};
+  axes[1].level = 1;
+  const Network n = of(axes);
+  EXPECT_EQ(metres_of(n, 2), 100);
+  EXPECT_TRUE(told(n, NetworkIssue::lies_on_another).empty());
+}
+
+TEST(Twin, ThatAloneLeadsInItsDirectionStaysAndIsTold) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}), street(2, {{100, 0}, {0, 0}})};
+  for (const bool along : {true, false}) {
+    axes[0].leads_backward = false;
+    axes[1].leads_forward = !along;
+    axes[1].leads_backward = along;
+    const Network n = of(axes);
+    EXPECT_EQ(metres_of(n, 2), along ? 0 : 100);
+    EXPECT_EQ(told(n, NetworkIssue::lies_on_another).size(), 1u);
+  }
+}
+
+// A side street that ends at the twin, too far from the other one to meet it.
+TEST(Twin, ThatAloneLeadsToAStreetStaysAndIsTold) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {10, -1}, {100, -1}, {110, 0}}),
+                               street(2, {{0, 0}, {10, 0.5}, {50, 0.5}, {100, 0.5}, {110, 0}}),
+                               street(3, {{50, 0.5}, {50, 60}})};
+  const Network n = of(axes);
+  EXPECT_GT(metres_of(n, 2), 100);
+  EXPECT_FALSE(told(n, NetworkIssue::lies_on_another).empty());
+  axes[2].line[0] = {50, 3.4};
+  EXPECT_EQ(metres_of(of(axes), 2), 0);
+}
+
+TEST(Twin, ShortWaysAcrossAndShortArmsOfAFlatForkAreStreets) {
+  const Network across =
+      of({street(1, {{0, 0}, {100, 0}}, 20), street(2, {{50, -4}, {50, 4}}, 20)});
+  EXPECT_EQ(metres_of(across, 2), 8);
+  const Network fork = of({street(1, {{0, 0}, {100, 0}}), street(2, {{0, 0}, {60, 6}})});
+  EXPECT_GT(metres_of(fork, 2), 60);
+  EXPECT_TRUE(told(fork, NetworkIssue::lies_on_another).empty());
+}
+
+TEST(Twin, ARingDrawnTwiceFromAnotherPlace) {
+  const Line ring{{0, 0}, {30, 0}, {30, 30}, {0, 30}, {0, 0}};
+  const Line turned{{30, 30}, {30, 0}, {0, 0}, {0, 30}, {30, 30}};
+  const Network n = of({street(1, ring), street(2, turned), street(3, {{0, 0}, {-50, 0}})});
+  EXPECT_NEAR(metres_of(n, 1), 120, 1e-9);
+  EXPECT_EQ(metres_of(n, 2), 0);
+}
+
+TEST(MissedEnd, InTheRoadwayAndBeyondTheTolerance) {
+  for (const double y : {0.0, 0.4, 0.7, 3.9, 4.1}) {
+    const Network n = of({street(1, {{0, 0}, {100, 0}}), street(2, {{50, y}, {50, 60}})});
+    const auto reports = told(n, NetworkIssue::misses);
+    ASSERT_EQ(reports.size(), y > 0.5 && y < 4 ? 1u : 0u) << y;
+    if (reports.empty()) continue;
+    EXPECT_EQ(reports[0].axis_a, 2);
+    EXPECT_EQ(reports[0].axis_b, 1);
+    EXPECT_NEAR(reports[0].measure, y, 1e-9);
+    // The tolerance that would join them does.
+    const Network wider =
+        street_network({street(1, {{0, 0}, {100, 0}}), street(2, {{50, y}, {50, 60}})},
+                       reports[0].measure, Crossing::over);
+    EXPECT_EQ(wider.edges.size(), 3u);
+  }
+}
+
+TEST(MissedEnd, GoesBeyondTheOtherAxis) {
+  const std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}),
+                                     street(2, {{50, -1}, {50, 60}})};
+  EXPECT_EQ(told(of(axes), NetworkIssue::misses).size(), 1u);
+  // With a node where they cross, what is left is a stub in the roadway.
+  EXPECT_TRUE(told(street_network(axes, 0.5, Crossing::split), NetworkIssue::misses).empty());
+}
+
+TEST(MissedEnd, ABridgeOverARoadIsNone) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}), street(2, {{50, 1}, {50, 60}})};
+  axes[1].level = 1;
+  EXPECT_TRUE(told(of(axes), NetworkIssue::misses).empty());
+}
+
+TEST(MissedEnd, OfTwoThatMissEachOtherTheLaterOneIsTold) {
+  const auto reports =
+      told(of({street(1, {{0, 0}, {50, 0}}), street(2, {{52, 0}, {90, 0}})}), NetworkIssue::misses);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].axis_a, 2);
+}
+
+TEST(MissedEnd, TheRoadwayMayLieBesideItsAxis) {
+  for (const double offset : {4.0, -4.0}) {
+    std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}), street(2, {{50, 6}, {50, 60}})};
+    axes[0].roadway_offset = offset;
+    EXPECT_EQ(told(of(axes), NetworkIssue::misses).size(), offset > 0 ? 1u : 0u);
+  }
+}
+
+// Whatever the order of the axes, and from whichever end they are drawn.
+TEST(StreetNetwork, IsTheSameInAnyOrder) {
+  std::mt19937 random(7);
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int round = 0; round < 60; ++round) {
+    std::vector<StreetAxis> axes;
+    for (int i = 0; i < 6; ++i) {
+      Line line{{0, 40.0 * i}, {number(60, 90), 40.0 * i + number(-3, 3)}, {160, 40.0 * i}};
+      axes.push_back(street(2 * i, line, number(5, 12)));
+      const double aside = number(0, 3);
+      for (Point& p : line) p.y += aside;
+      if (i % 2) std::reverse(line.begin(), line.end());
+      axes.push_back(street(2 * i + 1, line, number(5, 12)));
+      axes.push_back(street(
+          20 + i, {{number(0, 160), 40.0 * i + number(0, 5)}, {number(0, 160), 40.0 * i + 36}}));
+    }
+    const Network one = of(axes);
+    std::shuffle(axes.begin(), axes.end(), random);
+    const Network two = of(axes);
+    ASSERT_EQ(one.edges.size(), two.edges.size());
+    ASSERT_EQ(one.reports.size(), two.reports.size());
+    for (StreetAxis& axis : axes) {
+      std::reverse(axis.line.begin(), axis.line.end());
+      std::swap(axis.leads_forward, axis.leads_backward);
+    }
+    const Network back = of(axes);
+    EXPECT_EQ(one.edges.size(), back.edges.size());
+    EXPECT_EQ(one.reports.size(), back.reports.size());
+    for (const Edge& edge : one.edges)
+      for (const int n : {edge.from_node, edge.to_node})
+        EXPECT_LT(n, static_cast<int>(one.nodes.size()));
+  }
+}
+
+}  // namespace street_network_test
+}  // namespace streetgen
