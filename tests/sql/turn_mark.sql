@@ -33,6 +33,7 @@ BEGIN
 END $$;
 SELECT * FROM pg_temp.edited('marks changed', $$UPDATE avenue.axis SET turn_forward = 'left|left;through|right' WHERE axis_id = 1$$);
 SELECT 'four pieces on they hold', pg_temp.marks(5) = 'left|left;through|right' AND pg_temp.ways(5, 7) = '12' AND pg_temp.ways(5, 6) = '2';
+SELECT * FROM pg_temp.edited('a list of no turns farther on', $$UPDATE avenue.axis SET turn_forward = 'none|none|none' WHERE axis_id = 4$$);
 SELECT * FROM pg_temp.edited('marks taken away', $$UPDATE avenue.axis SET turn_forward = NULL WHERE axis_id = 1$$);
 SELECT 'they are gone everywhere', NOT EXISTS (SELECT FROM avenue.lane WHERE turn IS NOT NULL);
 SELECT * FROM pg_temp.edited('marks given again', $$UPDATE avenue.axis SET turn_forward = 'left|through|right' WHERE axis_id = 1$$);

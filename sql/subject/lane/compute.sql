@@ -66,7 +66,7 @@ COMMENT ON FUNCTION streetgen._upsert_lane(jsonb) IS
     'Part of the one statement: lanes, separators and markings at new_edge.';
 
 CREATE OR REPLACE FUNCTION streetgen._lane_arguments(places jsonb) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template(concat_ws(',',
         $part$lanes => (
             SELECT array_agg(ROW (axis_id, abscissa, ordinality, along_axis, both_ways, width,
@@ -81,16 +81,6 @@ CREATE OR REPLACE FUNCTION streetgen._lane_arguments(places jsonb) RETURNS text
                 ORDER BY axis_id)
             FROM {model}.axis WHERE ({whole} OR axis_id = ANY ($2))
                 AND coalesce(change_forward, change_backward) IS NOT NULL)$part$,
-        CASE WHEN places -> 'subjects' ? 'lane' THEN $part$marked_before => (
-            SELECT array_agg(DISTINCT ROW (e.axis_id)::streetgen.street_marked)
-            FROM {model}.edge e JOIN {model}.axis a USING (axis_id)
-                JOIN {model}.lane l ON l.edge_id = e.edge_id AND l.turn IS NOT NULL AND l.kind <> 'merging'
-            -- A list that does not fit the lanes marks none of them.
-            WHERE NOT {whole} AND e.axis_id = ANY ($1)
-                AND (CASE WHEN l.along_axis THEN a.turn_forward ELSE a.turn_backward END IS NULL
-                    OR cardinality(string_to_array(CASE WHEN l.along_axis THEN a.turn_forward ELSE a.turn_backward END,
-                        '|')) <> (SELECT count(*) FROM {model}.lane o WHERE o.edge_id = l.edge_id
-                            AND o.along_axis = l.along_axis AND NOT o.both_ways
-                            AND o.kind IN ('general', 'bus', 'carpool'))))$part$ END), places) $$;
+        CASE WHEN places -> 'subjects' ? 'lane' THEN streetgen._part('marked_before') END), places) $$;
 COMMENT ON FUNCTION streetgen._lane_arguments(jsonb) IS
     'Part of the one statement: what the core gets of lanes.';

@@ -36,3 +36,15 @@ JOIN lane l ON l.lane_id = CASE WHEN apart AND on_left.side = 'right' THEN (SELE
 JOIN lane r ON r.lane_id = CASE WHEN apart AND on_left.side = 'left' THEN (SELECT lane_id FROM lane w
     WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position LIMIT 1)
     ELSE on_right.lane_id END
+
+--{marked_before
+marked_before => (
+    SELECT array_agg(DISTINCT ROW (e.axis_id)::streetgen.street_marked)
+    FROM {model}.edge e JOIN {model}.axis a USING (axis_id)
+        JOIN {model}.lane l ON l.edge_id = e.edge_id AND l.turn IS NOT NULL AND l.kind <> 'merging'
+        CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.turn_forward ELSE a.turn_backward END AS list) own
+    -- A list that does not fit the lanes marks none of them, nor does one without a turn.
+    WHERE NOT {whole} AND e.axis_id = ANY ($1)
+        AND (list IS NULL OR list !~ 'left|right|through|reverse' OR cardinality(string_to_array(list, '|')) <> (
+            SELECT count(*) FROM {model}.lane o WHERE o.edge_id = l.edge_id AND o.along_axis = l.along_axis
+                AND NOT o.both_ways AND o.kind IN ('general', 'bus', 'carpool'))))
