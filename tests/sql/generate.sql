@@ -183,7 +183,9 @@ CREATE TABLE public.town_row AS SELECT test.rows('town') AS rows;
 SELECT 'a second run over a town reports no change', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 SELECT 'a second run over a town writes no row', (SELECT rows FROM town_row) = test.rows('town');
 UPDATE town_edited.axis SET width = 20 WHERE axis_id = 1;
-SELECT 'an edit in a town updates few rows of a table', max(updated) BETWEEN 1 AND 20 FROM streetgen.generate('town_edited', '{1}');
+-- Two of the 64 nodes have the ends of one axis.
+SELECT 'an edit in a town updates less than a tenth of a table', max(updated) > 0 AND bool_and(updated < count / 10.0) FROM (SELECT 'lane' AS relation, count(*) FROM town_edited.lane UNION ALL SELECT 'edge', count(*) FROM town_edited.edge
+  UNION ALL SELECT 'interconnection', count(*) FROM town_edited.interconnection) t JOIN streetgen.generate('town_edited', '{1}') USING (relation);
 SELECT 'an edit by its axis equals a run over all', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town_edited');
 UPDATE town_edited.axis SET width = (SELECT width FROM town.axis t WHERE t.axis_id = 1) WHERE axis_id = 1;
 SELECT 'taking the edit back updates', bool_or(updated > 0) FROM streetgen.generate('town_edited', '{1}');
