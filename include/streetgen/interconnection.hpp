@@ -28,6 +28,7 @@ enum class Reason {
   only_way,      // plausible: else the lane in would lead nowhere or the lane out not be reached
   restriction,   // not: a turn restriction
   lane_kind,     // not: a lane of another kind
+  traffic,       // plausible for some traffic alone: a restriction excepts it, or a street is its own
   u_turn,        // not: it turns back where there are other ways on
   radius,        // not: too tight for the speed where other ways do
   ring,          // not: against the traffic of a roundabout
@@ -44,7 +45,7 @@ struct TurnRestriction {
   Point via;
   bool only = false;  // the only way on from the edge; else: no way
   std::optional<Turn> turn;
-  std::vector<LaneKind> except{};  // it binds no pair with a lane of these kinds
+  std::vector<LaneKind> except{};  // it does not bind traffic of these kinds, on whatever lane
 };
 
 struct InterconnectionSettings {
@@ -68,6 +69,7 @@ struct Interconnection {
   double angle = 0;           // degrees in (-180, 180] from lane to lane, positive to the left
   bool plausible = false;
   Reason reason = Reason::lane_order;
+  LaneKinds traffic{};  // who may take it, by the kinds of lanes; general: all
   Point control;
   Line line;
 };

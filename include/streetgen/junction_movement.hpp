@@ -38,7 +38,7 @@ struct InnerEdge {
   std::int64_t axis_id = 0;
   int edge = 0;  // tells it from other edges, as JunctionLeg::edge does
   int from_node = 0, to_node = 0;
-  bool along = true, against = true;  // the directions of its traffic
+  LaneKinds along, against;           // whose lanes lead along its line, and against it
   double offset_along = 0;            // of that traffic's lanes, metres to the left of the line
   double offset_against = 0;
   Line line;
@@ -59,7 +59,7 @@ struct WayRestriction {
   std::int64_t to_axis = 0;
   std::vector<int> via;  // InnerEdge::edge
   bool only = false;     // the only way on, wherever the next of these begins; else: no way
-  std::vector<LaneKind> except{};  // it binds no pair with a lane of these kinds
+  std::vector<LaneKind> except{};  // it does not bind traffic of these kinds, on whatever lane
 };
 
 struct JunctionPlace {
@@ -79,6 +79,7 @@ struct JunctionMovement {
   double angle = 0;  // degrees in (-180, 180] from lane to lane, positive to the left
   bool plausible = false;
   Reason reason = Reason::lane_order;
+  LaneKinds traffic{};  // who may take it, by the kinds of lanes; general: all
   std::vector<std::int64_t> interconnections;  // of the lanes on the way; empty: none lead there
   Line line;
 };

@@ -11,6 +11,8 @@
 // ground within half the lane's width of it, flat at its ends, wherever its neighbours are.
 #pragma once
 
+#include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -22,10 +24,20 @@
 namespace streetgen {
 
 // Merging lanes lie beside the others on a part of an edge only, where a ramp is.
-enum class LaneKind { general, bus, carpool, cycle, parking, merging };
+enum class LaneKind { general, bus, carpool, cycle, parking, merging, closed };
+using LaneKinds = std::bitset<7>;
+constexpr std::size_t index_of(LaneKind kind) { return static_cast<std::size_t>(kind); }
+// Of traffic: nobody drives along a parking lane, nor on one that is closed.
+inline bool carries_traffic(LaneKind kind) {
+  return kind != LaneKind::parking && kind != LaneKind::closed;
+}
 // The lanes that lists of turns, widths and lane changes of a source count: of motor traffic.
 inline bool drives(LaneKind kind) {
   return kind == LaneKind::general || kind == LaneKind::bus || kind == LaneKind::carpool;
+}
+// Not of all traffic, but of some.
+inline bool of_some_alone(const LaneKinds& kinds) {
+  return kinds.any() && !kinds[index_of(LaneKind::general)];
 }
 // A carpool lane leads where a general lane would.
 inline LaneKind leads_as(LaneKind kind) {

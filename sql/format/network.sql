@@ -78,19 +78,20 @@ COMMENT ON FUNCTION streetgen._places(name, jsonb) IS
 
 CREATE OR REPLACE FUNCTION streetgen._connecting_ways(model name, options jsonb)
     RETURNS TABLE(way_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
-        geom geometry)
+        traffic text, geom geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 200 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
     IF options ->> 'junctions' = 'group' THEN
         RETURN QUERY SELECT coalesce(m.junction_movement_id, m.interconnections[1]), m.lane_in, m.lane_out, m.along_in,
-            m.along_out, m.turn, m.geom FROM movement m WHERE m.connecting;
+            m.along_out, m.turn, CASE m.reason WHEN 'traffic' THEN m.traffic END, m.geom
+            FROM movement m WHERE m.connecting;
     ELSE
         RETURN QUERY SELECT i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn,
-            i.geom FROM interconnection i WHERE i.connecting;
+            CASE i.reason WHEN 'traffic' THEN i.traffic END, i.geom FROM interconnection i WHERE i.connecting;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._connecting_ways(name, jsonb) IS
-    'The pairs of lanes that connect, with their turn and path: across each node, or across each junction where '
-    'options take its nodes as one.';
+    'The pairs of lanes that connect, with their turn and path, and for whom alone beside what their lanes say: across '
+    'each node, or across each junction where options take its nodes as one.';

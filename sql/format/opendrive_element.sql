@@ -159,6 +159,10 @@ BEGIN
     crossroads AS MATERIALIZED (
         SELECT node_id, place_id FROM joined_node
         WHERE place_id IN (SELECT place_id FROM connecting JOIN joined_node n USING (node_id))),
+    no_way_through AS MATERIALIZED (
+        SELECT lane_id FROM lane JOIN edge USING (edge_id) JOIN axis a USING (axis_id)
+        WHERE a.access IS NOT NULL AND lane.kind = 'general'
+            AND streetgen._access_of_way(a.access, along_axis) IN ('private', 'destination', 'customers', 'delivery')),
     lane_text AS (
         SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
             || '" type="' || types[i] || '" level="false">'
@@ -167,7 +171,9 @@ BEGIN
                 ELSE streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
                     SELECT border[(i - 1) * stations + k] - border[i * stations + k]
                     FROM generate_series(1, stations) k)) END
-            || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards, i > lefts) || '</lane>' AS text
+            || streetgen._opendrive_mark(m.paint, m.leftwards, m.rightwards, i > lefts)
+            || CASE WHEN lane_id IN (TABLE no_way_through) THEN '<access sOffset="0" rule="deny" '
+                'restriction="throughTraffic"/>' ELSE '' END || '</lane>' AS text
         FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
             CROSS JOIN streetgen._few(lanes) WITH ORDINALITY u(lane_id, i)
             LEFT JOIN line_between m ON (m.edge_id, m.lane_position)

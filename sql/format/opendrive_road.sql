@@ -25,22 +25,24 @@ BEGIN
         WHERE s.method = 'crossed_limits' AND f.place_id = t.place_id),
     -- Ways over inner lanes, each lane once; the shortest one from lane to lane. Nobody turns back within two metres.
     longer AS (
-        SELECT way_id, ARRAY[way_id] AS ways, lane_in, lane_out, along_in, along_out, geom, '{}'::bigint[] AS over
+        SELECT way_id, ARRAY[way_id] AS ways, lane_in, lane_out, along_in, along_out, traffic, geom,
+            '{}'::bigint[] AS over
         FROM way WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out IN (SELECT lane_id FROM inner_lane)
         UNION ALL
-        SELECT r.way_id, r.ways || w.way_id, r.lane_in, w.lane_out, r.along_in, w.along_out, ST_MakeLine(ARRAY[
+        SELECT r.way_id, r.ways || w.way_id, r.lane_in, w.lane_out, r.along_in, w.along_out,
+            coalesce(r.traffic, w.traffic), ST_MakeLine(ARRAY[
             r.geom, CASE WHEN r.along_out THEN i.geom ELSE ST_Reverse(i.geom) END, w.geom]), over || i.lane_id
         FROM longer r JOIN inner_lane i ON i.lane_id = r.lane_out
             JOIN way w ON (w.lane_in, w.along_in) = (r.lane_out, r.along_out)
         WHERE i.lane_id <> ALL (over)),
     joined_way AS (
         SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) way_id, array_to_string(ways, ' ') AS ways, lane_in,
-            lane_out, along_in, along_out, geom
+            lane_out, along_in, along_out, traffic, geom
         FROM longer
         WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND (lane_out <> lane_in OR ST_Length(geom) >= 2)
         ORDER BY lane_in, along_in, lane_out, along_out, ST_Length(geom), ways),
     junction_way AS NOT MATERIALIZED (
-        SELECT way_id, way_id::text AS ways, lane_in, lane_out, along_in, along_out, geom FROM way
+        SELECT way_id, way_id::text AS ways, lane_in, lane_out, along_in, along_out, traffic, geom FROM way
         WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out NOT IN (SELECT lane_id FROM inner_lane)
         UNION ALL SELECT * FROM joined_way),
     course AS MATERIALIZED (SELECT * FROM streetgen._opendrive_courses(model, options)),
@@ -101,7 +103,8 @@ BEGIN
         SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
             a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
             a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
-            CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, a.type, k.lane_in, e.speed,
+            CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, k.lane_in, e.speed,
+            coalesce(streetgen._opendrive_lane_type(split_part(k.traffic, '|', 1), false), a.type) AS type,
             (CASE WHEN short THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea
                 AS path,
             ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END] AS path_from,

@@ -2,18 +2,21 @@
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
     RETURNS TABLE(kind text, allow text, disallow text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
     AS $$ VALUES
     ('general', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
     ('merging', NULL, 'pedestrian tram rail_urban rail rail_electric rail_fast ship'),
     ('bus', 'bus coach taxi emergency', NULL),
     ('carpool', 'hov bus coach taxi motorcycle emergency', NULL),
     ('cycle', 'bicycle', NULL),
+    ('private', 'private emergency authority delivery bicycle', NULL),
+    ('delivery', 'delivery emergency authority bicycle', NULL),
+    ('closed', NULL, 'all'),
     ('parking', NULL, 'all'),
     ('sidewalk', 'pedestrian', NULL) $$;
 COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
-    'The vehicle classes of SUMO that kinds of lanes and sidewalks allow, or else those that they do not. Cars park on '
-    'a parking lane, but none drives there.';
+    'The vehicle classes of SUMO that kinds of lanes, general ones by who may drive, and sidewalks allow, or else '
+    'those that they do not. Cars park on a parking lane, but none drives there.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)
@@ -85,6 +88,10 @@ BEGIN
         FROM streetgen._sumo_crossings(model, options) c CROSS JOIN LATERAL unnest(c.names) n(name)
             JOIN sumo_edge s ON s.name = n.name
         WHERE s.until = 1 AND s.along_axis <> c.at_start AND ST_Intersects(s.line, c.line) GROUP BY s.name),
+    restricted AS MATERIALIZED (
+        SELECT edge_id, along_axis, streetgen._access_of_way(a.access, along_axis) AS word
+        FROM axis a JOIN edge USING (axis_id) CROSS JOIN (VALUES (true), (false)) v(along_axis)
+        WHERE a.access IS NOT NULL),
     lane_line AS MATERIALIZED (
         SELECT name, index, c.allow, c.disallow, l.width,
             CASE WHEN until - since < 1 AND NOT within THEN ST_LineSubstring(driven, since, until) ELSE driven END
@@ -95,8 +102,10 @@ BEGIN
                 -- Nobody changes to a lane that is closed to him: one between lanes of cars is open, to be crossed.
                 CASE WHEN l.kind IN ('bus', 'carpool') AND (SELECT bool_or(j < i) AND bool_or(j > i)
                     FROM unnest(e.lanes) WITH ORDINALITY o(lane_id, j) JOIN lane USING (lane_id)
-                    WHERE lane.kind = 'general') THEN 'general' ELSE l.kind END AS kind
-            FROM sumo_edge e, streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN lane l USING (lane_id)
+                    WHERE lane.kind = 'general') THEN 'general'
+                    WHEN l.kind = 'general' AND r.word IN ('private', 'delivery') THEN r.word ELSE l.kind END AS kind
+            FROM sumo_edge e LEFT JOIN restricted r USING (edge_id, along_axis)
+                CROSS JOIN LATERAL streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN lane l USING (lane_id)
             UNION ALL SELECT name, 0, since, until, walk_width, false, walk_line, 'sidewalk'
             FROM sumo_edge WHERE walk = 1) l
         JOIN streetgen._sumo_lane_class() c USING (kind)),
@@ -136,7 +145,7 @@ COMMENT ON FUNCTION streetgen._sumo_streets(name, jsonb) IS
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(model name, options jsonb)
     RETURNS TABLE(id bigint, name_in text, name_out text, index_in bigint, index_out bigint, goes_to text,
-        geom geometry, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean)
+        traffic text, geom geometry, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -145,11 +154,12 @@ BEGIN
             i - 1 + e.walk AS index
         FROM streetgen._sumo_edges(model, options, false, false) e,
             streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i))
-    SELECT k.way_id, a.name, b.name, a.index, b.index, a.goes_to, k.geom, k.lane_in, k.lane_out, k.along_in, k.along_out
+    SELECT k.way_id, a.name, b.name, a.index, b.index, a.goes_to, k.traffic, k.geom, k.lane_in, k.lane_out, k.along_in,
+        k.along_out
     FROM streetgen._connecting_ways(model, options) k
         JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in) AND a.ends
         JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out) AND b.begins
-    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, a.goes_to, NULL, NULL, NULL, NULL, NULL
+    UNION ALL SELECT 0, a.name, b.name, a.index, b.index, a.goes_to, NULL, NULL, NULL, NULL, NULL, NULL
     FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE NOT a.ends AND a.until = b.since;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_going_on(name, jsonb) IS
@@ -170,6 +180,8 @@ BEGIN
         -- Who waits within a junction does not see who comes beside him into his lane: these wait before it.
         || CASE WHEN (name_in, name_out, index_out) IN (SELECT name_in, name_out, index_out FROM going_on
             GROUP BY 1, 2, 3 HAVING count(*) > 1) THEN '" contPos="0' ELSE '' END
+        || coalesce('" allow="' || (SELECT string_agg(allow, ' ') FROM streetgen._sumo_lane_class() c
+            WHERE c.kind = ANY (string_to_array(k.traffic, '|'))), '')
         || coalesce('" shape="' || CASE WHEN ST_Length(k.geom) > 0.05
             THEN streetgen._coordinates(k.geom, x, y, digits, tolerance) END, '') || '"/>'
     FROM origin, going_on k

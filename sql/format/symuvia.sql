@@ -65,7 +65,9 @@ BEGIN
             LEFT JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis)
                 = (a.edge_id, a.lane_position, a.along_axis) AND m.kind IN ('stop', 'yield')
                 -- Lights say who goes first.
-                AND a.to_place NOT IN (SELECT place_id FROM place WHERE kind = 'signals')),
+                AND a.to_place NOT IN (SELECT place_id FROM place WHERE kind = 'signals')
+        -- A movement is for all whom its lanes let in: one for some of these alone is left out.
+        WHERE k.traffic IS NULL OR 'general' NOT IN (a.kind, b.kind)),
     -- In the order of traffic; the table runs counter-clockwise.
     ring_edge AS MATERIALIZED (
         SELECT r.roundabout_id AS ring, r.centre, g.name, g.from_node, g.to_node, g.line, g.lane_count, g.lane_width,

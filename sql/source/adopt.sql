@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._source_hash(width float8, width_end float8
     radius float8, lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text,
     kind_backward text, lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
     change_forward text, change_backward text, sidewalk_left float8, sidewalk_right float8, flow float8,
-    roundabout_tag text, ref text)
+    roundabout_tag text, ref text, access text)
     RETURNS bigint
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     -- What came later is the seed of the hash, so that it stays the same where a source says nothing of it.
@@ -19,10 +19,11 @@ CREATE OR REPLACE FUNCTION streetgen._source_hash(width float8, width_end float8
             # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
             # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                 ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
-            # CASE WHEN ref IS NULL THEN 0 ELSE hashtextextended(ref, 5) END);
+            # CASE WHEN ref IS NULL THEN 0 ELSE hashtextextended(ref, 5) END
+            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END);
 COMMENT ON FUNCTION streetgen._source_hash(float8, float8, float8, integer, text, float8, integer, text, integer,
     text, float8, integer, integer, integer, text, text, text, text, text, text, text, text, float8, float8, float8,
-    text, text) IS
+    text, text, text) IS
     'The hash of the values that a source gives an axis, in the order of streetgen._axis_input: column source_hash of '
     'the axis as it was delivered.';
 
@@ -34,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_hash(a anyelement) RETURNS bigint
         a.direction, a.speed, a.importance, a.name, a.level, a.kind, a.radius, a.lanes_forward, a.lanes_backward,
         a.lanes_both, a.kind_forward, a.kind_backward, a.lane_width_forward, a.lane_width_backward, a.turn_forward,
         a.turn_backward, a.change_forward, a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow,
-        a.roundabout_tag, a.ref) $$;
+        a.roundabout_tag, a.ref, a.access) $$;
 COMMENT ON FUNCTION streetgen._axis_hash(anyelement) IS
     'The hash of the values of a row of axis: its source_hash where nobody edited it since.';
 
@@ -44,7 +45,8 @@ CREATE OR REPLACE FUNCTION streetgen._axis_values(a anyelement) RETURNS jsonb
         a.width, a.width_end, a.roadway_offset, a.lane_count, a.direction, a.speed, a.importance, a.name, a.level,
         a.kind, a.radius, a.lanes_forward, a.lanes_backward, a.lanes_both, a.kind_forward, a.kind_backward,
         a.lane_width_forward, a.lane_width_backward, a.turn_forward, a.turn_backward, a.change_forward,
-        a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow, a.roundabout_tag, a.ref) r)) $$;
+        a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow, a.roundabout_tag, a.ref,
+        a.access) r)) $$;
 COMMENT ON FUNCTION streetgen._axis_values(anyelement) IS
     'What a row of axis has in the columns that a source may fill besides geom: those of streetgen._axis_input.';
 

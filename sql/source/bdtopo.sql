@@ -19,7 +19,7 @@ COMMENT ON FUNCTION streetgen._bdtopo_kerb(text, text, text) IS
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
         name text, ref text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
-        source_ref text, label text, left_out text, unread text[])
+        access text, source_ref text, label text, left_out text, unread text[])
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT s.geom, metres, said_lanes::integer, direction, kmh,
@@ -36,6 +36,7 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     CASE WHEN of_buses AND backward = 1 THEN concat('bus', CASE WHEN cycle_backward THEN '|cycle' END)
         WHEN bus_backward OR cycle_backward THEN
         streetgen.lane_kinds(backward, NULL, bus_backward, driving_side, cycle_backward, false, false, false) END,
+    CASE WHEN s.access ~* 'impossible' THEN 'no' WHEN s.access ~* 'restreint|ayants droit' THEN 'private' END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END,
     array_remove(ARRAY[CASE WHEN s.width <> '' AND metres IS NULL THEN 'width' END,
@@ -88,7 +89,8 @@ DECLARE
         '"cycle_right": ["amenagement_cyclable_droit", "amgt_cy_d"], '
         '"cycle_right_way": ["sens_amenagement_cyclable_droit", "sens_cy_d"], '
         '"cycle_left": ["amenagement_cyclable_gauche", "amgt_cy_g"], '
-        '"cycle_left_way": ["sens_amenagement_cyclable_gauche", "sens_cy_g"]}';
+        '"cycle_left_way": ["sens_amenagement_cyclable_gauche", "sens_cy_g"], '
+        '"access": ["acces_vehicule_leger", "acces_vl"]}';
     present text[] := (SELECT array_agg(attname::text ORDER BY attnum) FROM pg_attribute WHERE attrelid = source
         AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source
@@ -116,7 +118,7 @@ BEGIN
             ('speed', '{speed}'), ('importance', '{importance}'), ('name', '{name}'), ('ref', '{ref}'),
             ('level', '{level}'),
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
-            ('kind_backward', '{bus,cycle,cycle_right,cycle_left}')) c(name, wants)
+            ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}')) c(name, wants)
         WHERE jsonb_strip_nulls(found) ?| wants), streetgen._driving_side(model)));
     DROP TABLE pg_temp._import_line;
 END $$;

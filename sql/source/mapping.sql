@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._axis_input()
     RETURNS TABLE(name text, type text, read_as text, low float8, high float8)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 27 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 28 SET search_path = pg_catalog
     AS $$ VALUES ('width', 'float8', 'metres', 0::float8, 200::float8), ('width_end', 'float8', 'metres', 0, 200),
         ('roadway_offset', 'float8', 'metres', -100, 100), ('lane_count', 'integer', 'count', 0, 30),
         ('direction', 'text', 'direction', NULL, NULL), ('speed', 'float8', 'kmh', 0, 400),
@@ -16,7 +16,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input()
         ('change_forward', 'text', 'change', NULL, NULL), ('change_backward', 'text', 'change', NULL, NULL),
         ('sidewalk_left', 'float8', 'metres', 0, 50), ('sidewalk_right', 'float8', 'metres', 0, 50),
         ('flow', 'float8', 'number', 0, 1000000), ('roundabout_tag', 'text', 'text', NULL, NULL),
-        ('ref', 'text', 'text', NULL, NULL) $$;
+        ('ref', 'text', 'text', NULL, NULL), ('access', 'text', 'text', NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._axis_input() IS
     'The columns of axis that a source may fill besides geom, how their texts are read, and the bounds of numbers.';
 

@@ -111,13 +111,14 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lane_count integer, direction text, roundabout_tag text, speed float8, level integer, class text,
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
-        change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text)
+        change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, m.width, m.roadway_offset, m.lane_count, m.direction,
     m.roundabout_tag, m.speed, m.level, class, m.lanes_forward, m.lanes_backward, m.lanes_both, m.kind_forward,
     m.kind_backward, m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward,
-    m.change_backward, m.sidewalk_left, m.sidewalk_right, m.unread, NULL
+    m.change_backward, m.sidewalk_left, m.sidewalk_right, m.unread, NULL,
+    streetgen._osm_access(tags, class)
 FROM pg_temp._import_line JOIN pg_temp._import_meaning m USING (class, tags)
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
@@ -156,8 +157,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
-    'search_path or named with its schema (gis.osm): width, direction, level, speed, name, number of the route, class, '
-    'sidewalks, and the lanes of each direction with their kinds, widths, turns and changes; and the turn '
-    'restrictions of PREFIX_restriction and the signals, signs and crossings of PREFIX_control and the routes of '
+    'search_path or named with its schema (gis.osm): width, direction, who may drive, level, speed, name, number of '
+    'the route, class, sidewalks, and the lanes of each direction with their kinds, widths, turns and changes; and the '
+    'turn restrictions of PREFIX_restriction and the signals, signs and crossings of PREFIX_control and the routes of '
     'PREFIX_route. A tag that means nothing is unknown, and reported by way; tags of lanes that were not made stand '
     'in table unread_tag, each with its reason. streetgen.tag_use() tells what becomes of each.';

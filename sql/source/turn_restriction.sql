@@ -71,11 +71,11 @@ BEGIN
                 FROM unnest(w.lines) WITH ORDINALITY l(line, i)) c) f
         ORDER BY f.follow IS NOT TRUE, o.along DESC LIMIT 1) v
     CROSS JOIN LATERAL (
-        -- Traffic that has lanes of its own, and traffic that shares those of all.
+        -- Traffic that the model tells from others, and what it does not.
         SELECT string_agg(DISTINCT kind, '|') AS except_kinds, coalesce(bool_or(kind IS NULL), false) AS except_others
         FROM regexp_split_to_table(lower(excepted), '[;,]') word
         CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus'
-            WHEN 'bicycle' THEN 'cycle' END AS kind) k
+            WHEN 'bicycle' THEN 'cycle' WHEN 'hov' THEN 'carpool' END AS kind) k
         WHERE btrim(word) NOT IN ('', 'no', 'none')) excepted;
     RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
@@ -98,5 +98,5 @@ END $$;
 COMMENT ON FUNCTION streetgen._import_restrictions(name, regclass, regclass) IS
     'Takes the turn restrictions of an OSM table between ways that are axes, at a node or via such ways; importing '
     'again follows the table. Those for some traffic only, of unknown wording, without a way, of ways that are no axes '
-    'or via ways that do not follow each other are left out and reported. What one excepts is read where it has lanes '
-    'of its own (psv, bus, bicycle), else reported. A NULL table leaves all as it was.';
+    'or via ways that do not follow each other are left out and reported. What one excepts is read where the '
+    'model knows such traffic (psv, bus, bicycle, hov), else reported. A NULL table leaves all as it was.';

@@ -52,11 +52,12 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'change_forward' THEN quote_nullable(edits.one_of('no|yes', 'yes|not_left', 'only_right', 'not_right||no', NULL))
     WHEN 'change_backward' THEN quote_nullable(edits.one_of('no|no', 'only_left|', 'yes|only_right|no', NULL))
     WHEN 'kind_forward' THEN quote_nullable(edits.one_of('general', 'general|cycle', 'bus|general|parking', NULL))
+    WHEN 'access' THEN quote_nullable(edits.one_of('bus', 'no', '|cycle', 'private', NULL, NULL))
     WHEN 'turn_forward' THEN quote_nullable(edits.one_of('left|through', 'through;right', NULL))
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'turn_forward', 'change_forward', 'change_backward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'access', 'turn_forward', 'change_forward', 'change_backward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;

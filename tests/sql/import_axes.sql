@@ -105,7 +105,7 @@ SELECT 'bad geometry is 22023 and names its row: ' || line, test.state(pg_temp.w
                     'SRID=32631;LINESTRING(0 0, 1e13 1)']) AS line;
 CREATE TABLE bare (id integer, geom geometry);
 INSERT INTO bare VALUES (1, NULL), (2, 'SRID=32631;LINESTRING(0 0, 100 0)'), (3, 'SRID=32631;LINESTRING EMPTY'), (NULL, 'GEOMETRYCOLLECTION EMPTY'), (5, 'SRID=32631;LINESTRING(0 50, 100 50)');
-SELECT 'rows without geometry are told, and left out', array_agg(ROW (what, count, source_refs)::text ORDER BY what) = ARRAY[ROW ('generate is due', 2, NULL)::text, ROW ('new or changed', 2, NULL)::text,
+SELECT 'rows without geometry are told, and left out', array_agg(ROW (what, count, source_refs)::text ORDER BY what) = ARRAY[ROW ('generate is due', 2, NULL)::text, ROW ('neither width nor lanes stated, 6 m wide', 2, NULL)::text, ROW ('new or changed', 2, NULL)::text,
     ROW ('row without geometry, left out', 3, ARRAY['1', '3', 'number 4'])::text, ROW ('taken', 2, NULL)::text] FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}');
 SELECT 'and all others are axes', array_agg(source_ref ORDER BY source_ref) = '{2,5}' FROM import_b.axis;
 UPDATE bare SET geom = NULL WHERE id = 5;

@@ -40,7 +40,7 @@ DECLARE
 BEGIN
   FOREACH change IN ARRAY ARRAY['width = 11', 'width_end = 14', 'lane_count = 3', $q$direction = 'direct'$q$, $q$direction = 'reverse'$q$, 'speed = 90', 'importance = 1', 'level = 1', $q$kind = 'primary'$q$, 'radius = 3',
       'lanes_forward = 2', 'lanes_backward = 1', 'lanes_both = 1', 'lane_count = 1', $q$kind_forward = 'general|cycle'$q$, $q$kind_backward = 'bus'$q$, $q$lane_width_forward = '3|1.5'$q$, $q$lane_width_backward = '4'$q$, $q$turn_forward = 'left|through'$q$,
-      $q$turn_backward = 'right'$q$, 'geom = ST_Reverse(geom)', 'geom = ST_SetPoint(geom, 0, ST_Translate(ST_StartPoint(geom), 20, 10))', 'width = NULL', 'level = 0'] LOOP
+      $q$turn_backward = 'right'$q$, $q$access = 'cycle|no'$q$, 'access = NULL', 'geom = ST_Reverse(geom)', 'geom = ST_SetPoint(geom, 0, ST_Translate(ST_StartPoint(geom), 20, 10))', 'width = NULL', 'level = 0'] LOOP
     PERFORM pg_temp.remember();
     EXECUTE format('UPDATE town.axis SET %s WHERE axis_id = 16', change);
     INSERT INTO said SELECT change, EXISTS (SELECT FROM written), test.followed('town', 'once');

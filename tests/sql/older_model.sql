@@ -26,7 +26,7 @@ CREATE FUNCTION pg_temp.words() RETURNS SETOF text LANGUAGE sql AS $$
   UNION ALL SELECT format('%s %s %s', conrelid::regclass, pg_get_constraintdef(oid), obj_description(oid)) FROM pg_constraint WHERE connamespace = 'older'::regnamespace
   UNION ALL SELECT format('%s %s', oid::regclass, obj_description(oid)) FROM pg_class WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' $$;
 CREATE TABLE worded AS SELECT pg_temp.words() AS words;
-ALTER TABLE older.axis DROP lanes_both CASCADE, DROP ref CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
+ALTER TABLE older.axis DROP access CASCADE, DROP lanes_both CASCADE, DROP ref CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
 ALTER TABLE older.axis_class DROP highway_role CASCADE, DROP walked_along CASCADE, DROP crossed_on_foot CASCADE, DROP lanes_by_width CASCADE;
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
 ALTER TABLE older.lane_override DROP both_ways CASCADE;
@@ -34,7 +34,8 @@ ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out
 ALTER TABLE older.edge DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP curve CASCADE;
 ALTER TABLE older.lane DROP both_ways CASCADE;
 ALTER TABLE older.marking DROP along_axis CASCADE, ADD UNIQUE (edge_id, kind, lane_position);
-ALTER TABLE older.interconnection DROP along_in CASCADE, DROP along_out CASCADE, ADD UNIQUE (lane_in, lane_out);
+DROP TABLE older.axis_route;
+ALTER TABLE older.interconnection DROP traffic CASCADE, DROP along_in CASCADE, DROP along_out CASCADE, ADD UNIQUE (lane_in, lane_out);
 ALTER TABLE older.lane DROP start_abscissa CASCADE, DROP end_abscissa CASCADE, DROP CONSTRAINT lane_kind_check, ADD CHECK (kind IN ('general', 'bus', 'cycle', 'parking'));
 ALTER TABLE older.lane_separator DROP leftwards CASCADE, DROP rightwards CASCADE;
 ALTER TABLE older.roundabout_edge DROP face CASCADE;

@@ -174,7 +174,8 @@ COMMENT ON FUNCTION streetgen._turn_words() IS 'The turns that a lane can be mar
 
 CREATE OR REPLACE FUNCTION streetgen._lane_list_pattern(kind text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind WHEN 'kind' THEN 'general|bus|carpool|cycle|parking'
+    AS $$ SELECT format('^(%1$s)(\|(%1$s)){0,39}$', CASE kind
+        WHEN 'kind' THEN 'general|bus|carpool|cycle|parking|closed'
         WHEN 'width' THEN '(\d{1,2}(\.\d{1,6})?)?'
         WHEN 'change' THEN '(yes|no|not_left|not_right|only_left|only_right)?'
         WHEN 'turn' THEN format('(%1$s)?(;(%1$s)){0,9}', streetgen._turn_words()) END) $$;
@@ -186,9 +187,9 @@ CREATE OR REPLACE FUNCTION streetgen.is_lane_list(list text, kind text) RETURNS 
     AS $$ SELECT list ~ streetgen._lane_list_pattern(kind) $$;
 COMMENT ON FUNCTION streetgen.is_lane_list(text, text) IS
     'Does a text list something of up to 40 lanes, from left to right in driving direction, parted by |: kind '
-    '(general, bus, carpool, cycle, parking), width (metres, empty or 0: unknown), turn (words of turn:lanes parted by '
-    ';, empty: nothing said), or change (yes, no, not_left, not_right, only_left, only_right, empty: nothing said). '
-    'NULL for NULL.';
+    '(general, bus, carpool, cycle, parking, closed), width (metres, empty or 0: unknown), turn (words of turn:lanes '
+    'parted by ;, empty: nothing said), or change (yes, no, not_left, not_right, only_left, only_right, empty: nothing '
+    'said). NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._wanted_radius(radius float8, importance integer, speed float8, width float8,
         radii float8[], mode text, minimal float8, maximal float8) RETURNS float8

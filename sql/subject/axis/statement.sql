@@ -33,6 +33,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
            # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
+           # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
            # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
@@ -43,7 +44,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
        coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
-           AS roadway_offset
+           AS roadway_offset,
+       access
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width FROM axis_class) c USING (kind)

@@ -53,9 +53,11 @@ CREATE TABLE :"model".axis (
     sidewalk_left float8 CHECK (sidewalk_left BETWEEN 0 AND 50),
     sidewalk_right float8 CHECK (sidewalk_right BETWEEN 0 AND 50), flow float8 CHECK (flow BETWEEN 0 AND 1000000),
     kind_forward text
-        CHECK (kind_forward ~ '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$'),
+        CHECK (kind_forward ~
+            '^(general|bus|carpool|cycle|parking|closed)(\|(general|bus|carpool|cycle|parking|closed)){0,39}$'),
     kind_backward text
-        CHECK (kind_backward ~ '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$'),
+        CHECK (kind_backward ~
+            '^(general|bus|carpool|cycle|parking|closed)(\|(general|bus|carpool|cycle|parking|closed)){0,39}$'),
     lane_width_forward text
         CHECK (lane_width_forward ~ '^((\d{1,2}(\.\d{1,6})?)?)(\|((\d{1,2}(\.\d{1,6})?)?)){0,39}$'),
     lane_width_backward text
@@ -82,6 +84,15 @@ CREATE TABLE :"model".axis (
     width_by_hand boolean NOT NULL DEFAULT false, source_width float8, source_width_end float8,
     UNIQUE (source, source_ref));
 ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS ref text;
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS access text CONSTRAINT axis_access_check
+    CHECK (string_to_array(access, '|') <@ '{no,bus,carpool,cycle,private,destination,customers,delivery,""}'::text[]
+        AND access !~ '[|].*[|]' AND access NOT IN ('', '|'));
+COMMENT ON COLUMN :"model".axis.access IS
+    'who may drive: no (nobody), bus, carpool or cycle (they alone), private, destination, customers or delivery (no '
+    'way through); two words parted by |, either empty: along geom and against it; NULL: all';
+COMMENT ON CONSTRAINT axis_access_check ON :"model".axis IS
+    'no, bus, carpool, cycle, private, destination, customers or delivery, or two of these parted by |. Leave it '
+    'empty where all may drive.';
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;

@@ -4,7 +4,7 @@ CREATE TYPE streetgen.street_axis AS (
     axis_id bigint, geom bytea, level integer, width float8, width_end float8, roadway_offset float8, radius float8,
         importance integer, speed float8,
     lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
-    lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text,
+    lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, access text,
     changed boolean, outer_axis boolean
 );
 COMMENT ON TYPE streetgen.street_axis IS 'An axis with the values used, and what an edit has to do with it.';
@@ -32,6 +32,8 @@ COMMENT ON COLUMN streetgen.street_axis.turn_forward IS
     'turns painted on the lanes along the axis, parted by |; NULL: none';
 COMMENT ON COLUMN streetgen.street_axis.turn_backward IS
     'turns painted on the lanes against the axis, parted by |; NULL: none';
+COMMENT ON COLUMN streetgen.street_axis.access IS
+    'who may drive, as in axis.access: the kind that general lanes become; NULL: all';
 COMMENT ON COLUMN streetgen.street_axis.changed IS 'was it changed? What that can change is asked for';
 COMMENT ON COLUMN streetgen.street_axis.outer_axis IS 'is it there for the others only, its rows not to be written?';
 

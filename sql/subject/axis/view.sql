@@ -46,6 +46,7 @@ BEGIN
     COMMENT ON COLUMN axis_used.lane_width_backward IS 'widths of the lanes against the axis, metres';
     COMMENT ON COLUMN axis_used.turn_forward IS 'movements of the lanes along the axis';
     COMMENT ON COLUMN axis_used.turn_backward IS 'movements of the lanes against the axis';
+    COMMENT ON COLUMN axis_used.access IS 'who may drive, as in axis; NULL: all';
     COMMENT ON COLUMN axis_used.speed IS 'speed of the traffic, km/h';
     COMMENT ON COLUMN axis_used.importance IS 'importance, 1 the highest';
     COMMENT ON COLUMN axis_used.radius IS 'wanted radius of its corners, metres, 0: none';

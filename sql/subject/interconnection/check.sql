@@ -18,7 +18,7 @@ BEGIN
             (false, CASE WHEN l.end_abscissa IS NULL THEN e.to_node END,
                 CASE WHEN l.start_abscissa IS NULL THEN e.from_node END)) v(along, leaves, enters)
             ON l.both_ways OR l.along_axis = v.along
-        WHERE l.kind <> 'parking'),
+        WHERE l.kind NOT IN ('parking', 'closed')),
     -- Nobody need turn off from a lane in the middle, and one comes to it from the lanes beside.
     middle AS MATERIALIZED (SELECT lane_id FROM streetgen._lanes_in_middle(model)),
     decided AS MATERIALIZED (
@@ -57,6 +57,11 @@ BEGIN
         WHERE d.degree > 1 AND NOT EXISTS (SELECT FROM interconnection c
             WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along) AND c.plausible)
             AND l.lane_id NOT IN (SELECT lane_id FROM middle) AND d.node_id NOT IN (SELECT node_id FROM busy_node)
+    UNION ALL
+    SELECT 'notice', 'lane for cars that leads only where they may not drive', 'lane', l.lane_id, d.degree, l.geom
+        FROM lane_node l JOIN degree d ON d.node_id = l.enters JOIN lane k USING (lane_id)
+        WHERE k.kind IN ('general', 'merging') AND (SELECT bool_and(c.traffic IS NOT NULL) FROM interconnection c
+            WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along) AND c.plausible)
     UNION ALL
     SELECT 'notice', 'lane that no plausible way reaches', 'lane', l.lane_id, d.degree, l.geom FROM lane_node l
         JOIN degree d ON d.node_id = l.leaves
@@ -108,6 +113,8 @@ COMMENT ON FUNCTION streetgen._interconnection_marked_by_hand() IS
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('interconnection off its lanes, m', 'the path does not start or end where its lanes do', '`generate`'),
+    ('lane for cars that leads only where they may not drive',
+        'all ways on are for buses, carpools or bicycles alone', 'correct `access`, kinds of lanes or directions'),
     ('lane without a plausible way on', 'traffic of the lane can go nowhere',
         'correct directions, lanes or turn restrictions'),
     ('lane that no plausible way reaches', 'no traffic comes to the lane',

@@ -12,7 +12,7 @@ COMMENT ON FUNCTION streetgen._interconnection_computed_table() IS 'The computed
 CREATE OR REPLACE FUNCTION streetgen._computed_interconnection(streets bigint, nodes bigint[], lanes bigint[])
     RETURNS TABLE(number integer, node_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
         turn text, angle float8,
-        plausible boolean, reason text, control geometry, geom geometry)
+        plausible boolean, reason text, traffic text, control geometry, geom geometry)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME',
         'streetgen_computed_interconnection';
 COMMENT ON FUNCTION streetgen._computed_interconnection(bigint, bigint[], bigint[]) IS
@@ -22,8 +22,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_interconnection(places jsonb) RETUR
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('interconnection'), places),
     streetgen._upsert_rows(places, 'interconnection',
-        columns => 'node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, connecting, '
-            'control, geom, method', rows => streetgen._part('interconnection_rows'),
+        columns => 'node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, traffic, '
+            'connecting, control, geom, method', rows => streetgen._part('interconnection_rows'),
         there => 'SELECT interconnection_id FROM left_interconnection'),
     streetgen._fill_template(streetgen._part('left_interconnection'), places)) $$;
 COMMENT ON FUNCTION streetgen._upsert_interconnection(jsonb) IS

@@ -8,7 +8,8 @@ CREATE TABLE :"model".turn_restriction (
         AND ST_YMin(geom) BETWEEN -1e12 AND 1e12 AND ST_YMax(geom) BETWEEN -1e12 AND 1e12),
     kind text NOT NULL CHECK (kind IN ('no', 'only')),
     turn text CHECK (turn IN ('through', 'left', 'right', 'u_turn')),
-    except_kinds text CHECK (except_kinds ~ '^(bus|cycle)(\|(bus|cycle)){0,9}$'), source text, source_ref text,
+    except_kinds text CHECK (except_kinds ~
+        '^(bus|carpool|cycle)(\|(bus|carpool|cycle)){0,9}$'), source text, source_ref text,
     via_axes bigint[],
     via_geom geometry(MultiPoint, :srid) CONSTRAINT via_geom_is_finite CHECK (NOT ST_IsEmpty(via_geom)
         AND ST_XMin(via_geom) BETWEEN -1e12 AND 1e12 AND ST_XMax(via_geom) BETWEEN -1e12 AND 1e12
@@ -37,10 +38,10 @@ COMMENT ON COLUMN :"model".turn_restriction.turn IS
 COMMENT ON CONSTRAINT turn_restriction_turn_check ON :"model".turn_restriction IS
     'through, left, right or u_turn. Leave it empty for all ways from the one axis to the other.';
 COMMENT ON COLUMN :"model".turn_restriction.except_kinds IS
-    'kinds of lanes that it does not bind, whether one comes or goes on by them: bus, cycle or bus|cycle; NULL: it '
+    'traffic that it does not bind, by kinds of lanes, on whatever lane: bus, carpool, cycle or bus|cycle; NULL: it '
     'binds all';
 COMMENT ON CONSTRAINT turn_restriction_except_kinds_check ON :"model".turn_restriction IS
-    'bus, cycle or bus|cycle. Leave it empty where it binds all traffic.';
+    'bus, carpool, cycle or bus|cycle. Leave it empty where it binds all traffic.';
 COMMENT ON COLUMN :"model".turn_restriction.source IS 'table that it was imported from';
 COMMENT ON COLUMN :"model".turn_restriction.source_ref IS 'its identity in the source';
 COMMENT ON COLUMN :"model".turn_restriction.via_axes IS

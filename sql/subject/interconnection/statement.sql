@@ -31,7 +31,7 @@ drawn AS MATERIALIZED (
         AND (NOT r.of_core OR d.lane_in IS NOT NULL))
 
 --{interconnection_rows
-SELECT number, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason,
+SELECT number, node_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, traffic,
     coalesce(d.connecting, plausible) AS connecting,
        CASE WHEN d.control IS NOT NULL THEN d.control WHEN (SELECT of_core FROM rule) THEN p.control
            END AS control,

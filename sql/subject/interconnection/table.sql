@@ -15,6 +15,9 @@ CREATE INDEX interconnection_geom ON :"model".interconnection USING gist (geom);
 CREATE INDEX interconnection_handle ON :"model".interconnection USING gist ((ST_MakeLine(ARRAY[
     ST_StartPoint(geom), coalesce(control, ST_LineInterpolatePoint(geom, 0.5)),
         ST_EndPoint(geom)])::geometry(LineString, :srid)));
+ALTER TABLE :"model".interconnection ADD COLUMN IF NOT EXISTS traffic text;
+COMMENT ON COLUMN :"model".interconnection.traffic IS
+    'who alone may take it, by kinds of lanes such as bus|cycle: its lanes are theirs, or reason is traffic; NULL: all';
 COMMENT ON TABLE :"model".interconnection IS
     'How traffic may go on at a node: every lane that comes in with every lane that goes out by another edge '
     '(setting u_turn: also by the same), and its path; a lane for both directions comes in and goes out at both its '
@@ -32,7 +35,7 @@ COMMENT ON COLUMN :"model".interconnection.angle IS 'from lane to lane, degrees 
 COMMENT ON COLUMN :"model".interconnection.plausible IS 'would traffic take it';
 COMMENT ON COLUMN :"model".interconnection.reason IS
     'why it is plausible or not: lane_order, turn_lanes, only_way, restriction, lane_kind, u_turn, radius, '
-    'not_drivable, ring';
+    'not_drivable, ring, traffic';
 COMMENT ON COLUMN :"model".interconnection.connecting IS 'the user''s choice, else as plausible';
 COMMENT ON COLUMN :"model".interconnection.control IS
     'control point of the path: of its Bezier curve, or where the tangents of its arcs meet; NULL by a function of '

@@ -84,7 +84,7 @@ BEGIN
         WITH found AS MATERIALIZED (SELECT * FROM _found_movements(junctions)),
         new AS MATERIALIZED (
             SELECT f.junction_id, f.lane_in, f.lane_out, f.along_in, f.along_out, f.turn, f.angle, f.plausible,
-                f.reason,
+                f.reason, f.traffic,
                 -- All paths on the way must connect where somebody decided of one.
                 CASE WHEN d.by_hand THEN d.connecting ELSE f.plausible END AS connecting, f.interconnections,
                 f.geom::geometry AS geom
@@ -93,9 +93,9 @@ BEGIN
                 FROM interconnection i WHERE i.interconnection_id = ANY (f.interconnections)) d ON true),
         compared AS MATERIALIZED (
             SELECT n.*, o.junction_movement_id,
-                (o.junction_id, o.turn, o.angle, o.plausible, o.reason, o.connecting, o.interconnections, o.geom::bytea)
-                    IS DISTINCT FROM (n.junction_id, n.turn, n.angle, n.plausible, n.reason, n.connecting,
-                    n.interconnections, n.geom::bytea) AS changed
+                (o.junction_id, o.turn, o.angle, o.plausible, o.reason, o.traffic, o.connecting, o.interconnections,
+                    o.geom::bytea) IS DISTINCT FROM (n.junction_id, n.turn, n.angle, n.plausible, n.reason, n.traffic,
+                    n.connecting, n.interconnections, n.geom::bytea) AS changed
             -- OFFSET 0: each is looked up by its key, and not joined.
             FROM new n LEFT JOIN LATERAL (SELECT * FROM junction_movement o
                 WHERE (o.lane_in, o.lane_out, o.along_in, o.along_out) = (n.lane_in, n.lane_out, n.along_in,
@@ -107,12 +107,13 @@ BEGIN
                     WHERE c.junction_movement_id IS NOT NULL)) RETURNING 1),
         put AS (
             INSERT INTO junction_movement (junction_id, lane_in, lane_out, along_in, along_out, turn, angle,
-                plausible, reason, connecting, interconnections, geom)
-            SELECT junction_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, connecting,
-                interconnections, geom FROM compared WHERE changed ORDER BY junction_id, lane_in, lane_out
+                plausible, reason, traffic, connecting, interconnections, geom)
+            SELECT junction_id, lane_in, lane_out, along_in, along_out, turn, angle, plausible, reason, traffic,
+                connecting, interconnections, geom FROM compared WHERE changed ORDER BY junction_id, lane_in, lane_out
             ON CONFLICT (lane_in, lane_out, along_in, along_out) DO UPDATE SET (junction_id, turn, angle, plausible,
-                reason, connecting, interconnections, geom) = ROW (excluded.junction_id, excluded.turn, excluded.angle,
-                excluded.plausible, excluded.reason, excluded.connecting, excluded.interconnections, excluded.geom))
+                reason, traffic, connecting, interconnections, geom) = ROW (excluded.junction_id, excluded.turn,
+                excluded.angle, excluded.plausible, excluded.reason, excluded.traffic, excluded.connecting,
+                excluded.interconnections, excluded.geom))
         SELECT count(*) FILTER (WHERE junction_movement_id IS NULL),
             count(*) FILTER (WHERE changed AND junction_movement_id IS NOT NULL), (SELECT count(*) FROM gone),
             count(*) FILTER (WHERE NOT changed) INTO inserted, updated, deleted, unchanged FROM compared;

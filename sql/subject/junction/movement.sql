@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._junction_movements(grounds streetgen.junct
     way_restrictions streetgen.junction_way_restriction[], srid integer, u_turn boolean, arcs boolean,
     tolerance float8, node_tolerance float8, most integer, drives_left boolean)
     RETURNS TABLE(junction_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
-        angle float8, plausible boolean, reason text, interconnections bigint[], geom bytea)
+        angle float8, plausible boolean, reason text, traffic text, interconnections bigint[], geom bytea)
     LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_junction_movements';
 COMMENT ON FUNCTION streetgen._junction_movements(streetgen.junction_ground[], streetgen.junction_leg[],
     streetgen.junction_lane[], streetgen.junction_inner_edge[], streetgen.junction_step[],
@@ -33,7 +33,8 @@ BEGIN
     PERFORM streetgen._use_model(model);
     CREATE OR REPLACE FUNCTION _found_movements(junctions bigint[])
         RETURNS TABLE(junction_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
-            turn text, angle float8, plausible boolean, reason text, interconnections bigint[], geom bytea)
+            turn text, angle float8, plausible boolean, reason text, traffic text, interconnections bigint[],
+            geom bytea)
         LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
         AS $body$
     #variable_conflict use_column
@@ -69,7 +70,8 @@ BEGIN
             FROM leg g JOIN lane l USING (edge_id) JOIN (VALUES (true), (false)) v(along)
                 ON l.both_ways OR l.along_axis = v.along
             -- A merging lane comes to one end of its edge only.
-            WHERE l.kind <> 'parking' AND CASE WHEN g.at_start THEN l.start_abscissa ELSE l.end_abscissa END IS NULL)
+            WHERE l.kind NOT IN ('parking', 'closed')
+                AND CASE WHEN g.at_start THEN l.start_abscissa ELSE l.end_abscissa END IS NULL)
         SELECT * FROM streetgen._junction_movements(
             ARRAY(SELECT ROW (j.junction_id, j.surface::bytea)::streetgen.junction_ground FROM junction j
                 WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id),
@@ -83,13 +85,16 @@ BEGIN
                 FROM way ORDER BY junction_id, edge_id, at_start, comes_in,
                     CASE WHEN driven_along THEN lane_position ELSE -lane_position END),
             ARRAY(SELECT ROW (j.junction_id, e.edge_id, e.axis_id, e.from_node, e.to_node,
-                    e.lanes_forward + e.lanes_both > 0, e.lanes_backward + e.lanes_both > 0, coalesce(o.along, 0),
-                    coalesce(o.against, 0),
+                    o.kinds_along, o.kinds_against, coalesce(o.along, 0), coalesce(o.against, 0),
                     ST_Force2D(e.geom)::bytea)::streetgen.junction_inner_edge
                 FROM junction_edge j JOIN edge e USING (edge_id) LEFT JOIN LATERAL (
                     SELECT avg(l.axis_offset) FILTER (WHERE l.along_axis) AS along,
-                        avg(l.axis_offset) FILTER (WHERE NOT l.along_axis OR l.both_ways) AS against
-                    FROM lane l WHERE l.edge_id = e.edge_id AND l.kind NOT IN ('parking', 'merging')) o ON true
+                        avg(l.axis_offset) FILTER (WHERE NOT l.along_axis OR l.both_ways) AS against,
+                        string_agg(DISTINCT l.kind, '|') FILTER (WHERE l.along_axis) AS kinds_along,
+                        string_agg(DISTINCT l.kind, '|') FILTER (WHERE NOT l.along_axis OR l.both_ways)
+                            AS kinds_against
+                    FROM lane l WHERE l.edge_id = e.edge_id AND l.kind NOT IN ('parking', 'closed', 'merging')) o
+                    ON true
                 WHERE j.junction_id = ANY (junctions) ORDER BY j.junction_id, e.axis_id, e.start_abscissa),
             -- By place: of chains as short as each other the first holds, whatever their keys.
             ARRAY(SELECT ROW (m.junction_id, i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out,

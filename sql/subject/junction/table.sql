@@ -50,6 +50,9 @@ CREATE TABLE :"model".junction_movement (
 CREATE INDEX junction_movement_junction ON :"model".junction_movement (junction_id);
 CREATE INDEX junction_movement_lane_out ON :"model".junction_movement (lane_out);
 CREATE INDEX junction_movement_geom ON :"model".junction_movement USING gist (geom);
+ALTER TABLE :"model".junction_movement ADD COLUMN IF NOT EXISTS traffic text;
+COMMENT ON COLUMN :"model".junction_movement.traffic IS
+    'who alone may take it, by kinds of lanes such as bus|cycle, as of an interconnection; NULL: all';
 COMMENT ON TABLE :"model".junction_movement IS
     'Paths across junctions of several nodes: from each lane that comes in to each that leaves, where the edges '
     'inside lead there, as one smooth line';

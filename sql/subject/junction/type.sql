@@ -45,15 +45,16 @@ COMMENT ON COLUMN streetgen.junction_lane.turn IS 'turns painted on it; NULL: no
 COMMENT ON COLUMN streetgen.junction_lane.geom IS 'LINESTRING in the direction of that traffic, EWKB';
 
 CREATE TYPE streetgen.junction_inner_edge AS (junction_id bigint, edge_id bigint, axis_id bigint, from_node bigint,
-    to_node bigint, along boolean, against boolean, offset_along float8, offset_against float8, geom bytea);
+    to_node bigint, along text, against text, offset_along float8, offset_against float8, geom bytea);
 COMMENT ON TYPE streetgen.junction_inner_edge IS 'An edge inside a junction.';
 COMMENT ON COLUMN streetgen.junction_inner_edge.junction_id IS 'the junction';
 COMMENT ON COLUMN streetgen.junction_inner_edge.edge_id IS 'the edge';
 COMMENT ON COLUMN streetgen.junction_inner_edge.axis_id IS 'its axis';
 COMMENT ON COLUMN streetgen.junction_inner_edge.from_node IS 'the node at its start';
 COMMENT ON COLUMN streetgen.junction_inner_edge.to_node IS 'the node at its end';
-COMMENT ON COLUMN streetgen.junction_inner_edge.along IS 'does traffic run along it?';
-COMMENT ON COLUMN streetgen.junction_inner_edge.against IS 'does traffic run against it?';
+COMMENT ON COLUMN streetgen.junction_inner_edge.along IS
+    'kinds of the lanes along it, parted by |; NULL: no traffic';
+COMMENT ON COLUMN streetgen.junction_inner_edge.against IS 'the same against it';
 COMMENT ON COLUMN streetgen.junction_inner_edge.offset_along IS
     'of the lanes of that traffic, m to the left of the edge';
 COMMENT ON COLUMN streetgen.junction_inner_edge.offset_against IS 'the same of the traffic against it';

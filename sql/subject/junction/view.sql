@@ -36,10 +36,10 @@ BEGIN
     COMMENT ON COLUMN rim_marking.surface IS 'the paint';
     CREATE OR REPLACE VIEW movement WITH (security_invoker = true) AS
     SELECT m.junction_id, NULL::bigint AS node_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.angle,
-        m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom
+        m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom, m.traffic
     FROM junction_movement m
     UNION ALL SELECT n.junction_id, i.node_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn, i.angle,
-        i.plausible, i.reason, i.connecting, ARRAY[i.interconnection_id], NULL::bigint, i.geom
+        i.plausible, i.reason, i.connecting, ARRAY[i.interconnection_id], NULL::bigint, i.geom, i.traffic
     FROM interconnection i LEFT JOIN junction_node n USING (node_id)
     WHERE NOT EXISTS (SELECT FROM junction_node o WHERE o.junction_id = n.junction_id AND o.node_id <> n.node_id);
     COMMENT ON VIEW movement IS
@@ -60,6 +60,8 @@ BEGIN
     COMMENT ON COLUMN movement.junction_movement_id IS
         'its row of junction_movement; NULL: it is one of interconnection';
     COMMENT ON COLUMN movement.geom IS 'the path';
+    COMMENT ON COLUMN movement.traffic IS
+        'who alone may take it, by kinds of lanes such as bus|cycle; NULL: all';
     CREATE OR REPLACE VIEW junction_crossing WITH (security_invoker = true) AS
     SELECT junction_id, control_point_id, node_id, edge_id, inside, width, 4 + width / 1.2 AS seconds, geom
     FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,

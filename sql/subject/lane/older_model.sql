@@ -11,7 +11,8 @@ BEGIN
         RETURN;
     END IF;
     ALTER TABLE axis ADD lanes_both integer CHECK (lanes_both BETWEEN 0 AND 30);
-    ALTER TABLE turn_restriction ADD except_kinds text CHECK (except_kinds ~ '^(bus|cycle)(\|(bus|cycle)){0,9}$');
+    ALTER TABLE turn_restriction ADD except_kinds text
+        CHECK (except_kinds ~ '^(bus|carpool|cycle)(\|(bus|carpool|cycle)){0,9}$');
     ALTER TABLE lane_override ADD both_ways boolean;
     ALTER TABLE interconnection_override ADD along_in boolean, ADD along_out boolean;
     ALTER TABLE edge ADD lanes_both integer NOT NULL DEFAULT 0;
@@ -44,7 +45,8 @@ BEGIN
     END IF;
     ALTER TABLE lane ADD start_abscissa float8, ADD end_abscissa float8,
         DROP CONSTRAINT IF EXISTS lane_kind_check,
-        ADD CONSTRAINT lane_kind_check CHECK (kind IN ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging'));
+        ADD CONSTRAINT lane_kind_check CHECK (kind IN
+            ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging', 'closed'));
 END $$;
 COMMENT ON FUNCTION streetgen._add_merging_lanes(name) IS
     'Adds to the lanes of a model their kind merging and the columns that say where one begins and ends, where the '
@@ -75,20 +77,24 @@ CREATE OR REPLACE FUNCTION streetgen._add_carpool_lanes(model name) RETURNS void
 BEGIN
     PERFORM streetgen._use_model(model);
     IF EXISTS (SELECT FROM pg_constraint WHERE conrelid = format('%I.axis', model)::regclass
-            AND conname = 'axis_kind_forward_check' AND pg_get_constraintdef(oid) ~ 'carpool') THEN
+            AND conname = 'axis_kind_forward_check' AND pg_get_constraintdef(oid) ~ 'closed') THEN
         RETURN;
     END IF;
     ALTER TABLE axis DROP CONSTRAINT IF EXISTS axis_kind_forward_check,
         DROP CONSTRAINT IF EXISTS axis_kind_backward_check,
         ADD CONSTRAINT axis_kind_forward_check CHECK (kind_forward ~
-            '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$'),
+            '^(general|bus|carpool|cycle|parking|closed)(\|(general|bus|carpool|cycle|parking|closed)){0,39}$'),
         ADD CONSTRAINT axis_kind_backward_check CHECK (kind_backward ~
-            '^(general|bus|carpool|cycle|parking)(\|(general|bus|carpool|cycle|parking)){0,39}$');
+            '^(general|bus|carpool|cycle|parking|closed)(\|(general|bus|carpool|cycle|parking|closed)){0,39}$');
+    ALTER TABLE turn_restriction DROP CONSTRAINT IF EXISTS turn_restriction_except_kinds_check,
+        ADD CONSTRAINT turn_restriction_except_kinds_check
+            CHECK (except_kinds ~ '^(bus|carpool|cycle)(\|(bus|carpool|cycle)){0,9}$');
     ALTER TABLE lane DROP CONSTRAINT IF EXISTS lane_kind_check,
-        ADD CONSTRAINT lane_kind_check CHECK (kind IN ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging'));
+        ADD CONSTRAINT lane_kind_check CHECK (kind IN
+            ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging', 'closed'));
 END $$;
 COMMENT ON FUNCTION streetgen._add_carpool_lanes(name) IS
-    'Lets axes and lanes of a model have carpool lanes, where it was made before them.';
+    'Lets axes and lanes of a model have carpool lanes and closed ones, where it was made before them.';
 
 CREATE OR REPLACE FUNCTION streetgen._mend_lane_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -5,7 +5,8 @@ CREATE TABLE :"model".lane (
     edge_id bigint NOT NULL REFERENCES :"model".edge ON DELETE CASCADE, ordinality integer NOT NULL,
     lane_position integer NOT NULL, side text NOT NULL CHECK (side IN ('left', 'centre', 'right')),
     along_axis boolean NOT NULL, both_ways boolean NOT NULL DEFAULT false CHECK (along_axis OR NOT both_ways),
-    kind text NOT NULL CHECK (kind IN ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging')),
+    kind text NOT NULL CHECK (kind IN
+        ('general', 'bus', 'carpool', 'cycle', 'parking', 'merging', 'closed')),
     width float8 NOT NULL CHECK (width > 0), axis_offset float8 NOT NULL, turn text,
     geom geometry(LineString, :srid) NOT NULL, surface geometry(MultiPolygon, :srid) NOT NULL, method text NOT NULL,
     start_abscissa float8, end_abscissa float8,
@@ -24,7 +25,8 @@ COMMENT ON COLUMN :"model".lane.along_axis IS
     'does its traffic run in the direction of the axis; true of a lane for both directions';
 COMMENT ON COLUMN :"model".lane.both_ways IS 'do both directions use it';
 COMMENT ON COLUMN :"model".lane.kind IS
-    'general, bus, carpool, cycle, parking or merging: a lane beside the others on a part of the edge, at a ramp';
+    'general, bus, carpool, cycle, parking, closed (nobody drives there) or merging: a lane beside the others on a '
+    'part of the edge, at a ramp';
 COMMENT ON COLUMN :"model".lane.width IS
     'width at the start limit of the edge, metres, without what begins or ends there';
 COMMENT ON COLUMN :"model".lane.axis_offset IS

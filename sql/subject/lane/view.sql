@@ -18,7 +18,7 @@ BEGIN
     COMMENT ON COLUMN lane_driving.edge_id IS 'its edge';
     COMMENT ON COLUMN lane_driving.along_axis IS 'does this traffic run in the direction of the axis';
     COMMENT ON COLUMN lane_driving.lane_position IS 'number from 1 at the left kerb, in the direction of the axis';
-    COMMENT ON COLUMN lane_driving.kind IS 'general, bus, carpool, cycle or parking';
+    COMMENT ON COLUMN lane_driving.kind IS 'general, bus, carpool, cycle, parking or closed';
     COMMENT ON COLUMN lane_driving.width IS 'width at the start limit of the edge, metres';
     COMMENT ON COLUMN lane_driving.geom IS 'centre line between the limits, in the direction of this traffic';
 END $$;

@@ -90,7 +90,7 @@ class InterconnectionBuilder {
     const LaneRange& own = of_edge_[edge];
     for (std::size_t i = own.first; i < own.first + own.count; ++i) {
       const Lane& lane = lanes_[i];
-      if (lane.kind == LaneKind::parking || !lane.reaches(at_start)) continue;
+      if (!carries_traffic(lane.kind) || !lane.reaches(at_start)) continue;
       if (lane.both_ways || lane.along_axis == at_start) leg.out.push_back(static_cast<int>(i));
       if (lane.both_ways || lane.along_axis != at_start) leg.in.push_back(static_cast<int>(i));
     }
@@ -248,6 +248,9 @@ class InterconnectionBuilder {
       for (std::size_t p = 0; p < pairs[m].size(); ++p) {
         pairs[m][p].plausible = movements[m].verdicts[p].plausible;
         pairs[m][p].reason = movements[m].verdicts[p].reason;
+        pairs[m][p].traffic =
+            traffic_of(movements[m].verdicts[p], lanes_[pairs[m][p].lane_in].kind,
+                       lanes_[pairs[m][p].lane_out].kind);
         out_.push_back(std::move(pairs[m][p]));
       }
     const auto place = [](const Interconnection& i) {
@@ -416,6 +419,8 @@ const char* reason_name(Reason reason) noexcept {
       return "restriction";
     case Reason::lane_kind:
       return "lane_kind";
+    case Reason::traffic:
+      return "traffic";
     case Reason::u_turn:
       return "u_turn";
     case Reason::radius:

@@ -36,6 +36,7 @@ JunctionRoutes::JunctionRoutes(const JunctionPlace& place, double node_tolerance
                                std::optional<LaneKind> kind)
     : place_(place),
       node_tolerance_(node_tolerance),
+      kind_(kind),
       turns_(binding(place.restrictions, kind)),
       ways_(binding(place.way_restrictions, kind)) {}
 
@@ -45,7 +46,9 @@ int JunctionRoutes::first_node(int state) const {
 }
 
 bool JunctionRoutes::open(int state) const {
-  return state % 2 == 0 ? place_.inner[state / 2].along : place_.inner[state / 2].against;
+  const InnerEdge& edge = place_.inner[state / 2];
+  const LaneKinds& lanes = state % 2 == 0 ? edge.along : edge.against;
+  return kind_ ? lanes[index_of(LaneKind::general)] || lanes[index_of(*kind_)] : lanes.any();
 }
 
 JunctionRoutes::Arm JunctionRoutes::arm_of(int state, bool at_start) const {

@@ -18,7 +18,7 @@ using JunctionRoute = std::vector<RoutePiece>;  // empty: both legs meet at one 
 // The shortest ways from a leg to all others.
 class JunctionRoutes {
  public:
-  // `kind`: no way takes a turn that is forbidden to such traffic; without: restrictions are not
+  // `kind`: no way takes a turn or an edge that is forbidden to such traffic; without: neither is
   // asked.
   JunctionRoutes(const JunctionPlace& place, double node_tolerance, std::optional<LaneKind> kind);
 
@@ -50,6 +50,7 @@ class JunctionRoutes {
 
   const JunctionPlace& place_;
   double node_tolerance_;
+  std::optional<LaneKind> kind_;
   std::vector<TurnRestriction> turns_;  // those that bind the traffic
   std::vector<WayRestriction> ways_;
 };

@@ -1,7 +1,6 @@
 // The legs of a node, with their lanes, and the movements from leg to leg.
 #pragma once
 
-#include <bitset>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
@@ -26,13 +25,15 @@ struct Leg {
   bool on_ring = false;  // traffic on it goes round a roundabout: from and to there none turns back
 };
 
-using LaneKinds = std::bitset<6>;
-constexpr std::size_t index_of(LaneKind kind) { return static_cast<std::size_t>(kind); }
-
 struct Verdict {
   bool plausible = false;
   Reason reason = Reason::lane_order;
+  LaneKinds traffic{};  // of reason traffic: who alone takes it
 };
+
+// Who may go from a lane to a lane: all whom the lanes let in, or of these those alone that the
+// verdict lets.
+LaneKinds traffic_of(const Verdict& verdict, LaneKind in, LaneKind out);
 
 // From a leg to another (or back): a verdict for each pair, lanes in by lanes out.
 struct Movement {

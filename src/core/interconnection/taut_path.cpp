@@ -95,7 +95,8 @@ class Search {
         if (off >= nearest) continue;
         nearest = off;
         const double along = dot(unit(end - start), unit(heading));
-        found = (along > lengthwise && !edge.along) || (along < -lengthwise && !edge.against);
+        found = (along > lengthwise && edge.along.none()) ||
+                (along < -lengthwise && edge.against.none());
       }
     return found;
   }

@@ -90,9 +90,14 @@ class Across {
   // turns.
   std::vector<Way> ways_from(int leg) const {
     std::vector<Way> ways(place_.legs.size());
-    const bool bound = !place_.restrictions.empty() || !place_.way_restrictions.empty();
+    const bool bound =
+        !place_.restrictions.empty() || !place_.way_restrictions.empty() ||
+        std::any_of(place_.inner.begin(), place_.inner.end(), [](const InnerEdge& edge) {
+          return of_some_alone(edge.along) || of_some_alone(edge.against);
+        });
     if (bound)
-      for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::cycle})
+      for (const LaneKind kind :
+           {LaneKind::general, LaneKind::bus, LaneKind::carpool, LaneKind::cycle})
         take_ways(JunctionRoutes(place_, settings_.node_tolerance, kind).from(leg), kind, ways);
     take_ways(JunctionRoutes(place_, settings_.node_tolerance, std::nullopt).from(leg), {}, ways);
     return ways;
@@ -238,13 +243,17 @@ class Across {
     return steps;
   }
 
-  static std::vector<JunctionMovement> with_verdicts(
-      const std::vector<Movement>& movements, std::vector<std::vector<JunctionMovement>>& drawn) {
+  std::vector<JunctionMovement> with_verdicts(
+      const std::vector<Movement>& movements,
+      std::vector<std::vector<JunctionMovement>>& drawn) const {
     std::vector<JunctionMovement> out;
     for (std::size_t m = 0; m < movements.size(); ++m)
       for (std::size_t p = 0; p < drawn[m].size(); ++p) {
         drawn[m][p].plausible = movements[m].verdicts[p].plausible;
         drawn[m][p].reason = movements[m].verdicts[p].reason;
+        drawn[m][p].traffic =
+            traffic_of(movements[m].verdicts[p], place_.lanes[drawn[m][p].lane_in].kind,
+                       place_.lanes[drawn[m][p].lane_out].kind);
         out.push_back(std::move(drawn[m][p]));
       }
     std::sort(out.begin(), out.end(), [](const JunctionMovement& a, const JunctionMovement& b) {

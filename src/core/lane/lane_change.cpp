@@ -28,7 +28,7 @@ Beside lanes_beside(const std::vector<Lane>& lanes, int position) {
 }
 
 bool one_traffic(const Lane& a, const Lane& b) {
-  return a.kind != LaneKind::parking && b.kind != LaneKind::parking &&
+  return carries_traffic(a.kind) && carries_traffic(b.kind) &&
          (a.kind == LaneKind::cycle) == (b.kind == LaneKind::cycle);
 }
 

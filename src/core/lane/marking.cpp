@@ -24,7 +24,7 @@ constexpr double shortest_band = 1e-9;
 constexpr double least_paint = 0.5;  // lanes narrower than this bear none
 
 bool painted(const Lane& lane) {
-  return lane.kind != LaneKind::parking && lane.width >= least_paint;
+  return carries_traffic(lane.kind) && lane.width >= least_paint;
 }
 
 // Gives the pieces of a line between abscissas that grow, in one walk.

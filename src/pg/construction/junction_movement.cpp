@@ -89,8 +89,8 @@ void take(FunctionCallInfo fcinfo, MovementCall* call) {
                  column(inner, "axis_id", INT8OID),
                  column(inner, "from_node", INT8OID),
                  column(inner, "to_node", INT8OID),
-                 column(inner, "along", BOOLOID),
-                 column(inner, "against", BOOLOID),
+                 column_or_null(inner, "along", TEXTOID),
+                 column_or_null(inner, "against", TEXTOID),
                  column(inner, "offset_along", FLOAT8OID),
                  column(inner, "offset_against", FLOAT8OID),
                  column(inner, "geom", BYTEAOID)};
@@ -187,6 +187,14 @@ void read_lanes(const MovementCall& call, Places& places) {
   }
 }
 
+LaneKinds kinds_of(const Column& column, int row) {
+  LaneKinds kinds;
+  if (column.nulls[row]) return kinds;
+  for (const LaneKind kind : read_kinds(text_of(column.values[row]), "lane of an edge"))
+    kinds.set(index_of(leads_as(kind)));
+  return kinds;
+}
+
 void read_inner(const MovementCall& call, Places& places) {
   const auto& rows = call.inner;
   for (int i = 0; i < rows.count; ++i) {
@@ -196,8 +204,8 @@ void read_inner(const MovementCall& call, Places& places) {
     edge.edge = read.edge(id(rows.edge_id, i));
     edge.from_node = read.node(id(rows.from_node, i));
     edge.to_node = read.node(id(rows.to_node, i));
-    edge.along = flag(rows.along, i);
-    edge.against = flag(rows.against, i);
+    edge.along = kinds_of(rows.along, i);
+    edge.against = kinds_of(rows.against, i);
     edge.offset_along = finite(DatumGetFloat8(rows.offset_along.values[i]), "offset of a lane");
     edge.offset_against = finite(DatumGetFloat8(rows.offset_against.values[i]), "offset of a lane");
     edge.line = line_of(rows.geom, i, "an edge");
@@ -295,7 +303,7 @@ Datum ids_datum(const std::vector<std::int64_t>& ids) {
 void give(const FoundMovements& found, ReturnSetInfo* result) {
   for (std::size_t i = 0; i < found.movements.size(); ++i) {
     const JunctionMovement& movement = found.movements[i];
-    const Datum values[11] = {Int64GetDatum(found.junctions[i]),
+    const Datum values[12] = {Int64GetDatum(found.junctions[i]),
                               Int64GetDatum(found.lanes_in[i]),
                               Int64GetDatum(found.lanes_out[i]),
                               BoolGetDatum(found.along_in[i]),
@@ -304,11 +312,13 @@ void give(const FoundMovements& found, ReturnSetInfo* result) {
                               Float8GetDatum(movement.angle),
                               BoolGetDatum(movement.plausible),
                               CStringGetTextDatum(reason_name(movement.reason)),
+                              CStringGetTextDatum(kinds_text(movement.traffic).c_str()),
                               ids_datum(movement.interconnections),
                               bytes_datum(found.lines[i])};
-    const bool nulls[11] = {false};
+    bool nulls[12] = {false};
+    nulls[9] = !of_some_alone(movement.traffic);
     tuplestore_putvalues(result->setResult, result->setDesc, const_cast<Datum*>(values),
-                         const_cast<bool*>(nulls));
+                         nulls);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/row_value.hpp"
 #include "model/streets_give.hpp"
+#include "value/lane_text.hpp"
 
 namespace streetgen::pg {
 
@@ -15,9 +16,12 @@ bool fill_interconnection(const ComputedStreets& computed, const Named& named, s
   const Interconnection& pair = computed.interconnections[i];
   const std::int64_t node = named.nodes[pair.node];
   const std::int64_t lane_in = named.lanes[pair.lane_in], lane_out = named.lanes[pair.lane_out];
+  Value traffic;
+  if (of_some_alone(pair.traffic)) traffic = kinds_text(pair.traffic);
   if (node == 0 || lane_in == 0 || lane_out == 0) return false;
   return put(row, node, lane_in, lane_out, pair.along_in, pair.along_out,
              name(turn_name(pair.turn)), pair.angle, pair.plausible, name(reason_name(pair.reason)),
+             std::move(traffic),
              Geometry{stored_point(pair.control, flat(computed))},
              Geometry{stored_line(pair.line, flat(computed))});
 }

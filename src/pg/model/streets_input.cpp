@@ -213,6 +213,17 @@ StreetSettings street_settings_of(const Settings& given) {
   return settings;
 }
 
+// What general lanes of an axis are, by who may drive there: "bus", or "bus|no" along and against.
+struct Access {
+  LaneKind forward = LaneKind::general, backward = LaneKind::general;
+};
+
+Access access_of(const std::string& text) {
+  const std::size_t mark = text.find('|');
+  if (mark == std::string::npos) return {lanes_for(text), lanes_for(text)};
+  return {lanes_for(text.substr(0, mark)), lanes_for(text.substr(mark + 1))};
+}
+
 std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given) {
   const KindWidths defaults{given.measure("cycle_lane_width"), given.measure("parking_lane_width")};
   std::vector<LanesOfAxis> axes;
@@ -223,17 +234,22 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given
     const auto counted = [&](const Column& count) {
       return static_cast<int>(in_range(DatumGetInt32(count.values[i]), 0, 100, "lanes" + of_axis));
     };
+    const Access access = access_of(text_or_empty(rows.access, i));
     const auto read = [&](const Column& count, const Column& kinds, const Column& widths,
-                          const Column& turns) {
+                          const Column& turns, LaneKind general_as) {
       return read_lanes(counted(count), text_or_empty(kinds, i), text_or_empty(widths, i),
-                        text_or_empty(turns, i), defaults, of_axis);
+                        text_or_empty(turns, i), defaults, of_axis, general_as);
     };
+    std::vector<LaneWish> both(counted(rows.lanes_both));
+    for (LaneWish& lane : both)
+      if (access.forward == access.backward) lane.kind = access.forward;
     axes.push_back(
         {axis_id,
-         {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward, rows.turn_forward),
+         {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward, rows.turn_forward,
+               access.forward),
           read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
-               rows.turn_backward),
-          std::vector<LaneWish>(counted(rows.lanes_both))}});
+               rows.turn_backward, access.backward),
+          std::move(both)}});
   }
   return axes;
 }

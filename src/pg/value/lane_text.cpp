@@ -65,8 +65,24 @@ std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& wh
                                       {"bus", LaneKind::bus},
                                       {"carpool", LaneKind::carpool},
                                       {"cycle", LaneKind::cycle},
-                                      {"parking", LaneKind::parking}}));
+                                      {"parking", LaneKind::parking},
+                                      {"closed", LaneKind::closed}}));
   return read;
+}
+
+std::string kinds_text(const LaneKinds& kinds) {
+  std::string text;
+  for (const LaneKind kind :
+       {LaneKind::general, LaneKind::bus, LaneKind::carpool, LaneKind::cycle})
+    if (kinds[index_of(kind)])
+      text += (text.empty() ? "" : "|") + std::string(lane_kind_name(kind));
+  return text;
+}
+
+LaneKind lanes_for(const std::string& access) {
+  for (const LaneKind kind : {LaneKind::bus, LaneKind::carpool, LaneKind::cycle})
+    if (access == lane_kind_name(kind)) return kind;
+  return access == "no" ? LaneKind::closed : LaneKind::general;
 }
 
 Turn read_turn(const std::string& word) {
@@ -79,7 +95,7 @@ Turn read_turn(const std::string& word) {
 
 std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
                                  const std::string& turns, KindWidths defaults,
-                                 const std::string& what) {
+                                 const std::string& what, LaneKind general_as) {
   std::vector<LaneWish> lanes(kinds.empty() ? count : 0);
   for (const LaneKind kind : read_kinds(kinds, "lane" + what)) lanes.emplace_back().kind = kind;
   std::vector<LaneWish*> all, driving;
@@ -99,6 +115,7 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
   for (LaneWish& lane : lanes) {
     if (lane.width == 0 && lane.kind == LaneKind::cycle) lane.width = defaults.cycle;
     if (lane.width == 0 && lane.kind == LaneKind::parking) lane.width = defaults.parking;
+    if (lane.kind == LaneKind::general) lane.kind = general_as;
   }
   return lanes;
 }
@@ -154,6 +171,8 @@ const char* lane_kind_name(LaneKind kind) {
       return "parking";
     case LaneKind::merging:
       return "merging";
+    case LaneKind::closed:
+      return "closed";
   }
   return "";
 }

@@ -15,18 +15,26 @@ struct KindWidths {
   double cycle = 0, parking = 0;
 };
 
-// `count` general lanes, or those of `kinds`.  `widths` and `turns` that name another number of
+// `count` general lanes, or those of `kinds`; general ones become `general_as`.  `widths` and `turns` that name another number of
 // lanes are not read; they may speak of the lanes of motor traffic only.  `what` ends each message
 // of Error{invalid_input}.
 std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std::string& widths,
                                  const std::string& turns, KindWidths defaults,
-                                 const std::string& what);
+                                 const std::string& what,
+                                 LaneKind general_as = LaneKind::general);
 
 // Whether a list of widths or turns has a word for each lane, or for each lane of motor traffic.
 bool names_lanes(const std::string& list, const std::vector<LaneWish>& lanes);
 
 // "bus|cycle"; none of an empty text.  `what` as word_of has it.
 std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& what);
+
+// "bus|cycle" and its like.
+std::string kinds_text(const LaneKinds& kinds);
+
+// What the general lanes of a street are for those who may drive there: "bus", "no" and its like;
+// general of a word that binds nobody, such as "private", and of an empty one.
+LaneKind lanes_for(const std::string& access);
 
 // "left" and its like, of a turn restriction.
 Turn read_turn(const std::string& word);

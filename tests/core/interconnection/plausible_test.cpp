@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <tuple>
 
@@ -243,6 +244,8 @@ TEST(Plausible, AnOnlyRestrictionForbidsTheOthers) {
   EXPECT_TRUE(plausible(town, all, 1, 4).empty());
 }
 
+LaneKinds of(LaneKind kind) { return LaneKinds().set(index_of(kind)); }
+
 TEST(Plausible, ARestrictionDoesNotBindLanesThatItExcepts) {
   std::vector<LanedAxis> roads{road(1, west, 2, 1), road(2, south, 1, 1), road(3, east, 1, 1),
                                road(4, north, 1, 1)};
@@ -253,7 +256,11 @@ TEST(Plausible, ARestrictionDoesNotBindLanesThatItExcepts) {
     for (const Interconnection& i : town.join({restriction})) {
       if (town.axis_of(i.lane_in) != 1 || town.axis_of(i.lane_out) != to) continue;
       const bool bus = town.lane(i.lane_in).kind == LaneKind::bus;
-      EXPECT_EQ(i.reason == Reason::restriction, !bus);
+      EXPECT_EQ(i.reason == Reason::restriction || i.reason == Reason::traffic, !bus);
+      // From a lane for all, it is a way for buses alone.
+      if (!bus && i.plausible) {
+        EXPECT_EQ(i.traffic, of(LaneKind::bus));
+      }
       buses = buses || (bus && i.plausible);
     }
     return buses;
@@ -264,8 +271,66 @@ TEST(Plausible, ARestrictionDoesNotBindLanesThatItExcepts) {
   // An exception for others is none for buses.
   for (const Interconnection& i :
        JoinedTown(roads).join({{1, 4, {0, 0, 0}, false, {}, {LaneKind::cycle}}}))
-    EXPECT_FALSE(i.plausible && JoinedTown(roads).axis_of(i.lane_in) == 1 &&
-                 JoinedTown(roads).axis_of(i.lane_out) == 4);
+    if (i.plausible && JoinedTown(roads).axis_of(i.lane_in) == 1 &&
+        JoinedTown(roads).axis_of(i.lane_out) == 4) {
+      EXPECT_EQ(i.traffic, of(LaneKind::cycle));
+    }
+}
+
+TEST(Plausible, WhomARestrictionExceptsHeTurnsFromTheLaneForAll) {
+  const JoinedTown town = crossing(1);
+  const std::vector<LaneKind> both{LaneKind::bus, LaneKind::cycle};
+  const auto turning = [&](const TurnRestriction& restriction, std::int64_t to) {
+    std::vector<LaneKinds> found;
+    for (const Interconnection& i : town.join({restriction}))
+      if (i.plausible && town.axis_of(i.lane_in) == 1 && town.axis_of(i.lane_out) == to)
+        found.push_back(i.traffic);
+    return found;
+  };
+  const LaneKinds all = of(LaneKind::general), some = of(LaneKind::bus) | of(LaneKind::cycle);
+  EXPECT_EQ(turning({1, 4, {0, 0, 0}, false, {}, both}, 4), std::vector<LaneKinds>{some});
+  EXPECT_EQ(turning({1, 4, {0, 0, 0}, false, {}, both}, 3), std::vector<LaneKinds>{all});
+  EXPECT_EQ(turning({1, 3, {0, 0, 0}, true, {}, both}, 2), std::vector<LaneKinds>{some});
+}
+
+TEST(Plausible, BusesComeUponTheirStreetFromEveryArm) {
+  std::vector<LanedAxis> roads{road(1, west, 1, 1), road(2, south, 1, 1), road(3, east, 1, 1),
+                               road(4, north, 1, 1)};
+  roads[3].forward[0].kind = roads[3].backward[0].kind = LaneKind::bus;
+  const JoinedTown town(roads);
+  std::map<std::int64_t, LaneKinds> into, out;
+  for (const Interconnection& i : town.join()) {
+    if (!i.plausible) continue;
+    if (town.axis_of(i.lane_out) == 4) into[town.axis_of(i.lane_in)] |= i.traffic;
+    if (town.axis_of(i.lane_in) == 4) out[town.axis_of(i.lane_out)] |= i.traffic;
+    if (town.axis_of(i.lane_in) != 4 && town.axis_of(i.lane_out) != 4) {
+      EXPECT_EQ(i.traffic, of(LaneKind::general));
+    }
+  }
+  const std::map<std::int64_t, LaneKinds> every{
+      {1, of(LaneKind::bus)}, {2, of(LaneKind::bus)}, {3, of(LaneKind::bus)}};
+  EXPECT_EQ(into, every);
+  EXPECT_EQ(out, every);
+}
+
+TEST(Plausible, CarpoolLanesLeadAsGeneralLanesDo) {
+  const auto ways = [](LaneKind kind) {
+    std::vector<LanedAxis> roads{road(1, west, 3, 1), road(2, south, 1, 1), road(3, east, 2, 3),
+                                 road(4, north, 1, 1)};
+    roads[0].forward[0].kind = kind;
+    const JoinedTown town(roads);
+    std::vector<std::tuple<int, int, bool>> found;
+    for (const Interconnection& i : town.join())
+      found.emplace_back(i.lane_in, i.lane_out, i.plausible);
+    return found;
+  };
+  EXPECT_EQ(ways(LaneKind::carpool), ways(LaneKind::general));
+}
+
+TEST(Plausible, NobodyDrivesOnAClosedLane) {
+  LanedAxis closed = road(1, west, 2, 0);
+  closed.forward[1].kind = LaneKind::closed;
+  EXPECT_EQ(JoinedTown({closed, road(3, {{0, 0, 0}, {100, 0, 0}}, 1, 0)}).join().size(), 1u);
 }
 
 TEST(Plausible, ARestrictionLetsIntoTheLanesThatItExcepts) {
@@ -273,10 +338,15 @@ TEST(Plausible, ARestrictionLetsIntoTheLanesThatItExcepts) {
   roads[2].backward[1].kind = LaneKind::bus;
   const JoinedTown town(roads);
   std::set<LaneKind> reached;
+  LaneKinds traffic;
   for (const Interconnection& i : town.join({{1, 4, {0, 0, 0}, false, {}, {LaneKind::bus}},
                                              {2, 4, {0, 0, 0}, false, {}, {LaneKind::bus}}}))
-    if (i.plausible && town.axis_of(i.lane_out) == 4) reached.insert(town.lane(i.lane_out).kind);
-  EXPECT_EQ(reached, (std::set<LaneKind>{LaneKind::bus}));
+    if (i.plausible && town.axis_of(i.lane_out) == 4) {
+      reached.insert(town.lane(i.lane_out).kind);
+      traffic |= i.traffic;
+    }
+  EXPECT_EQ(reached.count(LaneKind::bus), 1u);
+  EXPECT_EQ(traffic, of(LaneKind::bus));
 }
 
 TEST(Plausible, OfContradictoryRestrictionsTheForbiddingOneHolds) {

@@ -152,9 +152,20 @@ TEST_F(DualCarriageway, WhomARestrictionExceptsItDoesNotBind) {
   no_left.via = {0, 0};
   no_left.except = {LaneKind::bus};
   place.restrictions.push_back(no_left);
-  EXPECT_EQ(between(junction_movements(place, settings), 0, 7)->reason, Reason::restriction);
+  const auto all = junction_movements(place, settings);
+  EXPECT_EQ(between(all, 0, 7)->reason, Reason::traffic);
+  EXPECT_EQ(between(all, 0, 7)->traffic, LaneKinds().set(index_of(LaneKind::bus)));
+  EXPECT_EQ(between(all, 0, 1)->traffic, LaneKinds().set(index_of(LaneKind::general)));
   place.lanes[0].kind = place.lanes[7].kind = LaneKind::bus;
   EXPECT_TRUE(between(junction_movements(place, settings), 0, 7)->plausible);
+}
+
+TEST_F(DualCarriageway, CarsDriveOnNoEdgeInsideThatIsForBuses) {
+  for (InnerEdge& edge : place.inner)
+    edge.along = edge.against = LaneKinds().set(index_of(LaneKind::bus));
+  const auto all = junction_movements(place, settings);
+  EXPECT_EQ(between(all, 0, 7)->traffic, LaneKinds().set(index_of(LaneKind::bus)));
+  EXPECT_EQ(between(all, 0, 1)->traffic, LaneKinds().set(index_of(LaneKind::general)));
 }
 
 TEST_F(DualCarriageway, ARestrictionViaAnEdgeForbidsTheTurnOverIt) {
