@@ -3,6 +3,7 @@
 
 #include "geometry/arrangement.hpp"
 #include "geometry/box.hpp"
+#include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/disjoint_sets.hpp"
@@ -36,7 +37,11 @@ class WayAcross {
     if (farthest > 0) reach_ = std::min(reach_, nearest);
   }
 
-  bool comes_to(const Box& box) const { return box.holds(middle_, reach_ + width_); }
+  Box about() const {
+    Box box;
+    box.add(middle_);
+    return box.grown(reach_ + width_);
+  }
   double reach() const { return reach_; }
   Point place() const { return middle_ + across_ * (reach_ / 2); }
 
@@ -80,6 +85,7 @@ void Arrangement::place_walks() {
   std::vector<Box> boxes(islands ? count : 0);  // of walks
   if (islands)
     for (const int h : walked_) boxes[halves_[h].walk].add(positions[halves_[h].from]);
+  const BoxIndex about(boxes);
   std::vector<int> tried;  // halves of a walk
   places_.reserve(count);
   for (int w = 0, first = 0; w < count; first = walks_[w++]) {
@@ -116,9 +122,9 @@ void Arrangement::place_walks() {
         }
       };
       meet(first, walks_[w]);
-      for (int other = 0, start = 0; islands && other < count; start = walks_[other++])
-        if (way.comes_to(boxes[other]) && connected.of(other) != connected.of(w))
-          meet(start, walks_[other]);
+      for (const int other : about.near(way.about(), 0))
+        if (connected.of(other) != connected.of(w))
+          meet(other > 0 ? walks_[other - 1] : 0, walks_[other]);
       if (way.reach() <= widest) continue;
       widest = way.reach();
       place = way.place();
