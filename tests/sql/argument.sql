@@ -31,7 +31,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('elements', 'streetgen.alignment_element[]', '(SELECT array_agg(e) FROM streetgen.horizontal_alignment(''LINESTRING(0 0,50 0)'', ''{0,0}'', ''{0,0}'') e)'), ('clothoids', 'float8[]', '''{0,0}'''),
     ('abscissas', 'float8[]', '''{0,50}'''), ('heights', 'float8[]', '''{1,2}'''), ('start', 'geometry', '''POINT(0 0)'''), ('heading', 'float8', '0'), ('length', 'float8', '10'), ('curvature_start', 'float8', '0'), ('curvature_end', 'float8', '0.01'),
     ('population_a', 'float8', '5'), ('population_b', 'float8', '5'), ('alternative', 'float8', '20'), ('step', 'float8', '1'), ('extent', 'float8', '20'), ('place', 'geometry', '''POINT(0 0)'''), ('network', 'text', '''rural'''), ('link', 'bigint', '1'),
-    ('axes', 'bigint[]', '''{1}'''), ('movements', 'streetgen.signal_request[]', '''{}'''), ('controller', 'bigint', '1'), ('at', 'float8', '0'),
+    ('axes', 'bigint[]', '''{1}'''), ('ids', 'bigint[]', '''{}'''), ('movements', 'streetgen.signal_request[]', '''{}'''), ('controller', 'bigint', '1'), ('at', 'float8', '0'),
     ('area', 'geometry', '''POLYGON((0 0,9 0,9 9,0 0))'''), ('count', 'integer', '3');
 
 CREATE TABLE given AS

@@ -203,10 +203,10 @@ CALL pg_temp.decide();
 SELECT test.as_administrator('SET track_functions = ''pl''') \g /dev/null
 BEGIN;
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 3, 100 0)') \g /dev/null
-SELECT 'a street and what is decided on it are followed at once', pg_temp.decisions() <> '' AND calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+SELECT 'a street and what is decided on it are followed at once', pg_temp.decisions() <> '' AND calls = 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert_edited');
 SELECT 'and leave nothing for the next edit', streetgen._remapped('town') IS NULL;
 UPDATE town.lane_override SET width = 4.5;
-SELECT 'an edit of a decision is followed on its own again', calls = 2 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+SELECT 'an edit of a decision is followed on its own again', calls = 2 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert_edited');
 COMMIT;
 SELECT 'and are up to date', streetgen.live('town', true) = 0;
 
@@ -220,10 +220,10 @@ END $$;
 CREATE TRIGGER a_sketch AFTER UPDATE ON town.transition_override FOR EACH STATEMENT EXECUTE FUNCTION pg_temp.sketch();
 BEGIN;
 -- Not yet handed in, what the transaction before called is counted too.
-SELECT coalesce(sum(calls), 0) AS calls_before FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert') \gset
+SELECT coalesce(sum(calls), 0) AS calls_before FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert_edited') \gset
 SELECT pg_temp.draw(1, 'LINESTRING(0 0, 50 -3, 100 0)') \g /dev/null
 SELECT 'a decision that moves draws in another model', count(*) > 0 FROM sketch.edge;
-SELECT 'and its own is followed by one computation all the same', calls = :calls_before + 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert');
+SELECT 'and its own is followed by one computation all the same', calls = :calls_before + 1 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('town', '_upsert_edited');
 SELECT 'both leave nothing for the next edit', streetgen._remapped('town') IS NULL AND streetgen._remapped('sketch') IS NULL;
 COMMIT;
 SELECT 'and both are up to date', streetgen.live('town', true) = 0 AND streetgen.live('sketch', true) = 0;

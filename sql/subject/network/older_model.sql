@@ -9,9 +9,7 @@ BEGIN
         EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
     END IF;
     -- Another index takes its place.
-    IF to_regclass('report_collapsed') IS NOT NULL THEN
-        DROP INDEX report_collapsed;
-    END IF;
+    EXECUTE format('DROP INDEX IF EXISTS %I.report_collapsed', model);
 END $$;
 COMMENT ON FUNCTION streetgen._mend_network_tables(name, integer) IS
     'Adds to the edges of a model the curve that older ones lack, and drops an index of theirs.';
