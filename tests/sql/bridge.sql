@@ -75,8 +75,8 @@ SELECT 'a bridge that ends above the road below is told', count(*) = 1 FROM stre
 -- Roads that touch, spiral and turn back.
 DO $$ BEGIN PERFORM streetgen.create_model('odd', 2154, subjects => '{bridge}'); END $$;
 INSERT INTO odd.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000, 650100 6860060, 650050 6860060, 650050 6859950)', 7),
-    (2, 'SRID=2154;LINESTRING(650200 6860000, 650204 6860000)', 30), (3, 'SRID=2154;LINESTRING(650202 6859950, 650202 6860050)', 7), (4, 'SRID=2154;LINESTRING(650300 6860000, 650400 6860001)', 7),
-    (5, 'SRID=2154;LINESTRING(650300 6860001, 650400 6860000)', 7);
+    (2, 'SRID=2154;LINESTRING(650200 6860000, 650204 6860000)', 30), (3, 'SRID=2154;LINESTRING(650202 6859950, 650202 6860050)', 7), (4, 'SRID=2154;LINESTRING(650300 6860000, 650400 6860004)', 7),
+    (5, 'SRID=2154;LINESTRING(650300 6860004, 650400 6860000)', 7);
 SELECT 'a road that spirals over itself has a deck', count(*) = 1 FROM odd.bridge JOIN odd.edge USING (edge_id) WHERE axis_id = 1;
 SELECT 'decks have ground, within their edges', count(*) = 3 AND bool_and(ST_Area(b.surface) > 1 AND ST_IsValid(b.surface) AND b.start_abscissa >= 0 AND b.end_abscissa <= ST_Length(e.geom) + 1e-9) FROM odd.bridge b JOIN odd.edge e USING (edge_id);
 DROP VIEW deck;

@@ -43,10 +43,13 @@ std::vector<StreetAxis> from_one_point(int count) {
   return axes;
 }
 
+// Roadways so far apart, of axes that are no twins: they lie 2 m apart.
 std::vector<StreetAxis> beside_each_other(int count, double apart) {
   std::vector<StreetAxis> axes;
-  for (int i = 0; i < count; ++i)
-    axes.push_back(axis(i + 1, {{0, i * apart, 0}, {100, i * apart, 0}}));
+  for (int i = 0; i < count; ++i) {
+    axes.push_back(axis(i + 1, {{0, i * 2.0, 0}, {100, i * 2.0, 0}}));
+    axes.back().roadway_offset = i * (apart - 2);
+  }
   return axes;
 }
 
