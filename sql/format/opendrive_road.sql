@@ -23,7 +23,8 @@ BEGIN
         FROM written_edge e JOIN section s USING (edge_id) JOIN joined_node f ON f.node_id = e.from_node
             JOIN joined_node t ON t.node_id = e.to_node JOIN lane l USING (edge_id)
         WHERE s.method = 'crossed_limits' AND f.place_id = t.place_id),
-    -- Ways over inner lanes, each lane once; the shortest one from lane to lane. Nobody turns back within two metres.
+    -- Ways over inner lanes, each lane once: the shortest one from lane to lane, where none leads straight to it.
+    -- Nobody turns back within two metres.
     longer AS (
         SELECT way_id, ARRAY[way_id] AS ways, lane_in, lane_out, along_in, along_out, traffic, geom,
             '{}'::bigint[] AS over
@@ -44,7 +45,8 @@ BEGIN
     junction_way AS NOT MATERIALIZED (
         SELECT way_id, way_id::text AS ways, lane_in, lane_out, along_in, along_out, traffic, geom FROM way
         WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out NOT IN (SELECT lane_id FROM inner_lane)
-        UNION ALL SELECT * FROM joined_way),
+        UNION ALL SELECT * FROM joined_way j WHERE NOT EXISTS (SELECT FROM way w
+            WHERE (w.lane_in, w.along_in, w.lane_out, w.along_out) = (j.lane_in, j.along_in, j.lane_out, j.along_out))),
     course AS MATERIALIZED (SELECT * FROM streetgen._opendrive_courses(model, options)),
     side AS MATERIALIZED (
         SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),

@@ -6,7 +6,7 @@ CREATE TEMPORARY TABLE shape AS SELECT h.id, coalesce(h.level * 10, 1e6) + s.pla
     CASE s.marker WHEN 'shadow' THEN ST_Translate(h.geom, o.aside, -o.aside) ELSE h.geom END AS seen, CASE WHEN s.line IS NULL OR s.line = s.fill OR s.marker IS NOT NULL THEN 0 ELSE o.aside / 2 END AS border
   FROM streetgen._shapes(:'model', :'box', ARRAY(SELECT DISTINCT layer FROM symbol)) h
       LEFT JOIN streetgen._drawn_kinds(:'model', :'theme', :scale) k USING (layer, kind) JOIN symbol s ON (s.layer, s.kind) = (h.layer, coalesce(k.drawn_as, '')),
-    LATERAL (SELECT coalesce(streetgen._metres(s.width, s.unit, :pixel), 0) AS aside) o;
+    LATERAL (SELECT coalesce(streetgen._drawn_metres(s.width, s.unit, :pixel), 0) AS aside) o;
 CREATE INDEX ON shape USING gist (seen);
 ANALYZE shape;
 -- Two pixels and a half from every border there is one colour alone.
