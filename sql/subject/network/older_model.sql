@@ -9,7 +9,7 @@ BEGIN
         EXECUTE format('ALTER TABLE %I.edge ADD curve geometry(CompoundCurve, %s)', model, srid);
     END IF;
     -- Another index takes its place.
-    EXECUTE format('DROP INDEX IF EXISTS %I.report_collapsed', model);
+    PERFORM streetgen._execute_each(ARRAY['DROP INDEX IF EXISTS %1$I.report_collapsed'], model);
 END $$;
 COMMENT ON FUNCTION streetgen._mend_network_tables(name, integer) IS
     'Adds to the edges of a model the curve that older ones lack, and drops an index of theirs.';
