@@ -100,16 +100,20 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
     if (!(pair.angle > -180 && pair.angle <= 180))
       faults.push_back("an angle of " + std::to_string(pair.angle) + name);
     if (pair.plausible && pair.reason != Reason::lane_order && pair.reason != Reason::turn_lanes &&
-        pair.reason != Reason::only_way && pair.reason != Reason::not_drivable)
+        pair.reason != Reason::only_way && pair.reason != Reason::not_drivable &&
+        pair.reason != Reason::traffic)
       faults.push_back(std::string("plausible by ") + reason_name(pair.reason) + name);
-    if (pair.plausible && pair.reason != Reason::not_drivable && sharpest_turn(pair.line) > 30)
+    // Whether those can drive it whom a restriction excepts is not asked.
+    if (pair.plausible && pair.reason != Reason::not_drivable && pair.reason != Reason::traffic &&
+        sharpest_turn(pair.line) > 30)
       faults.push_back("a path with a corner of " + std::to_string(sharpest_turn(pair.line)) +
                        name);
   }
 }
 
-// Where a pair is allowed to a lane, one is plausible: to a lane out, where it is of another edge;
-// bus and cycle lanes may meet in vain, and from a lane in the middle nobody may turn off.
+// Where a pair is allowed from a lane, one is plausible.  So is one to an edge that pairs are allowed
+// to, but where marks of lanes lead none there.  Not each lane out is reached: lanes keep their
+// order.  Bus and cycle lanes may meet in vain, and from a lane in the middle nobody may turn off.
 void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection>& pairs,
                Faults& faults) {
   std::map<std::pair<int, bool>, bool> spreads, reached;
@@ -118,15 +122,16 @@ void find_dead(const std::vector<Lane>& lanes, const std::vector<Interconnection
     const bool fits = leads_as(in) == leads_as(out) || leads_as(in) == LaneKind::general ||
                       leads_as(out) == LaneKind::general;
     const bool middle = lanes[pair.lane_in].middle || lanes[pair.lane_out].middle;
+    const std::pair<int, bool> edge(lanes[pair.lane_out].edge, pair.along_out);
+    if (pair.plausible || pair.reason == Reason::turn_lanes) reached[edge] = true;
     if (pair.reason == Reason::restriction || !fits || middle) continue;
     spreads[{pair.lane_in, pair.along_in}] |= pair.plausible;
-    const bool turns_back = lanes[pair.lane_in].edge == lanes[pair.lane_out].edge;
-    if (!turns_back || pair.plausible) reached[{pair.lane_out, pair.along_out}] |= pair.plausible;
+    if (lanes[pair.lane_in].edge != lanes[pair.lane_out].edge) reached[edge] |= pair.plausible;
   }
   for (const auto& [lane, holds] : spreads)
     if (!holds) faults.push_back("lane " + std::to_string(lane.first) + " leads nowhere");
-  for (const auto& [lane, holds] : reached)
-    if (!holds) faults.push_back("lane " + std::to_string(lane.first) + " is not reached");
+  for (const auto& [edge, holds] : reached)
+    if (!holds) faults.push_back("edge " + std::to_string(edge.first) + " is not reached");
 }
 
 bool same(const Interconnection& a, const Interconnection& b) {

@@ -79,7 +79,7 @@ TEST(Streets, AWiderAxisAsksForAllThatItChanges) {
     for (StreetAxis& axis : axes) axis.width = axis.width_end = axis.width / 3;
     const Streets before = streets(axes, settings);
     const Areas was(before);
-    for (std::int64_t edited = 1; edited <= 10; ++edited) {
+    for (std::int64_t edited = 1; edited <= 12; ++edited) {
       std::vector<StreetAxis> wider = axes;
       for (StreetAxis& axis : wider) {
         axis.changed = axis.axis_id == edited;
