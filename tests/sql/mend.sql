@@ -146,3 +146,7 @@ SELECT format('edited one by one as from scratch, mended in few rounds, and as f
   FROM (VALUES (0.11, 'right'), (0.42, 'left'), (0.73, 'right'), (-0.36, 'left')) v(seed, side), pg_temp.tried(seed, side) t;
 DROP OWNED BY mend_editor, mend_reader;
 DROP ROLE mend_editor, mend_reader;
+-- The last two vertices of an end that misses are one place.
+SELECT streetgen.create_model('upright', 2154) \g /dev/null
+INSERT INTO upright.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 8), ('SRID=2154;LINESTRING(650050 6860040, 650050 6860002, 650050 6860002)', 6);
+SELECT 'an end whose last two vertices are one place is joined too', array_agg(proposal) = '{join}' FROM upright.axis_to_mend;

@@ -30,10 +30,11 @@ BEGIN
         last := ST_Force2D(ST_EndPoint(own));
         before := ST_Force2D(ST_PointN(own, -2));
     ELSE
-        ahead := 2 * half_width / ST_Distance(before, last);
+        -- Two last vertices at one place tell no direction.
+        ahead := 2 * half_width / nullif(ST_Distance(before, last), 0);
         target := ST_ClosestPoint(ST_Intersection(ST_MakeLine(last, ST_Translate(last,
             ahead * (ST_X(last) - ST_X(before)), ahead * (ST_Y(last) - ST_Y(before)))), other), last);
-        straight := NOT ST_IsEmpty(target);
+        straight := coalesce(NOT ST_IsEmpty(target), false);
         IF NOT straight THEN
             target := ST_ClosestPoint(other, last);
         END IF;
