@@ -1,20 +1,106 @@
 -- BD TOPO of IGN to axes.
 
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, columns text[], becomes text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
+    AS $$
+    -- V3 (as a table, as a shapefile) before V2.
+    VALUES ('id', '{cleabs,id,ogc_fid,gid,fid}'::text[], 'The identity in the source.'),
+    ('width', '{largeur_de_chaussee,largeur}', 'The width of the roadway from kerb to kerb.'),
+    ('lane_count', '{nombre_de_voies,nb_voies}', 'The number of general and bus lanes.'),
+    ('sens', '{sens_de_circulation,sens}', 'The direction of the traffic.'),
+    ('speed', '{vitesse_moyenne_vl,vit_moy_vl}', 'The speed.'),
+    ('importance', '{importance}', 'The importance.'),
+    ('level', '{position_par_rapport_au_sol,pos_sol}', 'The level.'),
+    ('class', '{nature}', 'The class; Rond-point is a roundabout.'),
+    ('name', '{nom_voie_ban_gauche,nom_collaboratif_gauche,nom_1_gauche,nom_coll_g,nom_1_g,nom_rue_g,nom_voie_g}',
+        'The name of the street.'),
+    ('ref', '{cpx_numero,numero}', 'The number of the route.'),
+    ('fictif', '{fictif}', 'A fictitious axis is no street.'),
+    ('bus', '{reserve_aux_bus,bus}', 'A bus lane of the direction that it names; else of that of the traffic.'),
+    ('cycle', '{bande_cyclable,cyclable}', 'A cycle lane of the direction that it names.'),
+    ('cycle_right', '{amenagement_cyclable_droit,amgt_cy_d}',
+        'Bande cyclable is a cycle lane at the kerb on the right of the drawing. Tracks, ways shared with people on '
+        'foot and gutters are no lanes of the roadway. What else it says is named.'),
+    ('cycle_right_way', '{sens_amenagement_cyclable_droit,sens_cy_d}',
+        'The direction of that cycle lane; else that of the lanes beside it. One against these is named, not made.'),
+    ('cycle_left', '{amenagement_cyclable_gauche,amgt_cy_g}', 'As amenagement_cyclable_droit, on the left.'),
+    ('cycle_left_way', '{sens_amenagement_cyclable_gauche,sens_cy_g}', 'As sens_amenagement_cyclable_droit.'),
+    ('access', '{acces_vehicule_leger,acces_vl}', 'Who may drive: nobody, or who has a permit.') $$;
+COMMENT ON FUNCTION streetgen._bdtopo_column() IS
+    'The columns of BD TOPO that an import looks at: a name for each, what tables call it, the first one going before '
+    'others, and what becomes of it.';
+
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_expression(columns text[], present text[]) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT quote_ident(there) || '::text' FROM unnest(columns) WITH ORDINALITY c(known, place), unnest(present) there
+    -- A shapefile of other hands has ten letters of a name.
+    WHERE lower(there) = known OR lower(there) = left(known, 10) AND 1 = (SELECT count(*)
+        FROM streetgen._bdtopo_column() c WHERE lower(there) IN (SELECT left(name, 10) FROM unnest(c.columns) name))
+    ORDER BY lower(there) = known DESC, place LIMIT 1 $$;
+COMMENT ON FUNCTION streetgen._bdtopo_expression(text[], text[]) IS
+    'The column of a table that has one of these names, in any case, or is shortened to ten letters of one alone.';
+
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_says(said text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(said, '') !~* '^\s*(non|sans objet|nc|aucun.*)?\s*$';
+COMMENT ON FUNCTION streetgen._bdtopo_says(text) IS 'Whether a column of BD TOPO says that there is something.';
+
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_way(said text, usual text) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN coalesce(said, '') ~* '^\s*(non|sans objet|nc|aucun.*)?\s*$' THEN NULL
+    RETURN CASE WHEN NOT streetgen._bdtopo_says(said) THEN NULL
         WHEN said ~* 'deux|double|bidirectionnel' THEN 'both' WHEN said ~* 'inverse' THEN 'reverse'
         WHEN said ~* 'direct' THEN 'direct' ELSE usual END;
 COMMENT ON FUNCTION streetgen._bdtopo_way(text, text) IS
     'The direction of a lane that BD TOPO names: direct, reverse or both, the usual one where it names none, NULL '
     'where there is no lane.';
 
-CREATE OR REPLACE FUNCTION streetgen._bdtopo_kerb(design text, said text, usual text) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_direction(said text) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN design ~* 'bande' THEN coalesce(streetgen._bdtopo_way(said, usual), usual) END;
-COMMENT ON FUNCTION streetgen._bdtopo_kerb(text, text, text) IS
-    'The direction of the cycle lane at a kerb, by what was designed there and the direction that is said; NULL where '
-    'no lane is: tracks are none.';
+    RETURN CASE WHEN said ILIKE '%inverse%' THEN 'reverse' WHEN said ILIKE '%direct%' AND said NOT ILIKE '%double%'
+        OR said ILIKE 'sens unique' THEN 'direct' ELSE 'both' END;
+COMMENT ON FUNCTION streetgen._bdtopo_direction(text) IS
+    'The direction of the traffic in the words of BD TOPO: direct, reverse or both.';
+
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_bus_way(said text, usual text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN streetgen._bdtopo_way(said,
+        CASE WHEN said ~* 'bus|couloir|voie|site propre|réserv|^\s*oui\s*$' THEN usual END);
+COMMENT ON FUNCTION streetgen._bdtopo_bus_way(text, text) IS
+    'streetgen._bdtopo_way of what is reserved for buses, which may name no direction; NULL for words of other things.';
+
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_kerb(design text, said text, kerb text, traffic text, driving_side text,
+    OUT near text, OUT far text, OUT unread text, OUT unread_way text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT CASE WHEN lane AND runs IN (beside, 'both') THEN beside END,
+        CASE WHEN lane AND runs IN (across, 'both') AND traffic = across THEN across END,
+        CASE WHEN lane AND runs IN (across, 'both') AND traffic <> across
+                THEN 'a cycle lane at this kerb runs in the direction of the lanes beside it'
+            WHEN NOT lane AND streetgen._bdtopo_says(design) AND design !~* '^(double sens.*)?piste|^voie verte|mixte|'
+                'goulotte|rampe|escalier|accotement|jalonnement|v[ée]lo ?rue|non mat[ée]rialis[ée]'
+                THEN 'it says no lane of the roadway' END,
+        CASE WHEN lane AND way IS NULL AND streetgen._bdtopo_says(said) THEN 'it says no direction' END
+    FROM (SELECT coalesce(design ~* 'bande', false) AS lane, streetgen._bdtopo_way(said, NULL) AS way,
+            -- The direction of the lanes at this kerb, on a street of both, and the other one.
+            CASE kerb WHEN driving_side THEN 'direct' ELSE 'reverse' END AS beside,
+            CASE kerb WHEN driving_side THEN 'reverse' ELSE 'direct' END AS across) k,
+        LATERAL (SELECT coalesce(way, CASE WHEN traffic = 'both' THEN beside
+            WHEN design ~* '^double sens' THEN CASE traffic WHEN 'direct' THEN 'reverse' ELSE 'direct' END
+            ELSE traffic END) AS runs) r $$;
+COMMENT ON FUNCTION streetgen._bdtopo_kerb(text, text, text, text, text) IS
+    'The cycle lane at a kerb (left or right of the drawing): the direction in which it is at the near kerb, and that '
+    'in which it is at the far one, each direct, reverse or none; and why what was designed there, or its direction, '
+    'is no such lane. Tracks are none. The traffic is direct, reverse or both.';
+
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_kinds(driving integer, of_buses boolean, bus boolean, near_cycle boolean,
+    far_cycle boolean, driving_side text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN of_buses AND driving = 1 THEN replace(coalesce(streetgen.lane_kinds(driving, NULL, false,
+            driving_side, near_cycle, far_cycle, false, false), 'general'), 'general', 'bus')
+        ELSE streetgen.lane_kinds(driving, NULL, bus, driving_side, near_cycle, far_cycle, false, false) END;
+COMMENT ON FUNCTION streetgen._bdtopo_kinds(integer, boolean, boolean, boolean, boolean, text) IS
+    'streetgen.lane_kinds of one direction, whose one lane may be for buses.';
 
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
@@ -30,12 +116,8 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
         ELSE 0 END,
     s.class, CASE s.class WHEN 'Rond-point' THEN s.class END,
-    CASE WHEN of_buses AND forward = 1 THEN concat('bus', CASE WHEN cycle_forward THEN '|cycle' END)
-        WHEN bus_forward OR cycle_forward THEN
-        streetgen.lane_kinds(forward, NULL, bus_forward, driving_side, cycle_forward, false, false, false) END,
-    CASE WHEN of_buses AND backward = 1 THEN concat('bus', CASE WHEN cycle_backward THEN '|cycle' END)
-        WHEN bus_backward OR cycle_backward THEN
-        streetgen.lane_kinds(backward, NULL, bus_backward, driving_side, cycle_backward, false, false, false) END,
+    streetgen._bdtopo_kinds(forward, of_buses, bus_forward, near_forward, far_forward, driving_side),
+    streetgen._bdtopo_kinds(backward, of_buses, bus_backward, near_backward, far_backward, driving_side),
     CASE WHEN s.access ~* 'impossible' THEN 'no' WHEN s.access ~* 'restreint|ayants droit' THEN 'private' END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END,
@@ -48,18 +130,21 @@ FROM pg_temp._import_line s,
      LATERAL (SELECT streetgen._within(streetgen._metres(s.width), 0, 200) AS metres,
          streetgen._within(streetgen._kmh(s.speed), 0, 400) AS kmh,
          streetgen._within(streetgen._number(s.lane_count), 0, 30) AS said_lanes) said,
-     LATERAL (SELECT CASE WHEN s.sens ILIKE '%inverse%' THEN 'reverse' WHEN s.sens ILIKE '%direct%'
-         AND s.sens NOT ILIKE '%double%' OR s.sens ILIKE 'sens unique' THEN 'direct' ELSE 'both' END AS direction,
-                     coalesce(greatest(said_lanes::integer, 1), 1) AS lanes,
+     streetgen._bdtopo_direction(s.sens) direction,
+     LATERAL (SELECT coalesce(greatest(said_lanes::integer, 1), 1) AS lanes,
                      -- What names no direction means that of the traffic: of one lane all of it.
-                     said_lanes = 1 AND streetgen._bdtopo_way(s.bus, 'all') = 'all' AS of_buses) d,
-     LATERAL (SELECT streetgen._bdtopo_way(s.bus, direction) AS bus_way,
-         ARRAY[streetgen._bdtopo_way(s.cycle, direction), streetgen._bdtopo_kerb(s.cycle_right, s.cycle_right_way,
-             CASE direction WHEN 'both' THEN 'direct' ELSE direction END), streetgen._bdtopo_kerb(s.cycle_left,
-             s.cycle_left_way, CASE direction WHEN 'both' THEN 'reverse' ELSE direction END)] AS cycle_ways) way,
+                     said_lanes = 1 AND streetgen._bdtopo_bus_way(s.bus, 'all') = 'all' AS of_buses,
+                     streetgen._bdtopo_bus_way(s.bus, direction) AS bus_way,
+                     streetgen._bdtopo_way(s.cycle, direction) AS cycle_way) d,
+     streetgen._bdtopo_kerb(s.cycle_right, s.cycle_right_way, 'right', direction, driving_side) on_right,
+     streetgen._bdtopo_kerb(s.cycle_left, s.cycle_left_way, 'left', direction, driving_side) on_left,
      LATERAL (SELECT coalesce(bus_way IN ('direct', 'both'), false) AS bus_forward,
          coalesce(bus_way IN ('reverse', 'both'), false) AS bus_backward,
-         cycle_ways && '{direct,both}' AS cycle_forward, cycle_ways && '{reverse,both}' AS cycle_backward) w,
+         coalesce('direct' IN (on_right.near, on_left.near) OR cycle_way IN ('direct', 'both'), false) AS near_forward,
+         coalesce('reverse' IN (on_right.near, on_left.near) OR cycle_way IN ('reverse', 'both'), false)
+             AS near_backward,
+         coalesce('direct' IN (on_right.far, on_left.far), false) AS far_forward,
+         coalesce('reverse' IN (on_right.far, on_left.far), false) AS far_backward) w,
      -- A bus lane against a one-way street takes one of its lanes.
      -- One lane in all, unless buses have one of their own, is of both directions.
      LATERAL (SELECT direction = 'both' AND said_lanes = 1 AND NOT bus_forward
@@ -73,24 +158,33 @@ $$;
 COMMENT ON FUNCTION streetgen._bdtopo_rows(text) IS
     'The rows of the import that the lines of a BD TOPO table become, where one drives on a side, left or right.';
 
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_unread(driving_side text)
+    RETURNS TABLE(source_ref text, tag text, value text, reason text)
+    LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+    SELECT s.id, u.columns[1], u.value, u.reason
+    FROM pg_temp._import_line s, streetgen._bdtopo_direction(s.sens) direction,
+        streetgen._bdtopo_kerb(s.cycle_right, s.cycle_right_way, 'right', direction, driving_side) on_right,
+        streetgen._bdtopo_kerb(s.cycle_left, s.cycle_left_way, 'left', direction, driving_side) on_left,
+        LATERAL (SELECT c.columns, w.* FROM streetgen._bdtopo_column() c JOIN (VALUES
+            ('bus', s.bus, CASE WHEN streetgen._bdtopo_says(s.bus)
+                AND streetgen._bdtopo_bus_way(s.bus, direction) IS NULL THEN 'it says no lane of buses' END),
+            ('cycle', s.cycle, CASE WHEN streetgen._bdtopo_says(s.cycle)
+                AND streetgen._bdtopo_way(s.cycle, NULL) IS NULL THEN 'it says no direction' END),
+            ('cycle_right', s.cycle_right, on_right.unread),
+            ('cycle_right_way', s.cycle_right_way, on_right.unread_way),
+            ('cycle_left', s.cycle_left, on_left.unread),
+            ('cycle_left_way', s.cycle_left_way, on_left.unread_way))
+            w(name, value, reason) USING (name)) u
+    WHERE u.reason IS NOT NULL AND coalesce(s.bus, s.cycle, s.cycle_right, s.cycle_left) IS NOT NULL $$;
+COMMENT ON FUNCTION streetgen._bdtopo_unread(text) IS
+    'What the lines of a BD TOPO table say of lanes that were not made, or not as it is said, with the reason.';
+
 CREATE OR REPLACE FUNCTION streetgen.import_bdtopo(model name, source regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Model column, then the source's names for it, V3 (as a table, as a shapefile) before V2.
-    known constant jsonb := '{"id": ["cleabs", "id", "ogc_fid", "gid", "fid"], '
-        '"width": ["largeur_de_chaussee", "largeur"], "lane_count": ["nombre_de_voies", "nb_voies"], '
-        '"sens": ["sens_de_circulation", "sens"], "speed": ["vitesse_moyenne_vl", "vit_moy_vl"], '
-        '"importance": ["importance"], "level": ["position_par_rapport_au_sol", "pos_sol"], "class": ["nature"], '
-        '"name": ["nom_voie_ban_gauche", "nom_collaboratif_gauche", "nom_1_gauche", "nom_coll_g", "nom_1_g", '
-        '"nom_rue_g", "nom_voie_g"], "ref": ["cpx_numero", "numero"], "fictif": ["fictif"], '
-        '"bus": ["reserve_aux_bus", "bus"], "cycle": ["bande_cyclable", "cyclable"], '
-        '"cycle_right": ["amenagement_cyclable_droit", "amgt_cy_d"], '
-        '"cycle_right_way": ["sens_amenagement_cyclable_droit", "sens_cy_d"], '
-        '"cycle_left": ["amenagement_cyclable_gauche", "amgt_cy_g"], '
-        '"cycle_left_way": ["sens_amenagement_cyclable_gauche", "sens_cy_g"], '
-        '"access": ["acces_vehicule_leger", "acces_vl"]}';
     present text[] := (SELECT array_agg(attname::text ORDER BY attnum) FROM pg_attribute WHERE attrelid = source
         AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source
@@ -98,9 +192,8 @@ DECLARE
     found jsonb;
 BEGIN
     PERFORM streetgen._take_classes(model), streetgen._check_given('source', source::text);
-    SELECT jsonb_object_agg(key, (SELECT quote_ident(n) || '::text'
-        FROM jsonb_array_elements_text(value) WITH ORDINALITY AS c(n, i) WHERE n = ANY (present) ORDER BY i LIMIT 1))
-        INTO found FROM jsonb_each(known);
+    SELECT jsonb_object_agg(name, streetgen._bdtopo_expression(columns, present)) INTO found
+        FROM streetgen._bdtopo_column();
     IF shape IS NULL OR found ->> 'class' IS NULL OR coalesce(found ->> 'width', found ->> 'lane_count') IS NULL THEN
         RAISE EXCEPTION 'table % is no BD TOPO road table', source USING ERRCODE = '22023',
             DETAIL = format('It has %s, and wants nature and largeur or largeur_de_chaussee beside a geometry.',
@@ -110,7 +203,7 @@ BEGIN
     END IF;
     EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS SELECT %I AS geom, %s FROM %s', shape,
         (SELECT string_agg(format('%s AS %I', coalesce(found ->> key, 'NULL::text'), key), ', ')
-        FROM jsonb_object_keys(known) key), source);
+        FROM jsonb_object_keys(found) key), source);
     -- What the table has no column for it does not mention.
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT geom, %s, source_ref, label, '
         'left_out, unread FROM streetgen._bdtopo_rows(%L)', (SELECT string_agg(name, ', ')
@@ -120,7 +213,14 @@ BEGIN
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
             ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}')) c(name, wants)
         WHERE jsonb_strip_nulls(found) ?| wants), streetgen._driving_side(model)));
-    DROP TABLE pg_temp._import_line;
+    CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
+        SELECT * FROM streetgen._bdtopo_unread(streetgen._driving_side(model));
+    RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
+    RETURN QUERY SELECT 'column with a shortened name that several have, not read', there, 1::bigint, NULL::text[]
+        FROM unnest(present) there WHERE EXISTS (SELECT FROM streetgen._bdtopo_column() c, unnest(c.columns) known
+            WHERE left(known, 10) = lower(there) AND known <> lower(there))
+            AND quote_ident(there) || '::text' NOT IN (SELECT value FROM jsonb_each_text(jsonb_strip_nulls(found)));
+    DROP TABLE pg_temp._import_line, pg_temp._import_unread;
 END $$;
 COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS
     'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, '

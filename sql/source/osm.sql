@@ -148,8 +148,12 @@ BEGIN
         PERFORM streetgen._take_classes(model), streetgen._read_osm_tags(model);
         PERFORM FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()');
     END IF;
+    CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
+        SELECT l.way_id::text AS source_ref, u.tag, coalesce(m.tags ->> u.tag, m.class) AS value, u.reason
+        FROM pg_temp._import_meaning m JOIN pg_temp._import_line l ON (l.class, l.tags) = (m.class, m.tags),
+            unnest(m.unread_tags, m.unread_reasons) u(tag, reason);
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
-    DROP TABLE pg_temp._import_line, pg_temp._import_meaning;
+    DROP TABLE pg_temp._import_line, pg_temp._import_meaning, pg_temp._import_unread;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model, streetgen._osm_table('_control', prefix, schemas));

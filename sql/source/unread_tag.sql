@@ -11,10 +11,8 @@ BEGIN
     PERFORM streetgen._use_model(model);
     DELETE FROM unread_tag t WHERE t.source = origin;
     INSERT INTO unread_tag (source, source_ref, tag, value, reason)
-        SELECT origin, l.way_id::text, u.tag, coalesce(m.tags ->> u.tag, l.class), u.reason
-        FROM pg_temp._import_meaning m JOIN pg_temp._import_line l USING (class, tags)
-        JOIN axis a ON (a.source, a.source_ref) = (origin, l.way_id::text),
-            unnest(m.unread_tags, m.unread_reasons) u(tag, reason);
+        SELECT origin, u.source_ref, u.tag, u.value, u.reason
+        FROM pg_temp._import_unread u JOIN axis a ON (a.source, a.source_ref) = (origin, u.source_ref);
     RETURN QUERY SELECT 'lanes not understood, all in table unread_tag', t.tag, count(*),
         array_agg(t.source_ref ORDER BY t.source_ref) FROM unread_tag t WHERE t.source = origin GROUP BY t.tag
         ORDER BY count(*) DESC, t.tag;

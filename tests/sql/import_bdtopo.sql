@@ -79,3 +79,40 @@ SELECT streetgen.create_model('import_new', 32631) \gset
 SELECT streetgen.import_bdtopo('import_new', 'import_2024') \g /dev/null
 SELECT 'version of 2024: ' || source_ref, concat(kind_forward, ' / ', kind_backward) = wanted FROM import_new.axis JOIN (VALUES ('A', 'bus / '), ('B', 'general|cycle / general|cycle'), ('C', 'general|bus|cycle / '), ('D', ' / cycle'),
   ('E', ' / general|cycle'), ('F', 'bus / ')) v(source_ref, wanted) USING (source_ref) ORDER BY source_ref;
+-- Kerbs of the drawing, traffic along it and against it, and what is no lane of the roadway.
+CREATE TABLE import_kerb (LIKE import_2024);
+INSERT INTO import_kerb SELECT r[1], 'Route à 1 chaussée', NULL, r[2]::integer, r[3], '0', false, r[4], r[5], r[6], r[7], r[8], ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * n), ST_MakePoint(100, 50 * n)), 32631)
+FROM unnest(ARRAY['A 1 Sens direct,,,,Bande cyclable,Sens direct', 'B 1 Sens inverse,,Bande cyclable,Sens inverse,,', 'C 1 Sens inverse,,,,Bande cyclable,Sens inverse', 'D 1 Sens inverse,,Bande cyclable,Sens direct,,',
+  'E 1 Sens direct,,Bande cyclable,Sens inverse,,', 'F 1 Sens inverse,,,,Bande cyclable,Sens direct', 'G 1 Sens direct,,,,Bande cyclable,Double sens', 'H 1 Sens direct,,Bande cyclable,Double sens,,', 'I 2 Double sens,,Bande cyclable,Double sens,,',
+  'J 2 Double sens,,Bande cyclable,,,', 'K 2 Double sens,,,,Bande cyclable,', 'L 1 Sens direct,Voie bus,,,Bande cyclable,Sens direct', 'M 2 Double sens,,Piste cyclable,Sens direct,Voie verte,', 'N 2 Double sens,,Aménagement mixte hors voie verte,,Goulotte ou rampe,',
+  'O 2 Double sens,,Chaussée à voie centrale banalisée,,Couloir bus + vélo,', 'P 1 Sens direct,,,,Double sens cyclable bande,', 'Q 1 Sens direct,,Double sens cyclable non matérialisé,,Bande cyclable,de jour', 'R 2 Double sens,Tramway,,,,', 'S 1 Sens inverse,,Bande cyclable,,,']) WITH ORDINALITY t(line, n),
+  LATERAL (SELECT ARRAY[left(line, 1), substr(line, 3, 1)] || string_to_array(substr(line, 5), ',', '') AS r) f;
+CREATE FUNCTION pg_temp.kerbs(driving_side text) RETURNS TABLE (source_ref text, kinds text, named text) LANGUAGE plpgsql AS $$ BEGIN
+  PERFORM streetgen.drop_model(m.name) FROM streetgen.model m WHERE m.name = 'import_kerbs';
+  PERFORM streetgen.create_model('import_kerbs', 32631, driving_side => kerbs.driving_side);
+  PERFORM streetgen.import_bdtopo('import_kerbs', 'import_kerb');
+  RETURN QUERY SELECT a.source_ref, concat(kind_forward, ' / ', kind_backward), (SELECT string_agg(u.tag || ': ' || u.value || ', ' || u.reason, '; ') FROM import_kerbs.unread_tag u WHERE u.source_ref = a.source_ref) FROM import_kerbs.axis a;
+END $$;
+CREATE TABLE import_told AS SELECT * FROM pg_temp.kerbs('right');
+SELECT 'a kerb of the drawing: ' || source_ref, (kinds, named) IS NOT DISTINCT FROM (wanted, reason) FROM import_told FULL JOIN (VALUES ('A', 'cycle|general / ', NULL), ('B', ' / cycle|general', NULL), ('C', ' / general|cycle', NULL), ('D', 'cycle / ', NULL),
+  ('E', ' / ', 'amenagement_cyclable_droit: Bande cyclable, a cycle lane at this kerb runs in the direction of the lanes beside it'), ('F', ' / ', 'amenagement_cyclable_gauche: Bande cyclable, a cycle lane at this kerb runs in the direction of the lanes beside it'),
+  ('G', 'cycle|general / cycle', NULL), ('H', 'general|cycle / ', 'amenagement_cyclable_droit: Bande cyclable, a cycle lane at this kerb runs in the direction of the lanes beside it'),
+  ('I', 'general|cycle / ', 'amenagement_cyclable_droit: Bande cyclable, a cycle lane at this kerb runs in the direction of the lanes beside it'), ('J', 'general|cycle / ', NULL), ('K', ' / general|cycle', NULL), ('L', 'cycle|bus / ', NULL), ('M', ' / ', NULL), ('N', ' / ', NULL),
+  ('O', ' / ', 'amenagement_cyclable_droit: Chaussée à voie centrale banalisée, it says no lane of the roadway; amenagement_cyclable_gauche: Couloir bus + vélo, it says no lane of the roadway'), ('P', ' / cycle', NULL),
+  ('Q', 'cycle|general / ', 'sens_amenagement_cyclable_gauche: de jour, it says no direction'), ('R', ' / ', 'reserve_aux_bus: Tramway, it says no lane of buses'), ('S', ' / cycle|general', NULL)) v(source_ref, wanted, reason) USING (source_ref) ORDER BY source_ref;
+SELECT 'the report names them', (SELECT count(*) FROM streetgen.import_bdtopo('import_kerbs', 'import_kerb') WHERE what LIKE 'lanes not understood%') = 4;
+-- On the left the same place, drawn from its other end, has the mirror image of it.
+UPDATE import_kerb SET geometrie = ST_Reverse(geometrie), sens_de_circulation = CASE sens_de_circulation WHEN 'Sens direct' THEN 'Sens inverse' WHEN 'Sens inverse' THEN 'Sens direct' ELSE sens_de_circulation END,
+  sens_amenagement_cyclable_droit = CASE sens_amenagement_cyclable_droit WHEN 'Sens direct' THEN 'Sens inverse' WHEN 'Sens inverse' THEN 'Sens direct' ELSE sens_amenagement_cyclable_droit END,
+  sens_amenagement_cyclable_gauche = CASE sens_amenagement_cyclable_gauche WHEN 'Sens direct' THEN 'Sens inverse' WHEN 'Sens inverse' THEN 'Sens direct' ELSE sens_amenagement_cyclable_gauche END;
+CREATE FUNCTION pg_temp.mirrored(kinds text) RETURNS text LANGUAGE sql AS $$
+  SELECT concat(array_to_string(ARRAY(SELECT k FROM unnest(string_to_array(split_part(kinds, ' / ', 2), '|')) WITH ORDINALITY u(k, i) ORDER BY i DESC), '|'), ' / ',
+    array_to_string(ARRAY(SELECT k FROM unnest(string_to_array(split_part(kinds, ' / ', 1), '|')) WITH ORDINALITY u(k, i) ORDER BY i DESC), '|')) $$;
+SELECT 'where one drives on the left, drawn backward: ' || source_ref, l.kinds = pg_temp.mirrored(r.kinds) FROM pg_temp.kerbs('left') l JOIN import_told r USING (source_ref) ORDER BY source_ref;
+-- A shapefile of other hands has ten letters of each name; two columns may have the same ones.
+CREATE TABLE import_ten AS SELECT cleabs AS "CLEABS", nature, 6.5::float8 AS largeur_de, 1 AS nombre_de_, 'Sens direct' AS sens_de_ci, 'Bande cyclable' AS amenagemen, geometrie AS geom FROM import_kerb WHERE cleabs = 'A';
+CREATE TABLE import_ten_told AS SELECT * FROM streetgen.import_bdtopo('import_kerbs', 'import_ten');
+SELECT 'shortened names are read', (width, lane_count, direction, source_ref) = (6.5, 1, 'direct', 'A') FROM import_kerbs.axis WHERE source = 'import_ten';
+SELECT 'one that two columns have is told', array_agg(class) = '{amenagemen}' FROM import_ten_told WHERE what LIKE 'column with a shortened name%';
+DROP TABLE import_kerb, import_told, import_ten, import_ten_told;
+SELECT streetgen.drop_model('import_kerbs') \g /dev/null
