@@ -81,6 +81,18 @@ INSERT INTO apart.axis (axis_id, geom, width, direction) SELECT id, pg_temp.line
 SELECT 'they are told', array_agg(id ORDER BY id) = '{2,4}' FROM streetgen.check_model('apart') WHERE rule IN (:rules);
 SELECT 'and have no proposal', NOT EXISTS (SELECT FROM apart.axis_to_mend);
 
+-- An axis of which a part goes and whose ends miss: the piece that is new is led on too.  Two ends that miss each other are one join.
+SELECT streetgen.create_model('cut', 2154) \g /dev/null
+INSERT INTO cut.axis (axis_id, geom, width, lane_count) SELECT id, pg_temp.line(line), width, 2 FROM (VALUES
+  (11, 'LINESTRING(0 200,100 200)', 8), (12, 'LINESTRING(103 198.5,103 260)', 8),
+  (21, 'LINESTRING(0 400,40 400,100 400,160 400)', 8), (22, 'LINESTRING(40 470,40 400,100 400,100 470)', 6), (23, 'LINESTRING(60 472,140 472)', 6), (24, 'LINESTRING(0 472,46 472)', 6),
+  (31, 'LINESTRING(0 600,40 600,100 600,160 600)', 8), (32, 'LINESTRING(40 670,40 600,100 600,100 670)', 6), (33, 'LINESTRING(60 672,140 672)', 6)) v(id, line, width);
+SELECT 'of two ends that miss each other one is led on', array_agg(proposal ORDER BY axes[1], proposal) = '{join,join,split,join,split}' FROM cut.axis_to_mend;
+SELECT 'all of them are done', pg_temp.mend('cut') = 5;
+SELECT 'the ends of both pieces are led on', array_agg(ST_AsText(ST_Translate(geom, -650000, -6860000), 2) ORDER BY axis_id) = '{"LINESTRING(40 472,40 400)","LINESTRING(40 670,40 600)","LINESTRING(100 400,100 472)","LINESTRING(100 600,100 672)"}'
+  FROM cut.axis WHERE axis_id IN (22, 32) OR axis_id > 33;
+SELECT 'nothing of it is left to mend', NOT EXISTS (SELECT FROM cut.axis_to_mend) AND NOT EXISTS (SELECT FROM streetgen.check_model('cut') WHERE rule IN (:rules));
+
 -- In three dimensions, on levels, and where one drives on the left.
 SELECT streetgen.create_model('high', 2154, 3, driving_side => 'left') \g /dev/null
 INSERT INTO high.axis (axis_id, geom, width, level) SELECT id, ST_Translate(ST_SetSRID(line::geometry, 2154), 650000, 6860000), 8, level FROM (VALUES

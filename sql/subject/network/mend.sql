@@ -149,6 +149,7 @@ DECLARE
     split bigint[];
     pieces geometry[];
     missed bigint[];
+    joined bigint;
     unknown bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -168,12 +169,20 @@ BEGIN
     END IF;
     DELETE FROM axis WHERE axis_id = ANY (doubled);
     PERFORM streetgen._cut_axes(model, split, pieces);
-    -- The streets have followed, and the end of one that was cut leads elsewhere.
-    UPDATE axis a SET geom = ST_GeometryN(m.geom, 1) FROM axis_to_mend m
-        WHERE m.proposal = 'join' AND m.axes[1] = ANY (missed) AND a.axis_id = m.axes[1];
-    RETURN cardinality(wanted);
+    -- The streets have followed: the end of one that was cut leads elsewhere, and may be that of another piece.
+    WITH piece AS (
+        SELECT cut, ST_GeometryN(piece, n) AS geom
+        FROM unnest(split, pieces) p(cut, piece), generate_series(1, ST_NumGeometries(piece)) n),
+    led AS (
+        SELECT a.axis_id, coalesce(p.cut, a.axis_id) AS named, ST_GeometryN(m.geom, 1) AS geom
+        FROM axis_to_mend m JOIN axis a ON a.axis_id = m.axes[1] LEFT JOIN piece p ON p.geom = a.geom
+        WHERE m.proposal = 'join' AND coalesce(p.cut, a.axis_id) = ANY (missed)),
+    written AS (UPDATE axis a SET geom = l.geom FROM led l WHERE l.axis_id = a.axis_id RETURNING l.named)
+    SELECT count(DISTINCT named) INTO joined FROM written;
+    RETURN coalesce(cardinality(doubled), 0) + coalesce(cardinality(split), 0) + joined;
 END $$;
 COMMENT ON FUNCTION streetgen.accept_mend(name, bigint[]) IS
     'Does what view axis_to_mend of a model proposes under these ids, as an edit by hand would: the streets follow, '
-    'decisions by hand stay on what is left, and a delivery of the source keeps it. Returns how many. An unknown '
-    'model: 3F000; a proposal that is not there, or no more: 22023; no ids: 22004; who may not edit the model: 42501.';
+    'decisions by hand stay on what is left, and a delivery of the source keeps it. Returns how many it did: a join '
+    'that the others made needless is none. An unknown model: 3F000; a proposal that is not there, or no more: 22023; '
+    'no ids: 22004; who may not edit the model: 42501.';

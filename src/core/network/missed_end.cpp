@@ -77,11 +77,11 @@ class MissedEnds {
       if (other == own || edge(f).level != edge(end.edge).level ||
           upon_.count(std::minmax({own, other})) > 0)
         continue;
-      const double at = nearest_abscissa(p, edge(f).line);
-      const LinePosition foot = position_at(edge(f).line, at);
-      const double apart = distance(p, foot.point);
+      // An edge bends to its nodes: what joins an end is how far the axis is, as it is drawn.
+      const double apart = distance_to_line(p, axes_[f]->line);
       if (apart <= tolerance_) return std::nullopt;  // a cluster too wide to be joined
       if (best && best->apart <= apart) continue;
+      const double at = nearest_abscissa(p, edge(f).line);
       if (!holds(f, at, p) || is_stub(end, f)) continue;
       best = Missed{f, apart, dead_end_at(f, at)};
     }

@@ -156,6 +156,20 @@ TEST(MissedEnd, GoesBeyondTheOtherAxis) {
   EXPECT_TRUE(told(street_network(axes, 0.5, Crossing::split), NetworkIssue::misses).empty());
 }
 
+// A neighbour that is joined bends the edge towards this end, not the axis.
+TEST(MissedEnd, BesideAnEndThatIsJoined) {
+  const std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}),
+                                     street(2, {{52, 0.45}, {60, 60}}),
+                                     street(3, {{50, 0.56}, {40, 60}})};
+  const Network n = of(axes);
+  EXPECT_EQ(n.edges.size(), 4u);
+  const auto reports = told(n, NetworkIssue::misses);
+  ASSERT_EQ(reports.size(), 1u);
+  EXPECT_EQ(reports[0].axis_a, 3);
+  EXPECT_NEAR(reports[0].measure, 0.56, 1e-9);
+  EXPECT_EQ(street_network(axes, reports[0].measure, Crossing::over).edges.size(), 5u);
+}
+
 TEST(MissedEnd, ABridgeOverARoadIsNone) {
   std::vector<StreetAxis> axes{street(1, {{0, 0}, {100, 0}}), street(2, {{50, 1}, {50, 60}})};
   axes[1].level = 1;
