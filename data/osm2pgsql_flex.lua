@@ -19,8 +19,19 @@ local line = osm2pgsql.define_way_table(prefix .. '_line', {
     { column = 'name', type = 'text' },
     { column = 'ref', type = 'text' },
     { column = 'tags', type = 'jsonb', not_null = true },
-    { column = 'geom', type = 'linestring', projection = srid, not_null = true },
+    { column = 'nodes', type = 'integer' }, -- of which the file may lack some: then the line has fewer vertices
+    { column = 'geom', type = 'linestring', projection = srid },
 })
+
+local function node_count(object)
+    local count = 0
+    for i, node in ipairs(object.nodes) do
+        if node ~= object.nodes[i - 1] then
+            count = count + 1
+        end
+    end
+    return count
+end
 
 function osm2pgsql.process_way(object)
     local class = object.tags.highway or object.tags.aeroway
@@ -34,7 +45,7 @@ function osm2pgsql.process_way(object)
         end
     end
     line:insert({ class = class, name = object.tags.name, ref = object.tags.ref, tags = tags,
-                  geom = object:as_linestring() })
+                  nodes = node_count(object), geom = object:as_linestring() })
 end
 
 local control = osm2pgsql.define_node_table(prefix .. '_control', {

@@ -1,23 +1,32 @@
 # Sourced by data/streetgen: a file of OpenStreetMap, as an extract, the API or an editor writes it, as the tables of data/osm2pgsql_flex.lua.
 
-# osm_format FILE: how osmium calls it, by its ending; 1 for other files.
+# osm_format FILE: how osmium calls it, by its ending; 1 for other files. XML of other things is none.
 osm_format() {
   case ${1,,} in
     *.pbf) echo osm.pbf ;;
-    *.osm.gz | *.xml.gz) echo osm.gz ;;
-    *.osm.bz2 | *.xml.bz2) echo osm.bz2 ;;
-    *.osm | *.xml) echo osm ;;
+    *.osm.gz) echo osm.gz ;;
+    *.osm.bz2) echo osm.bz2 ;;
+    *.osm) echo osm ;;
+    *.xml | *.xml.gz | *.xml.bz2)
+      [ "$(root_element "$1")" = osm ] || return 1
+      [[ ${1,,} =~ \.xml(\.[a-z0-9]*)?$ ]]
+      echo "osm${BASH_REMATCH[1]}" ;;
     *) return 1 ;;
   esac
 }
 
 # osm_text FILE: its XML.
 osm_text() {
-  case $1 in
+  case ${1,,} in
     *.gz) gunzip -c "$1" ;;
     *.bz2) bunzip2 -c "$1" ;;
     *) cat "$1" ;;
   esac
+}
+
+# root_element FILE: the name of the first element of its XML, after what is said and remarked before it; nothing where it is none.
+root_element() {
+  { osm_text "$1" 2>/dev/null || true; } | head -c 20000 | tr -d '\0' | tr '\n\r\t' '   ' | sed -E 's/<!--([^-]|-[^-])*-->//g' | grep -oE '<[A-Za-z_][^ />]*' | head -1 | cut -c2- || true
 }
 
 # An editor keeps what was deleted in it and is not uploaded yet, marked by an attribute that osmium does not know.

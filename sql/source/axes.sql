@@ -1,5 +1,34 @@
 -- From any line table to axes: the mapping, the cleaning, the upsert that follows the source.
 
+CREATE OR REPLACE FUNCTION streetgen._leave_out_others()
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    bad record;
+BEGIN
+    CREATE TEMPORARY TABLE _import_other ON COMMIT DROP AS SELECT i.ctid AS id, i.label, GeometryType(i.geom) AS type
+        FROM pg_temp._import i
+        WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM');
+    IF (SELECT count(*) FROM pg_temp._import_other) = (SELECT count(*) FROM pg_temp._import) THEN
+        SELECT o.label, o.type INTO bad FROM pg_temp._import_other o ORDER BY o.label LIMIT 1;
+        IF FOUND THEN
+            RAISE EXCEPTION 'source row % is a %, expected a line', bad.label, bad.type USING ERRCODE = '22023',
+                HINT = 'Streets are drawn along their middle: take the table, or the layer of the file, that has '
+                    'lines.';
+        END IF;
+    END IF;
+    -- GDAL makes a MULTIPOINT of each point.
+    RETURN QUERY SELECT 'no line but a ' || t.type || ', left out', NULL::text, count(*),
+        array_agg(o.label ORDER BY o.label)
+        FROM pg_temp._import_other o, LATERAL (SELECT replace(o.type, 'MULTI', '') AS type) t
+        GROUP BY t.type ORDER BY t.type;
+    DELETE FROM pg_temp._import i USING pg_temp._import_other o WHERE i.ctid = o.id;
+    DROP TABLE pg_temp._import_other;
+END $$;
+COMMENT ON FUNCTION streetgen._leave_out_others() IS
+    'Leaves out rows of the import that are no lines, and reports them; 22023 where none is a line.';
+
 CREATE OR REPLACE FUNCTION streetgen._take_rows(model name)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
@@ -26,8 +55,10 @@ BEGIN
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM pg_temp._import i
         WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM pg_temp._import i WHERE i.left_out IS NOT NULL;
-    RETURN QUERY SELECT 'row without geometry, left out', NULL::text, count(*), array_agg(i.label ORDER BY i.label)
-        FROM pg_temp._import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom) HAVING count(*) > 0;
+    CREATE TEMPORARY TABLE _import_shapeless ON COMMIT DROP AS SELECT i.source_ref, i.label FROM pg_temp._import i
+        WHERE i.geom IS NULL OR ST_IsEmpty(i.geom);
+    RETURN QUERY SELECT 'row without geometry, left out', NULL::text, count(*), array_agg(s.label ORDER BY s.label)
+        FROM pg_temp._import_shapeless s HAVING count(*) > 0;
     DELETE FROM pg_temp._import i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom);
     SELECT i.label, ST_SRID(i.geom) AS srid INTO bad FROM pg_temp._import i WHERE ST_SRID(i.geom) NOT IN (SELECT srid
         FROM spatial_ref_sys) LIMIT 1;
@@ -37,12 +68,7 @@ BEGIN
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
     RETURN QUERY SELECT * FROM streetgen._take_lines(model);
-    SELECT i.label, GeometryType(i.geom) AS type INTO bad FROM pg_temp._import i
-        WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM') LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION 'source row % is a %, expected a line', bad.label, bad.type USING ERRCODE = '22023',
-            HINT = 'Import from a view that selects lines.';
-    END IF;
+    RETURN QUERY SELECT * FROM streetgen._leave_out_others();
     IF flat THEN
         UPDATE pg_temp._import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
     ELSE
@@ -179,12 +205,14 @@ END $$;
 COMMENT ON FUNCTION streetgen._look_at_axes(name, text) IS
     'Tells which widths of the axes that an import wrote are not believed, and counts the tables for the planner.';
 
-CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true)
+CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true,
+    shapeless_stay boolean DEFAULT false)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
 DECLARE
     changed bigint;
+    staying text[];
 BEGIN
     PERFORM streetgen._check_settings(model);
     -- An error within it shows the name of a view, and not all of the query.
@@ -194,7 +222,10 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._take_rows(model);
     PERFORM streetgen._adopt_axes(model, source, clean);
     IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
-        RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, 'axis', source);
+        staying := CASE WHEN shapeless_stay THEN streetgen._staying_axes(model, source) END;
+        RETURN QUERY SELECT 'came without geometry, stays as it was', NULL::text, cardinality(staying)::bigint, staying
+            WHERE staying IS NOT NULL;
+        RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, 'axis', source, staying => staying);
         RETURN QUERY SELECT * FROM streetgen._drop_nameless(model, source);
     END IF;
     RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
@@ -205,13 +236,13 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);
     DROP VIEW pg_temp._import_said;
-    DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
+    DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
-COMMENT ON FUNCTION streetgen._import(name, text, text, boolean) IS
+COMMENT ON FUNCTION streetgen._import(name, text, text, boolean, boolean) IS
     'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports '
-    'what it did. label names a row, left_out says why it is not wanted, unread names its values that mean nothing. '
-    'Bad rows: 22023, and the model as it was.';
+    'what it did. label names a row, left_out says why it is not wanted, unread names its values that mean nothing. An '
+    'axis whose row comes without geometry goes, or stays. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -48,7 +48,7 @@ BEGIN
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
     DROP VIEW pg_temp._import_said;
-    DROP TABLE pg_temp._import, pg_temp._import_part, pg_temp._import_class;
+    DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
 END $$;
 COMMENT ON FUNCTION streetgen._import_change(name, text, text[], boolean) IS
     'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the '

@@ -8,6 +8,25 @@ COMMENT ON FUNCTION streetgen._osm_sidewalk(text, text, text, text) IS
     'Width in metres of the sidewalk on one side (left or right) of a way, from what its tags say of this side, of '
     'the way and of the width; 0: none; NULL: unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_layer(tags jsonb) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN tags ->> 'layer' ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, (tags ->> 'layer')::integer)) END;
+COMMENT ON FUNCTION streetgen._osm_layer(jsonb) IS 'The number that tag layer of a way says; NULL where it says none.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_structure(tags jsonb) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN coalesce(tags ->> 'bridge', 'no') <> 'no' THEN 1
+        -- One walks and drives through a house on the ground.
+        WHEN coalesce(tags ->> 'tunnel', 'no') NOT IN ('no', 'building_passage') THEN -1 ELSE 0 END;
+COMMENT ON FUNCTION streetgen._osm_structure(jsonb) IS
+    'The level that tags bridge and tunnel of a way say: 1 of a bridge, -1 of a tunnel, else 0.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_level(tags jsonb) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(nullif(streetgen._osm_layer(tags), 0), streetgen._osm_structure(tags));
+COMMENT ON FUNCTION streetgen._osm_level(jsonb) IS
+    'The level of a way: its layer; on layer 0 or none that of a bridge or tunnel.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_table(suffix text, prefix text, schemas name[]) RETURNS regclass
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -45,8 +64,9 @@ DECLARE
             LATERAL (SELECT replace(tag, ':', '_') AS name) c WHERE name = ANY (present))) END;
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS SELECT geom, way_id, class::text, '
-        'name::text, %s AS ref, %s AS tags FROM %s', CASE WHEN 'ref' = ANY (present) THEN 'ref::text'
-        ELSE 'NULL::text' END, tags, source);
+        'name::text, %s AS ref, %s AS tags, %s AS lacks_nodes FROM %s', CASE WHEN 'ref' = ANY (present) THEN 'ref::text'
+        ELSE 'NULL::text' END, tags, CASE WHEN 'nodes' = ANY (present) THEN 'nodes > ST_NPoints(geom)' ELSE 'false' END,
+        source);
 END $$;
 COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
     'Copies the lines of an OSM table to where import_osm reads them, each with its tags. A table of an older flex '
@@ -68,10 +88,7 @@ BEGIN
         -- A direction that the tag of a roundabout alone implies is left to that tag.
         CASE WHEN ring AND NOT stated THEN 'both' ELSE lanes.direction END AS direction,
         CASE WHEN ring AND lanes.direction <> 'both' THEN tags ->> 'junction' END AS roundabout_tag, kmh AS speed,
-        coalesce(CASE WHEN tags ->> 'layer' ~ '^[-+]?\d{1,2}$'
-                THEN greatest(-50, least(50, (tags ->> 'layer')::integer)) END,
-            CASE WHEN coalesce(tags ->> 'bridge', 'no') <> 'no' THEN 1
-                WHEN coalesce(tags ->> 'tunnel', 'no') <> 'no' THEN -1 ELSE 0 END) AS level,
+        streetgen._osm_level(tags) AS level,
         lanes.lanes_forward, lanes.lanes_backward, lanes.lanes_both, lanes.kind_forward, lanes.kind_backward,
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
         lanes.change_forward, lanes.change_backward,
@@ -124,6 +141,27 @@ $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';
 
+CREATE OR REPLACE FUNCTION streetgen._tell_osm_lines(model name, source text)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := source;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT w.what, NULL::text, count(*), array_agg(a.source_ref ORDER BY a.source_ref)
+        FROM pg_temp._import_line l JOIN axis a ON (a.source, a.source_ref) = (origin, l.way_id::text),
+        LATERAL (VALUES
+            ('fewer vertices than nodes: the file lacks some, or two are at one place', l.lacks_nodes),
+            ('bridge on a layer below 0, or tunnel above: the layer stands',
+                streetgen._osm_layer(l.tags) * streetgen._osm_structure(l.tags) < 0)) w(what, told)
+        WHERE w.told GROUP BY w.what ORDER BY w.what;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_osm_lines(name, text) IS
+    'What an import tells of its ways: those of which the file lacks nodes, and those whose tags contradict each other '
+    'about their level.';
+
 CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 'osm',
     schemas name[] DEFAULT current_schemas(true))
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -141,18 +179,22 @@ BEGIN
     END IF;
     driving_side := streetgen._driving_side(model);
     PERFORM streetgen._take_osm_lines(source), streetgen._read_osm_tags(model);
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()');
+    -- A way of which a file lacks all nodes but one has not gone.
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()',
+        shapeless_stay => true);
     IF streetgen._driving_side(model) <> driving_side THEN
         -- The tags of kerbs mean other lanes where one drives on the other side.
         DROP TABLE pg_temp._import_meaning;
         PERFORM streetgen._take_classes(model), streetgen._read_osm_tags(model);
-        PERFORM FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()');
+        PERFORM FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()',
+            shapeless_stay => true);
     END IF;
     CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
         SELECT l.way_id::text AS source_ref, u.tag, coalesce(m.tags ->> u.tag, m.class) AS value, u.reason
         FROM pg_temp._import_meaning m JOIN pg_temp._import_line l ON (l.class, l.tags) = (m.class, m.tags),
             unnest(m.unread_tags, m.unread_reasons) u(tag, reason);
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
+    RETURN QUERY SELECT * FROM streetgen._tell_osm_lines(model, source::text);
     DROP TABLE pg_temp._import_line, pg_temp._import_meaning, pg_temp._import_unread;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));

@@ -1,6 +1,7 @@
 -- Rows that a source does not have any more.
 
-CREATE OR REPLACE FUNCTION streetgen._drop_vanished(model name, relation name, source text, among text[] DEFAULT NULL)
+CREATE OR REPLACE FUNCTION streetgen._drop_vanished(model name, relation name, source text, among text[] DEFAULT NULL,
+    staying text[] DEFAULT NULL)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -8,6 +9,7 @@ CREATE OR REPLACE FUNCTION streetgen._drop_vanished(model name, relation name, s
 DECLARE
     origin constant text COLLATE "default" := source;
     wanted constant text[] COLLATE "default" := among;
+    kept constant text[] COLLATE "default" := staying;
     gone text[];
     wins constant text := streetgen._delivery_wins(model);
 BEGIN
@@ -16,6 +18,7 @@ BEGIN
     SELECT array_agg(g.source_ref) INTO gone FROM (
         SELECT d.source_ref FROM delivered d WHERE d.relation = _drop_vanished.relation
             AND d.source = origin AND NOT d.gone AND (wanted IS NULL OR d.source_ref = ANY (wanted))
+            AND (kept IS NULL OR d.source_ref <> ALL (kept))
         EXCEPT SELECT p.source_ref FROM pg_temp._import_part p) g;
     IF gone IS NULL THEN
         RETURN;
@@ -56,9 +59,24 @@ BEGIN
             stands = excluded.stands;
     DROP TABLE pg_temp._import_gone;
 END $$;
-COMMENT ON FUNCTION streetgen._drop_vanished(name, name, text, text[]) IS
-    'Deletes the rows of a model that no part of the import stands for, all of a source or some source_refs, and '
-    'reports them. What was edited by hand is in conflict, and goes only where setting delivery_wins is source.';
+COMMENT ON FUNCTION streetgen._drop_vanished(name, name, text, text[], text[]) IS
+    'Deletes the rows of a model that no part of the import stands for, all of a source or some source_refs, but for '
+    'those that stay, and reports them. What was edited by hand is in conflict, and goes only where setting '
+    'delivery_wins is source.';
+
+CREATE OR REPLACE FUNCTION streetgen._staying_axes(model name, source text) RETURNS text[]
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    origin constant text COLLATE "default" := source;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN (SELECT array_agg(d.source_ref ORDER BY d.source_ref) FROM delivered d
+        JOIN pg_temp._import_shapeless s ON s.source_ref IN (d.source_ref, regexp_replace(d.source_ref, '/\d+$', ''))
+        WHERE d.relation = 'axis' AND d.source = origin AND NOT d.gone);
+END $$;
+COMMENT ON FUNCTION streetgen._staying_axes(name, text) IS
+    'The source_refs of axes whose rows came without a geometry this time: they have not vanished.';
 
 CREATE OR REPLACE FUNCTION streetgen._drop_nameless(model name, source text)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])

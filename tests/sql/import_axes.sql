@@ -111,6 +111,11 @@ SELECT 'and all others are axes', array_agg(source_ref ORDER BY source_ref) = '{
 UPDATE bare SET geom = NULL WHERE id = 5;
 SELECT 'a row that lost its geometry has vanished', source_refs = '{5}' FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}') WHERE what LIKE 'vanished%';
 SELECT 'and is no axis', array_agg(source_ref) = '{2}' FROM import_b.axis;
+CREATE TABLE mixed AS SELECT id, ST_GeomFromEWKT('SRID=32631;' || shape) AS geom FROM (VALUES (1, 'POINT(0 0)'), (2, 'LINESTRING(0 900, 100 900)'), (3, 'POLYGON((0 0, 9 0, 9 9, 0 0))'), (4, 'POINT(5 5)')) v(id, shape);
+SELECT 'what is no line is left out beside lines, and told', array_agg(ROW (what, source_refs)::text ORDER BY what) = '{"(\"no line but a POINT, left out\",\"{1,4}\")","(\"no line but a POLYGON, left out\",{3})"}' FROM streetgen.import_axes('import_b', 'mixed', '{"source_ref": "id"}') WHERE what LIKE 'no line%';
+DELETE FROM mixed WHERE id = 2;
+SELECT 'a table without a line is refused, with the way out', state = '22023' AND said = 'source row 1 is a POINT, expected a line' AND hint LIKE '%the layer of the file, that has lines.' FROM test.refusal($$SELECT streetgen.import_axes('import_b', 'mixed', '{"source_ref": "id"}')$$);
+DROP TABLE mixed;
 TRUNCATE import_b.axis;
 -- Tables of the user's, named as the import's own.
 SELECT format('CREATE TABLE public.%I AS SELECT NULL::text AS class, false AS taken', name) FROM unnest('{_import,_import_part,_import_class,_import_query,_import_restriction}'::name[]) name \gexec

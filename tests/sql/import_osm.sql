@@ -114,3 +114,23 @@ INSERT INTO wide_line (way_id, class, change_lanes, lanes, oneway, geom) VALUES 
 SELECT streetgen.create_model('import_wide', 32631) \gset
 SELECT streetgen.import_osm('import_wide', 'wide') \g /dev/null
 SELECT 'a column of each tag is read', (lane_count, change_forward) = (2, 'yes|no') FROM import_wide.axis;
+-- Levels, and ways of which the file lacks nodes.
+CREATE TABLE way_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry(LineString, 32631));
+INSERT INTO way_line SELECT n, 'residential', NULL, NULL, tags::jsonb, 2, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), ST_MakePoint(90, 100 * n)), 32631) FROM unnest(ARRAY['{"bridge": "yes"}', '{"bridge": "yes", "layer": "0"}', '{"bridge": "viaduct", "layer": "2"}', '{"bridge": "yes", "layer": "-1"}',
+  '{"tunnel": "yes"}', '{"tunnel": "yes", "layer": "0"}', '{"tunnel": "yes", "layer": "-2"}', '{"tunnel": "yes", "layer": "1"}', '{"tunnel": "building_passage"}', '{"bridge": "no", "tunnel": "no"}', '{"layer": "-1"}', '{"bridge": "yes", "layer": "up"}', '{}']) WITH ORDINALITY t(tags, n);
+SELECT streetgen.create_model('import_way', 32631) \gset
+CREATE TABLE way_told AS SELECT * FROM streetgen.import_osm('import_way', 'way');
+SELECT 'a bridge is above and a tunnel below, unless the layer says how far', array_agg(level ORDER BY source_ref::integer) = '{1,1,2,-1,-1,-1,-2,1,0,0,-1,1,0}' FROM import_way.axis;
+SELECT 'where they contradict each other the layer stands, and it is told', array_agg(source_refs) = '{{4,8}}' FROM way_told WHERE what LIKE 'bridge on a layer below 0%';
+SELECT 'no way lacks a node', NOT EXISTS (SELECT FROM way_told WHERE what LIKE 'fewer vertices%');
+UPDATE way_line SET nodes = 5 WHERE way_id = 1;
+UPDATE way_line SET nodes = 3, geom = NULL WHERE way_id IN (2, 3);
+DELETE FROM way_line WHERE way_id = 13;
+INSERT INTO way_line VALUES (14, 'residential', NULL, NULL, '{}', 2, NULL);
+UPDATE import_way.axis SET name = 'by hand' WHERE source_ref = '3';
+CREATE TABLE way_axis AS SELECT source_ref, name, geom FROM import_way.axis;
+TRUNCATE way_told;
+INSERT INTO way_told SELECT * FROM streetgen.import_osm('import_way', 'way');
+SELECT 'a way that lacks nodes is told', (SELECT source_refs = '{1}' FROM way_told WHERE what LIKE 'fewer vertices%') AND (SELECT source_refs = '{14,2,3}' FROM way_told WHERE what = 'row without geometry, left out');
+SELECT 'one that lost all but one of its nodes stays, and is told', (SELECT source_refs = '{2,3}' FROM way_told WHERE what = 'came without geometry, stays as it was') AND (SELECT count(*) = 2 FROM way_axis JOIN import_way.axis a USING (source_ref) WHERE source_ref IN ('2', '3') AND a.geom = way_axis.geom AND a.name IS NOT DISTINCT FROM way_axis.name);
+SELECT 'one that is not in the file has vanished', (SELECT source_refs = '{13}' FROM way_told WHERE what LIKE 'vanished%') AND (SELECT count(*) = 12 FROM import_way.axis);

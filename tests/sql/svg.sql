@@ -90,6 +90,11 @@ SELECT 'a picture higher than can be drawn is refused', state = '22023' AND said
 SELECT 'a picture too large at a scale is told its size and the scale that fits: ' || box, state = '22023' AND said LIKE wanted AND fits > 1 AND (SELECT max(m[1]::integer) BETWEEN 19000 AND 20000 FROM regexp_matches(split_part(streetgen.svg('drawn', box::box2d::geometry, scale => fits), 'viewBox', 1), '(?:width|height)="(\d+)"', 'g') m)
 FROM (VALUES ('BOX(0 6000000,1000000 6000100)', '%be 3571428571 pixels wide%'), ('BOX(650000 6000000,651000 6900000)', '%be 3571429 pixels wide and 3214286100 high%')) v(box, wanted), test.refusal(format('SELECT streetgen.svg(''drawn'', %L::box2d::geometry, scale => 1)', box)), LATERAL (SELECT substring(hint, '1:(\d+)')::float8 AS fits) f;
 SELECT 'a long street from south to north is drawn less wide', svg LIKE '%height="20000"%' FROM streetgen.svg('drawn', ST_MakeEnvelope(650000, 6860000, 650010, 6861000)) svg;
+SELECT streetgen.create_model('tall', 2154, subjects => '{}') \g /dev/null
+INSERT INTO tall.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650000 6896000)', 8);
+SELECT 'a model of one long road is a strip that one can look at', svg LIKE '%width="1200" height="14400"%' FROM streetgen.svg('tall') svg;
+SELECT 'at a scale too great for it the hint says how to draw a part', hint LIKE '%XMIN,YMIN,XMAX,YMAX, for data/streetgen draw.' FROM test.refusal($$SELECT streetgen.svg('tall', scale => 5)$$);
+SELECT streetgen.drop_model('tall') \g /dev/null
 SELECT 'a box without streets has its ground', svg LIKE '%<rect %fill="#f1ebdf"%' FROM streetgen.svg('drawn', ST_MakeEnvelope(660000, 6860000, 660100, 6860100)) svg;
 INSERT INTO drawn.symbol_rule (theme, layer, place, fill, meaning) VALUES ('street', 'section', 2, '#ff0000', '<script>"R&D"</script>'), ('street', 'section', 3, '#ff0001', NULL);
 SELECT 'words of a rule are no markup', svg LIKE '%>&lt;script>&quot;R&amp;D&quot;&lt;/script><%' AND xml_is_well_formed_document(svg) FROM streetgen.svg('drawn', scale => 300, legend => true) svg;

@@ -246,6 +246,12 @@ BEGIN
         greatest(0, 0.5 - (ST_YMax(box) - ST_YMin(box)) / 2));
     wide := ST_XMax(box) - ST_XMin(box);
     high := ST_YMax(box) - ST_YMin(box);
+    IF extent IS NULL AND coalesce(width, scale) IS NULL THEN
+        -- A model of one long road is a strip that one can look at.
+        box := ST_Expand(box, greatest(0, high / 12 - wide) / 2, greatest(0, wide / 12 - high) / 2);
+        wide := ST_XMax(box) - ST_XMin(box);
+        high := ST_YMax(box) - ST_YMin(box);
+    END IF;
     IF width NOT BETWEEN 16 AND 20000 THEN
         RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', width USING ERRCODE = '22023',
             HINT = 'Leave it out for 1200 pixels, or as many as the scale says.';
@@ -259,7 +265,8 @@ BEGIN
             -- So much narrower than high, it has 16 pixels at any scale.
             USING ERRCODE = '22023', HINT = CASE WHEN by_scale AND high < 1200 * wide THEN format('1:%s fits.',
                 ceil(wide / streetgen._pixel_on_paper() / (20000 * least(1, wide / high) - 0.5))::numeric)
-            ELSE 'Take a smaller width, a greater scale, or an extent that is less high.' END;
+            ELSE 'Take a smaller width, a greater scale, or an extent that is less high: behind the model, as '
+                'XMIN,YMIN,XMAX,YMAX, for data/streetgen draw.' END;
     END IF;
     width := pixels;
     pixel := wide / width;

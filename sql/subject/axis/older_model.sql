@@ -40,6 +40,18 @@ COMMENT ON FUNCTION streetgen._add_class_meanings(name) IS
     'Adds the columns of axis_class that say what a class means for ramps, people on foot and lanes, where a model was '
     'made before them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_later_classes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    -- It came with column access. A class that somebody deleted since stays away.
+    INSERT INTO axis_class SELECT * FROM streetgen._default_axis_class() d
+        WHERE d.class = 'busway' AND streetgen._lacks_column(model, 'axis', 'access') ON CONFLICT DO NOTHING;
+END $$;
+COMMENT ON FUNCTION streetgen._add_later_classes(name) IS
+    'Adds the classes that came after the first models, where a model was made before them.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_roundabout_tag(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
@@ -67,7 +79,8 @@ BEGIN
             ADD change_backward text CHECK (change_backward ~ %2$L)', model, streetgen._lane_list_pattern('change'));
     END IF;
     PERFORM streetgen._add_roundabout_tag(model), streetgen._add_width_by_hand(model),
-        streetgen._add_roadway_offset(model), streetgen._add_class_meanings(model);
+        streetgen._add_roadway_offset(model), streetgen._add_class_meanings(model),
+        streetgen._add_later_classes(model);
 END $$;
 COMMENT ON FUNCTION streetgen._mend_axis_tables(name) IS
     'Adds to the axes of a model what older ones lack, and what came after the first models.';
