@@ -7,7 +7,12 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     UNION ALL VALUES
     ('OpenStreetMap, ways', 'width:carriageway, width, est_width',
         'The width of the roadway from kerb to kerb: the first of them that is a length.'),
-    ('OpenStreetMap, ways', 'maxspeed[|:forward|:backward|:lanes], zone:maxspeed, source:maxspeed', 'The speed.'),
+    ('OpenStreetMap, ways', 'maxspeed[|:lanes][|:forward|:backward], zone:maxspeed, source:maxspeed, maxspeed:type',
+        'The speed: of the way, else the highest of its directions, else of its lanes, else that of its zone.'),
+    ('OpenStreetMap, ways', '[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]',
+        'Who may drive, column access: the tag nearest to cars counts, and of one tag that of the direction.'),
+    ('OpenStreetMap, ways', '[bus|psv|hov|bicycle][|:forward|:backward], taxi',
+        'Who alone may drive where cars may not: buses with taxis, carpools or bicycles.'),
     ('OpenStreetMap, ways', 'layer',
         'The level. A bridge on layer 0 or none is on level 1, a tunnel on level -1; where they contradict it, it '
         'stands, and the way is named.'),
@@ -18,7 +23,23 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, ways', 'area', 'A way with value yes is no street.'),
     ('OpenStreetMap, ways', 'aeroway', 'The class, where there is no highway.'),
     ('OpenStreetMap, ways', 'sidewalk[|:left|:right|:both]', 'Whether there are sidewalks.'),
-    ('OpenStreetMap, ways', 'sidewalk[:left|:right|:both]:width', 'The widths of the sidewalks.')
+    ('OpenStreetMap, ways', 'sidewalk[:left|:right|:both]:width', 'The widths of the sidewalks.'),
+    ('OpenStreetMap, nodes', 'highway',
+        'A control point: traffic_signals, stop, give_way, mini_roundabout, crossing; an object: these, street_lamp '
+        'and bus_stop.'),
+    ('OpenStreetMap, nodes', 'crossing',
+        'Of a crossing: traffic_signals are signals beside it; no: there is none.'),
+    ('OpenStreetMap, nodes', 'crossing:signals', 'Of a crossing: yes is signals beside it.'),
+    ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),
+    ('OpenStreetMap, nodes', 'traffic_signals:direction', 'The direction of the traffic that signals are for.'),
+    ('OpenStreetMap, nodes', 'natural', 'Value tree is an object.'),
+    ('OpenStreetMap, nodes', 'amenity', 'Value bench is an object.'),
+    ('OpenStreetMap, nodes', 'barrier', 'Value bollard is an object.'),
+    ('OpenStreetMap, relations', 'type', 'Value restriction is a turn restriction, route a route.'),
+    ('OpenStreetMap, relations', 'restriction', 'The turns that are forbidden, or the only one that is not.'),
+    ('OpenStreetMap, relations', 'except', 'Whom the restriction does not bind: psv, bus, bicycle, hov.'),
+    ('OpenStreetMap, relations', 'route', 'Whose route it is: bus, trolleybus, tram, bicycle, truck, hgv.'),
+    ('OpenStreetMap, relations', '[ref|name]', 'The number and the name of the route.')
     UNION ALL SELECT 'BD TOPO', array_to_string(columns, ', '), becomes FROM streetgen._bdtopo_column() $$;
 COMMENT ON FUNCTION streetgen.tag_use() IS
     'What becomes of each tag of OpenStreetMap and each column of BD TOPO that importers look at; alternatives of a '

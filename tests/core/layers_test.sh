@@ -86,6 +86,8 @@ rule 'data/renew.sql names each view that the SQL makes in a model' '! views_kep
 
 rule 'each room of SQL has a page of one screen that says what stands there' 'python3 "$root/tests/core/room_pages.py" "$root" >&2'
 
+rule 'streetgen.tag_use() has a row of each tag that importers read' 'python3 "$root/tests/core/tags_read.py" "$root" >&2'
+
 # Comments begin with their subject: "The nearest edge …", not "Of two edges …" or "What lies …".  Prints the first line of each other one, and last
 # how many of a thousand these are.
 comments_without_subject() {

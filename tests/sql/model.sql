@@ -34,6 +34,12 @@ SELECT 'web mercator is refused', test.state($q$SELECT streetgen.create_model('m
 -- Left and right change places where axes point south and west. Each of these is defined in another way: a prime meridian, another survey.
 SELECT format('a mirrored reference is refused: %s, and %s is the way out', srid, unmirrored), (r).state = '22023' AND (r).said LIKE '%mirrored%' AND (r).hint LIKE format('Use EPSG:%s,%%', unmirrored)
 FROM (SELECT srid, unmirrored, test.refusal(format($q$SELECT streetgen.create_model('model_b', %s)$q$, srid)) r FROM (VALUES (2065, 5221), (5513, 5514), (8352, 8353)) v(srid, unmirrored)) t;
+SELECT test.as_administrator('SET track_functions = ''pl''') \g /dev/null
+BEGIN;
+SELECT streetgen._unmirrored(5513) \g /dev/null
+SELECT 'few references are looked at for the way out', calls BETWEEN 2 AND 20 FROM pg_stat_xact_user_functions WHERE (schemaname, funcname) = ('streetgen', '_is_mirrored');
+COMMIT;
+SELECT test.as_administrator('RESET track_functions') \g /dev/null
 SELECT 'one whose axes point west and south is turned, not mirrored', NOT streetgen._is_mirrored(2053);
 SELECT 'no zone of UTM is mirrored', bool_and(NOT streetgen._is_mirrored(srid)) AND count(*) = 120 FROM (SELECT h + n AS srid FROM generate_series(1, 60) n, (VALUES (32600), (32700)) v(h)) z;
 SELECT 'nor a national reference', bool_and(NOT streetgen._is_mirrored(srid)) FROM unnest('{2154,27700,28992,31370,3812,3035,5514,2056,3067,25832,2193,3006}'::integer[]) srid;

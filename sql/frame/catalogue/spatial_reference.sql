@@ -33,10 +33,13 @@ COMMENT ON FUNCTION streetgen._is_mirrored(integer) IS
 CREATE OR REPLACE FUNCTION streetgen._unmirrored(srid integer) RETURNS integer
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT u.srid FROM spatial_ref_sys m JOIN spatial_ref_sys u
+    -- The few of the same projection first: to look whether one is mirrored takes 20 ms.
+    WITH same AS MATERIALIZED (
+        SELECT u.srid FROM spatial_ref_sys m JOIN spatial_ref_sys u
             ON regexp_replace(u.proj4text, ' \+(axis|towgs84)=\S+', '', 'g')
                 = regexp_replace(m.proj4text, ' \+(axis|towgs84)=\S+', '', 'g')
-        WHERE m.srid = _unmirrored.srid AND NOT streetgen._is_mirrored(u.srid) ORDER BY u.srid LIMIT 1
+        WHERE m.srid = _unmirrored.srid)
+    SELECT s.srid FROM same s WHERE NOT streetgen._is_mirrored(s.srid) ORDER BY s.srid LIMIT 1
     $$;
 COMMENT ON FUNCTION streetgen._unmirrored(integer) IS
     'The spatial reference of the same projection whose axes point east and north; NULL where there is none.';

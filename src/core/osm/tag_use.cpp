@@ -22,7 +22,9 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"lanes[:bus|:psv][|:forward|:backward]",
        "So many lanes at the near kerb are bus lanes, unless a list says which."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
-      {"turn:lanes:both_ways", "The number of lanes in the middle, which lead to the left."},
+      {"turn:lanes:both_ways",
+       "The number of lanes in the middle, which lead to the left; to the right where one drives on "
+       "the left."},
       {"change:lanes[|:forward|:backward]", "Where one may leave each lane."},
       {"width:lanes[|:forward|:backward]", "The width of each lane."},
       {"[access|vehicle|motor_vehicle|motorcar]:lanes[|:forward|:backward]",
