@@ -68,9 +68,11 @@ bool cross_each_other(const RingSide& a, const RingSide& b) {
          cross(along_b, a.from() - b.from()) * cross(along_b, a.to() - b.from()) < 0;
 }
 
-// An arc that leaves `from` towards the corner.
-Line bend(const Point& from, const Point& corner, const Point& to) {
+// An arc that leaves `from` towards the corner. Nothing where `to` lies behind: a border that bends
+// back beside the corner has no notch there, and the arc would run round a whole city.
+std::optional<Line> bend(const Point& from, const Point& corner, const Point& to) {
   const Point along = unit(corner - from), chord = unit(to - from);
+  if (dot(along, chord) <= 0) return std::nullopt;
   const double sine = cross(along, chord), half_sweep = std::atan2(sine, dot(along, chord));
   const double diameter = distance(from, to) / std::max(std::abs(sine), least_sine);
   Line line{from};
@@ -99,11 +101,12 @@ std::optional<Line> across(const RingSide& a, const RingSide& b, const Point& pl
   if (away * std::tan(wedge / 2) < least_radius) return std::nullopt;
   const LinePosition from = position_at(on_a, away), to = position_at(on_b, away);
   if (!is_free((from.point + to.point) * 0.5)) return std::nullopt;
-  Line line = bend(from.point, place, to.point);
+  std::optional<Line> line = bend(from.point, place, to.point);
+  if (!line) return line;
   // The surface lies on the left of a ring.
   const double side = a_onwards ? coordinate_margin : -coordinate_margin;
-  line.insert(line.begin(), from.point + left_normal(from.direction) * side);
-  line.push_back(to.point - left_normal(to.direction) * side);
+  line->insert(line->begin(), from.point + left_normal(from.direction) * side);
+  line->push_back(to.point - left_normal(to.direction) * side);
   return line;
 }
 
