@@ -20,7 +20,11 @@ CREATE OR REPLACE FUNCTION streetgen._source_hash(width float8, width_end float8
             # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                 ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
             # CASE WHEN ref IS NULL THEN 0 ELSE hashtextextended(ref, 5) END
-            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END);
+            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
+            -- A length of 0 hashes as none.
+            # CASE WHEN 0 IN (radius, sidewalk_left, sidewalk_right, roadway_offset, lanes_both)
+                THEN hash_record_extended(ROW(radius = 0, sidewalk_left = 0, sidewalk_right = 0, roadway_offset = 0,
+                    lanes_both = 0), 7) ELSE 0 END);
 COMMENT ON FUNCTION streetgen._source_hash(float8, float8, float8, integer, text, float8, integer, text, integer,
     text, float8, integer, integer, integer, text, text, text, text, text, text, text, text, float8, float8, float8,
     text, text, text) IS

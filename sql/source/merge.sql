@@ -251,13 +251,13 @@ DECLARE
     wanted constant text[] COLLATE "default" := among;
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- The hash is sooner asked; it takes 0 of these for nothing.
+    -- The hash is sooner asked.
     EXECUTE format('SELECT array_agg(d.source_ref) FROM %I.delivered d LEFT JOIN LATERAL (%s) t ON true '
         'WHERE (d.relation, d.source) = ($1, $2) AND ($3 IS NULL OR d.source_ref = ANY ($3)) AND (t.%I IS NULL '
         'OR d.said IS NULL OR t.geom::bytea IS DISTINCT FROM coalesce(d.cleaned, d.source_geom)::bytea '
         'OR %s jsonb_strip_nulls(%s) <> d.said %s)', model, streetgen._row_delivered(model, relation),
-        relation || '_id', CASE relation WHEN 'axis' THEN format('(streetgen._source_hash(%s) '
-            'IS DISTINCT FROM t.source_hash OR 0 IN (t.lanes_both, t.roadway_offset)) AND', (
+        relation || '_id', CASE relation WHEN 'axis' THEN format('streetgen._source_hash(%s) '
+            'IS DISTINCT FROM t.source_hash AND', (
                 SELECT string_agg(CASE WHEN name IN ('width', 'width_end') THEN format('CASE WHEN t.width_by_hand '
                 'THEN t.source_%1$s ELSE t.%1$s END', name) ELSE 't.' || name END, ', ') FROM streetgen._axis_input()))
             END, streetgen._values_there(model, relation),
