@@ -38,6 +38,11 @@ SELECT * FROM pg_temp.edited('marks taken away', $$UPDATE avenue.axis SET turn_f
 SELECT 'they are gone everywhere', NOT EXISTS (SELECT FROM avenue.lane WHERE turn IS NOT NULL);
 SELECT * FROM pg_temp.edited('marks given again', $$UPDATE avenue.axis SET turn_forward = 'left|through|right' WHERE axis_id = 1$$);
 SELECT 'they are back everywhere', pg_temp.marks(5) = 'left|through|right';
+SELECT 'an edit looks along streets with marks of another one', array_agg(DISTINCT axis_id ORDER BY axis_id) = '{2,3,4,5}' FROM avenue._marked_run('{1}');
+BEGIN;
+UPDATE avenue.axis SET turn_forward = 'left|through|right' WHERE axis_id IN (2, 3, 4, 5);
+SELECT 'and not along those with marks of their own', count(*) = 0 FROM avenue._marked_run('{1}');
+ROLLBACK;
 SELECT * FROM pg_temp.edited('a side street before the third piece', $$INSERT INTO avenue.axis (axis_id, geom, width, lane_count) VALUES (9, pg_temp.line(-270, 0, -270, 80), 6, 2)$$);
 SELECT 'the turn that it does not answer is meant for the next node', pg_temp.marks(2) = 'left|through|right' AND pg_temp.marks(3) = '|through|right' AND pg_temp.marks(5) = '|through|right';
 SELECT * FROM pg_temp.edited('it goes on beyond the street', $$UPDATE avenue.axis SET geom = pg_temp.line(-270, -80, -270, 0, -270, 80) WHERE axis_id = 9$$);

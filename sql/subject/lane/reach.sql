@@ -33,6 +33,22 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_functions(model name) RETURNS vo
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _carrying(edges bigint[]) RETURNS SETOF bigint
+        LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 5 SET search_path FROM CURRENT SET jit = off
+        SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
+        AS $body$
+    BEGIN
+        RETURN QUERY SELECT DISTINCT l.edge_id FROM lane l
+            CROSS JOIN LATERAL (SELECT CASE WHEN l.along_axis THEN a.turn_forward ELSE a.turn_backward END AS list
+                FROM edge e JOIN axis a USING (axis_id) WHERE e.edge_id = l.edge_id OFFSET 0) own
+        WHERE l.edge_id = ANY (edges) AND l.turn IS NOT NULL AND l.kind <> 'merging'
+            -- A list that does not fit the lanes marks none of them, nor does one without a turn.
+            AND (list IS NULL OR list !~ 'left|right|through|reverse' OR cardinality(string_to_array(list, '|')) <> (
+                SELECT count(*) FROM lane o WHERE o.edge_id = l.edge_id AND o.along_axis = l.along_axis
+                    AND NOT o.both_ways AND o.kind IN ('general', 'bus', 'carpool')));
+    END $body$;
+    PERFORM streetgen._own_function(model, '_carrying(bigint[])',
+        'Those of some edges on whose lanes lie turn marks of other edges');
     CREATE OR REPLACE FUNCTION _marked_run(axes bigint[]) RETURNS TABLE(edge_id bigint, axis_id bigint,
             from_node bigint, to_node bigint, geom geometry)
         LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
@@ -50,10 +66,9 @@ BEGIN
             SELECT array_agg(edge_id) AS ids FROM (
                 SELECT edge_id FROM edge WHERE from_node = ANY ((SELECT ids FROM node)::bigint[])
                 UNION SELECT edge_id FROM edge WHERE to_node = ANY ((SELECT ids FROM node)::bigint[])) e),
-        -- Each edge is looked up by its key.
+        -- Each edge is looked up by its key. Marks of its own end the way of others.
         run(edge_id, from_node, to_node, short) AS (
-            SELECT e.* FROM (SELECT DISTINCT edge_id FROM lane
-                WHERE edge_id = ANY ((SELECT ids FROM at_node)::bigint[]) AND turn IS NOT NULL) m,
+            SELECT e.* FROM _carrying((SELECT ids FROM at_node)) m(edge_id),
                 LATERAL (SELECT edge_id, from_node, to_node, ST_Length(geom) < 101 FROM edge e
                     WHERE e.edge_id = m.edge_id OFFSET 0) e
             -- Over an edge within a junction marks go on as over a node of two edges. The core bounds its length.
@@ -63,13 +78,13 @@ BEGIN
                     SELECT e.* FROM edge e WHERE e.from_node = n.node_id
                     UNION ALL SELECT e.* FROM edge e WHERE e.to_node = n.node_id OFFSET 0) e) o
             WHERE (o.degree = 2 OR r.short) AND o.edge_id <> r.edge_id
-                AND (SELECT true FROM lane l WHERE l.edge_id = o.edge_id AND l.turn IS NOT NULL LIMIT 1))
+                AND EXISTS (SELECT FROM _carrying(ARRAY[o.edge_id])))
         SELECT e.* FROM run r, LATERAL (SELECT edge_id, axis_id, from_node, to_node, geom FROM edge e
             WHERE e.edge_id = r.edge_id OFFSET 0) e;
     END $body$;
     PERFORM streetgen._own_function(model, '_marked_run(bigint[])',
-        'The edges with turn marks that have to do with the edges of some axes: those that meet them, and on over '
-        'nodes of two edges and short edges');
+        'The edges with turn marks of others that have to do with the edges of some axes: those that meet them, and '
+        'on over nodes of two edges and short edges');
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_functions(name) IS
     'Makes the function of a model that tells how far turn marks let a change reach.';

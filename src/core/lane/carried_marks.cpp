@@ -59,12 +59,11 @@ CarriedMarks::CarriedMarks(const Network& network, const std::vector<Roadway>& r
       roadways_(roadways),
       wishes_(wishes),
       settings_(settings),
+      any_(wishes.mark_any()),
       own_(2 * network.edges.size()),
       open_(2 * network.edges.size()),
       ends_(network.nodes.size()),
       known_(2 * network.edges.size()) {
-  any_ = wishes.mark_any();
-  if (!any_) return;
   for (int e = 0; e < static_cast<int>(network.edges.size()); ++e) {
     ends_[network.edges[e].from_node].push_back({e, true});
     ends_[network.edges[e].to_node].push_back({e, false});

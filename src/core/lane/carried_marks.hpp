@@ -30,8 +30,10 @@ class CarriedMarks {
   // Marks lanes of an edge, which are as the wishes have them.
   void carry(int edge, std::vector<LaneWish>& lanes) const;
 
-  // Whether its lanes have marks of its source.
-  bool has_own(const DrivenEdge& driven) const { return own_[number(driven)]; }
+  // Whether it has lanes, and these no marks of its source.
+  bool may_carry(const DrivenEdge& driven) const {
+    return open_[number(driven)] && !has_own(driven);
+  }
   // Whether its lanes have marks that come from elsewhere.
   bool carries(const DrivenEdge& driven) const;
 
@@ -47,6 +49,7 @@ class CarriedMarks {
     unsigned answered = 0;
     bool crossing = false;  // over a node of more than two edges
   };
+  bool has_own(const DrivenEdge& driven) const { return own_[number(driven)]; }
   std::optional<Source> source(const DrivenEdge& driven) const;
   std::optional<Source> source_across(const DrivenEdge& driven,
                                       const std::vector<EdgeEnd>& ends) const;
@@ -60,7 +63,7 @@ class CarriedMarks {
   const std::vector<Roadway>& roadways_;
   const LaneWishes& wishes_;
   const LaneSettings& settings_;
-  bool any_ = false;                        // whether any edge has marks
+  bool any_;                                // whether any edge has marks
   std::vector<bool> own_, open_;            // by number: it has marks, it has lanes
   std::vector<std::vector<EdgeEnd>> ends_;  // by node
   mutable std::vector<std::optional<Marks>> known_;  // by number

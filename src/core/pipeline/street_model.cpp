@@ -38,8 +38,8 @@ LeadsOn marks_lead_on(const StreetModelInput& input) {
     for (int e = 0; e < static_cast<int>(network.edges.size()); ++e)
       for (const bool along_axis : {true, false}) {
         const DrivenEdge driven{e, along_axis};
-        leads.push_back(!marks.has_own(driven) &&
-                        (marks.carries(driven) ||
+        leads.push_back(marks.carries(driven) ||
+                        (marks.may_carry(driven) &&
                          input.marked_before.count(network.edges[e].axis_id) > 0));
       }
     return leads;
