@@ -55,3 +55,25 @@ SELECT 'auto is right until something tells', array_agg((side, along_axis) ORDER
 SELECT 'left is the other way round', bool_and(l.along_axis <> r.along_axis) FROM "left".lane l JOIN "right".lane r USING (lane_position);
 SELECT 'another word is refused', test.state($$SELECT streetgen.create_model('no', 2154, driving_side => 'middle')$$) = '22023';
 SELECT 'evidence of a model that is not there: 3F000', test.state($$SELECT streetgen.driving_side('nowhere')$$) = '3F000';
+
+-- Where nothing tells, the country does.
+SELECT 'towns of both sides, some near a border, lie in their country', bool_and(streetgen._left_hand_country(place) IS NOT DISTINCT FROM country)
+FROM (VALUES ('London', -0.13, 51.5, 'Britain or Ireland'), ('Dublin', -6.26, 53.35, 'Britain or Ireland'), ('Kyoto', 135.77, 35.01, 'Japan'), ('Delhi', 77.2, 28.6, 'Pakistan or India'),
+  ('Sydney', 151.2, -33.87, 'Australia'), ('Nairobi', 36.82, -1.29, 'Tanzania or Kenya'), ('Cape Town', 18.42, -33.92, 'Southern Africa'), ('Bangkok', 100.5, 13.75, 'Thailand'),
+  ('Paris', 2.35, 48.86, NULL), ('Calais', 1.86, 50.95, NULL), ('Seoul', 126.98, 37.57, NULL), ('Vladivostok', 131.9, 43.1, NULL), ('Vientiane', 102.6, 17.97, NULL),
+  ('Phnom Penh', 104.9, 11.56, NULL), ('Kigali', 30.06, -1.94, NULL), ('Luanda', 13.2, -8.8, NULL), ('Addis Ababa', 38.7, 9, NULL), ('Yangon', 96.2, 16.8, NULL),
+  ('Manila', 121, 14.6, NULL), ('Miami', -80.2, 25.8, NULL), ('Havana', -82.4, 23.1, NULL), ('San Juan', -66.1, 18.4, NULL), ('Lhasa', 91.1, 29.65, NULL), ('Shenzhen', 114.06, 22.54, NULL),
+  ('Noumea', 166.4, -22.3, NULL), ('Taipei', 121.5, 25.04, NULL), ('Kabul', 69.2, 34.5, NULL), ('Lubumbashi', 27.5, -11.7, NULL)) c(town, x, y, country), LATERAL (SELECT ST_SetSRID(ST_MakePoint(x, y), 4326) AS place) p;
+CREATE FUNCTION pg_temp.import_street(model name, srid integer, x float8, y float8, driving_side text DEFAULT 'auto') RETURNS text LANGUAGE plpgsql AS $$
+DECLARE
+  said text;
+BEGIN
+  PERFORM streetgen.create_model(model, srid, driving_side => driving_side);
+  EXECUTE format('CREATE TABLE %I AS SELECT 1 AS id, ST_SetSRID(ST_MakeLine(ST_MakePoint(%s, %s), ST_MakePoint(%s, %s)), %s) AS geom', model || '_line', x, y, x + 90, y, srid);
+  SELECT string_agg(what, '; ') FILTER (WHERE what LIKE 'driving side%') INTO said FROM streetgen.import_axes(model, (model || '_line')::regclass, '{"source_ref": "id"}');
+  RETURN said;
+END $$;
+SELECT 'a street of London keeps to the left, and the import says so', pg_temp.import_street('london', 27700, 530000, 180000) LIKE 'driving side left, as in Britain or Ireland%' AND pg_temp.side('london') = 'left';
+SELECT 'one of Paris does not', pg_temp.import_street('paris', 2154, 650000, 6860000) IS NULL AND pg_temp.side('paris') = 'auto';
+SELECT 'a side by hand stays in London too', pg_temp.import_street('london_by_hand', 27700, 530000, 180000, 'right') IS NULL AND pg_temp.side('london_by_hand') = 'right';
+SELECT 'a sketch at the origin of the reference lies in no country', pg_temp.import_street('sketch', 32630, 100, 100) IS NULL AND pg_temp.side('sketch') = 'auto';
