@@ -60,7 +60,8 @@ struct JunctionGroups {
 //   the two nodes of an edge whose limits crossed, and of one that is inside by hand;
 //   the nodes of a link of no more than `gap` between the carriageways of a street: an edge, or
 //     several that go on from each other at nodes of two.  At its ends one-way edges lie across the
-//     link, of opposite directions.  They have one name, or both go through within 30 degrees;
+//     link, of opposite directions.  They have one name; or a name is unknown, both go through
+//     within 30 degrees, and to one side of the link both are twice as long as it is;
 //   the two ends of a slip lane, and the corner that it cuts.  A slip lane is a one-way edge or
 //     chain of edges of no more than `extent`, from before the corner to another street behind it.
 // The last two join from the shortest on, and only what then lies within `extent`, not counting

@@ -14,6 +14,7 @@ namespace streetgen {
 namespace {
 
 const double opposite = std::cos(M_PI / 6 + same_angle);  // of the directions of two carriageways
+constexpr double longer_than_wide = 2;  // a median without a name; else it may be a block
 constexpr double least_across = 0.5;  // sine of the angle of a link and a carriageway
 
 constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
@@ -163,8 +164,15 @@ class Grouping {
         std::abs(cross(second, course_from(link.edges.back(), to))) < least_across)
       return false;
     const double cosine = -dot(first, second);
-    if (cosine > 0 && edge(a).name != 0 && edge(a).name == edge(b).name) return true;
-    return cosine >= opposite && goes_through(a, from) && goes_through(b, to);
+    if (edge(a).name != 0 && edge(b).name != 0) return cosine > 0 && edge(a).name == edge(b).name;
+    return cosine >= opposite && goes_through(a, from) && goes_through(b, to) &&
+           side_of(a, link.edges.front(), from) != side_of(b, link.edges.back(), to) &&
+           std::min(edge(a).length, edge(b).length) >= longer_than_wide * link.length;
+  }
+
+  // Whether an edge leaves a node to the left of a link that leaves it too.
+  bool side_of(int e, int link, int node) const {
+    return cross(course_from(link, node), course_from(e, node)) > 0;
   }
 
   // In which an edge leaves a node.

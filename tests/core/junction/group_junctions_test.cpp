@@ -54,6 +54,36 @@ TEST(GroupJunctions, BeyondTheGapTheyAreTwo) {
   EXPECT_FALSE(groups.parted[0]);
 }
 
+TEST(GroupJunctions, StreetsOfTwoNamesAreNoCarriageways) {
+  JunctionNetwork network = dual_carriageway(20);
+  network.edges[1].name = network.edges[2].name = 7;
+  EXPECT_EQ(group_junctions(network, {}).of_node[0], group_junctions(network, {}).of_node[1]);
+  network.edges[3].name = network.edges[4].name = 8;
+  EXPECT_NE(group_junctions(network, {}).of_node[0], group_junctions(network, {}).of_node[1]);
+  network.edges[3].name = network.edges[4].name = 7;
+  EXPECT_EQ(group_junctions(network, {}).of_node[0], group_junctions(network, {}).of_node[1]);
+}
+
+// Streets that are one-way in turn cross each other every 28 m.
+TEST(GroupJunctions, AGridOfOneWayStreetsHasNoCarriageways) {
+  for (const bool named : {false, true}) {
+    constexpr int streets = 5;
+    JunctionNetwork network;
+    for (int row = 0; row < streets; ++row)
+      for (int column = 0; column < streets; ++column)
+        network.nodes.push_back({28.0 * column, 28.0 * row});
+    for (int row = 0; row < streets; ++row)
+      for (int i = 0; i + 1 < streets; ++i) {
+        const bool along = row % 2 == 0;
+        add(network, streets * row + i, streets * row + i + 1, along, !along, named ? 1 + row : 0);
+        add(network, streets * i + row, streets * (i + 1) + row, along, !along,
+            named ? 101 + row : 0);
+      }
+    const JunctionGroups groups = group_junctions(network, {});
+    for (int node = 0; node < streets * streets; ++node) EXPECT_EQ(groups.of_node[node], node);
+  }
+}
+
 TEST(GroupJunctions, ALinkInSeveralEdgesIsOne) {
   JunctionNetwork network = dual_carriageway(20);
   network.nodes.push_back({0, 9});
