@@ -65,7 +65,7 @@ struct Interconnection {
   // Whether one drives along the axis of each; another way than lane.along_axis only where both
   // directions use the lane.
   bool along_in = true, along_out = true;
-  Turn turn = Turn::through;  // through and u_turn: the lanes are parallel, as for the trajectory
+  Turn turn = Turn::through;  // through: the lanes are parallel; u_turn: it turns back
   double angle = 0;           // degrees in (-180, 180] from lane to lane, positive to the left
   bool plausible = false;
   Reason reason = Reason::lane_order;

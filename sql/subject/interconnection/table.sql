@@ -30,7 +30,7 @@ COMMENT ON COLUMN :"model".interconnection.along_in IS
     'does traffic run along the axis in lane_in; as lane.along_axis, unless both directions use the lane';
 COMMENT ON COLUMN :"model".interconnection.along_out IS 'the same of lane_out';
 COMMENT ON COLUMN :"model".interconnection.turn IS
-    'through and u_turn where the lanes are parallel, else left or right';
+    'through where the lanes are parallel, u_turn where it turns back into its street, else left or right';
 COMMENT ON COLUMN :"model".interconnection.angle IS 'from lane to lane, degrees from -180 to 180, positive to the left';
 COMMENT ON COLUMN :"model".interconnection.plausible IS 'would traffic take it';
 COMMENT ON COLUMN :"model".interconnection.reason IS

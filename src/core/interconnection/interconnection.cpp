@@ -8,10 +8,12 @@
 
 #include "geometry/polyline.hpp"
 #include "interconnection/kerb_clear_path.hpp"
+#include "interconnection/movement_angle.hpp"
 #include "interconnection/path_choice.hpp"
 #include "interconnection/plausibility.hpp"
 #include "interconnection/taut_path.hpp"
 #include "interconnection/turn.hpp"
+#include "interconnection/turning_back.hpp"
 #include "roundabout/circulation.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -22,6 +24,8 @@ namespace {
 
 constexpr double same_direction = 1e-3;   // radians
 constexpr double finest_turn = 0.1;       // degrees between chords of a ramp
+constexpr double outset_reach = 3;        // metres, over which a street leaves its node
+constexpr double course_reach = 10;       // metres, over which it has its course
 constexpr double finer_than_a_turn = 50;  // chords of a ramp past kerbs leave its arcs so much less
 
 // From the place of the first point to the next place; zero where there is none.
@@ -166,6 +170,15 @@ class InterconnectionBuilder {
     Leg ends;
     for (const int lane : leg.in) ends.in.push_back(end_of(lane, leg, true));
     for (const int lane : leg.out) ends.out.push_back(end_of(lane, leg, false));
+    const Line& line = streets_.network.edges[leg.edge].line;
+    const double total = length(line);
+    const auto at = [&](double reach) {
+      reach = std::min(reach, total);
+      return planar(position_at(line, leg.at_start ? reach : total - reach).point);
+    };
+    ends.stand = at(course_reach);
+    ends.course = unit(ends.stand - at(0));
+    ends.outset = unit(at(outset_reach) - at(0));
     ends.importance = axes_.at(axis_of(leg))->importance;
     ends.on_ring = circulations_.of(streets_.network.edges[leg.edge]) != nullptr;
     return ends;
@@ -202,14 +215,14 @@ class InterconnectionBuilder {
 
   // Whether a restriction speaks of the movement, whatever it says of it.
   bool concerns(const TurnRestriction& r, const NodeLeg& from, const NodeLeg& to,
-                const std::vector<NodeLeg>& legs, double angle) const {
+                const std::vector<NodeLeg>& legs, Turn turn) const {
     if (axis_of(from) != r.from_axis || axis_of(to) != r.to_axis) return false;
     const auto ends = [&](std::int64_t axis) {
       return std::count_if(legs.begin(), legs.end(),
                            [&](const NodeLeg& leg) { return axis_of(leg) == axis; });
     };
     const bool certain = ends(r.from_axis) == 1 && ends(r.to_axis) == 1;
-    return certain || !r.turn || *r.turn == turn_of(angle);
+    return certain || !r.turn || *r.turn == turn;
   }
 
   std::size_t pairs_at(const std::vector<NodeLeg>& legs) const {
@@ -228,16 +241,17 @@ class InterconnectionBuilder {
   void join(int node) {
     const std::vector<NodeLeg>& legs = legs_[node];
     if (pairs_at(legs) > settings_.most) return;
+    std::vector<Leg> ends;
+    for (const NodeLeg& leg : legs) ends.push_back(ends_of(leg));
     std::vector<Movement> movements;
     for (std::size_t a = 0; a < legs.size(); ++a)
       for (std::size_t b = 0; b < legs.size(); ++b) {
         if (legs[a].in.empty() || legs[b].out.empty()) continue;
         if (legs[a].edge == legs[b].edge && !settings_.u_turn) continue;
-        movements.push_back({static_cast<int>(a), static_cast<int>(b), {}, 0, {}, {}, {}});
+        const int from = static_cast<int>(a), to = static_cast<int>(b);
+        movements.push_back({from, to, turns_back(ends, from, to), {}, 0, {}, {}, {}});
       }
     if (movements.empty()) return;
-    std::vector<Leg> ends;
-    for (const NodeLeg& leg : legs) ends.push_back(ends_of(leg));
     const Kerbs kerbs = kerbs_of(node);
     std::vector<std::vector<Interconnection>> pairs;
     for (Movement& movement : movements) pairs.push_back(draw(node, ends, kerbs, movement));
@@ -329,6 +343,7 @@ class InterconnectionBuilder {
     if (ramp != nullptr) movement.side = ramp->side;
     movement.least_radius =
         speed_radius(std::min(axes_.at(axis_of(from))->speed, axes_.at(axis_of(to))->speed));
+    const double side = movement_angle(ends[movement.from], ends[movement.to]);
     std::vector<Interconnection> pairs;
     for (std::size_t i = 0; i < from.in.size(); ++i)
       for (std::size_t o = 0; o < to.out.size(); ++o) {
@@ -340,8 +355,7 @@ class InterconnectionBuilder {
         pair.along_in = runs_along(from, true);
         pair.along_out = runs_along(to, false);
         pair.angle = rounded_degrees(turn_angle(in.direction, out.direction));
-        pair.turn = from.edge == to.edge && from.at_start == to.at_start ? Turn::u_turn
-                                                                         : turn_of(pair.angle);
+        pair.turn = turn_called(movement.turns_back, pair.angle, side);
         Trajectory path =
             path_between(node, to_node(from.in[i], in, from, true, movement.from),
                          to_node(to.out[o], out, to, false, movement.to), kerbs, ramp != nullptr);
@@ -364,9 +378,9 @@ class InterconnectionBuilder {
       for (const LaneKind kind : r->except) bound.reset(index_of(kind));
       for (std::size_t m = 0; m < movements.size(); ++m) {
         Movement& movement = movements[m];
-        const double angle = turn_angle(ends[movement.from].in.front().direction,
-                                        ends[movement.to].out.front().direction);
-        if (!concerns(*r, legs[movement.from], legs[movement.to], legs, angle)) continue;
+        const double angle = movement_angle(ends[movement.from], ends[movement.to]);
+        const Turn turn = turn_called(movement.turns_back, angle, angle);
+        if (!concerns(*r, legs[movement.from], legs[movement.to], legs, turn)) continue;
         if (r->only) {
           only[movement.from] |= bound;
           allowed[m] |= bound;

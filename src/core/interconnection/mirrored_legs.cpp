@@ -34,6 +34,9 @@ void mirror(std::vector<Leg>& legs, std::vector<Movement>& movements) {
   for (Leg& leg : legs) {
     mirror(leg.in);
     mirror(leg.out);
+    leg.outset.y = -leg.outset.y;
+    leg.course.y = -leg.course.y;
+    leg.stand.y = -leg.stand.y;
   }
   const int last = static_cast<int>(legs.size()) - 1;
   std::reverse(movements.begin(), movements.end());

@@ -21,6 +21,9 @@ struct LaneEnd {
 // An end of an edge at the node; lanes from left to right in their driving direction.
 struct Leg {
   std::vector<LaneEnd> in, out;
+  Point outset;  // unit: of its street at the node
+  Point course;  // unit: from the node to where its street is clear of it
+  Point stand;   // there
   int importance = 99;
   bool on_ring = false;  // traffic on it goes round a roundabout: from and to there none turns back
 };
@@ -39,6 +42,7 @@ LaneKinds traffic_of(const Verdict& verdict, LaneKind in, LaneKind out);
 struct Movement {
   int from = 0;  // index of the leg
   int to = 0;
+  bool turns_back = false;  // into its own street, where none means to let it
   LaneKinds restricted;     // forbidden to lanes in of these kinds, unless to a lane out of another
   double least_radius = 0;  // metres, what the speed needs
   std::vector<double> radius;  // of the trajectory of each pair

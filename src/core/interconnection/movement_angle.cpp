@@ -17,6 +17,10 @@ double movement_angle(const Leg& from, const Leg& to) {
   return to_the_left ? std::abs(angle) : -std::abs(angle);
 }
 
+double outset_angle(const Leg& from, const Leg& to) {
+  return turn_angle(from.outset * -1, to.outset);
+}
+
 double movement_order(const Leg& from, const Leg& to) {
   const LaneEnd &in = from.in.front(), &out = to.out.front();
   const Point way = out.place - in.place;

@@ -19,6 +19,7 @@ namespace {
 constexpr double slight = 0.9;     // of the angle of a slight turn: parallel lanes
 constexpr double sharp = 100;      // degrees: beyond it a tight movement is one that none takes
 constexpr double noticeable = 20;  // degrees: a path that turns less has no tight radius
+constexpr double most_off_course = 45;    // degrees, of a way that may be the one straight on
 constexpr double importance_weight = 10;  // degrees that a step of importance is worth
 constexpr int alone = 10;                 // lanes to what goes the same way, where nothing does
 
@@ -80,9 +81,10 @@ class Plausibility {
   static double radius(const Way& way, int in, int out) {
     return way.movement->radius[in * way.to->out.size() + out];
   }
-  bool turns_back(const Way& way) const {
-    return way.movement->from == way.movement->to ||
-           (turn_of(way.angle) == Turn::u_turn && !from(way).on_ring && !way.to->on_ring);
+  static bool turns_back(const Way& way) { return way.movement->turns_back; }
+  // Of an ordinary turn one path stays, however tight it is.
+  bool ordinary(const Way& way) const {
+    return std::min(std::abs(way.angle), std::abs(outset_angle(from(way), *way.to))) <= sharp;
   }
   static bool drivable(const Way& way, int in, int out) {
     return way.movement->drivable[in * way.to->out.size() + out];
@@ -317,10 +319,8 @@ class Plausibility {
     int best = -1;
     long long least = 0;
     for (int j = 0; j < static_cast<int>(ways.size()); ++j) {
-      if (in_steps(std::abs(ways[j].angle)) > in_steps(45)) continue;
-      const long long cost =
-          in_steps(std::abs(ways[j].angle) +
-                   importance_weight * std::abs(ways[j].to->importance - from(ways[j]).importance));
+      if (!nearly_straight(ways[j])) continue;
+      const long long cost = off_course(ways[j]);
       if (best >= 0 && cost >= least) continue;
       least = cost;
       best = j;
@@ -328,14 +328,21 @@ class Plausibility {
     return best;
   }
 
+  // In steps of an angle.
+  long long off_course(const Way& way) const {
+    return in_steps(std::abs(way.angle) +
+                    importance_weight * std::abs(way.to->importance - from(way).importance));
+  }
+
   // Lane by lane without crossing: lanes[i] goes on to goals[i + shift], the outermost twice.
-  void connect(const Way& way, const Group& lanes, Reason reason) {
+  void connect(Way way, const Group& lanes, Reason reason) {
+    leave_to_main(way);
     const Group& goals = way.goals;
     const int n = static_cast<int>(lanes.size()), m = static_cast<int>(goals.size());
     const int low = std::min(0, m - n), high = std::max(0, m - n);
     const auto goal = [&](int i, int shift) { return goals[std::clamp(i + shift, 0, m - 1)]; };
     int shift = 0;
-    if (turn_of(way.angle) == Turn::through || goes_on_alone(way)) {
+    if (straight_on(way)) {
       shift = shift_straight_on(way, lanes, high);
     } else {
       // Along the kerb that it turns about, or as near to it as the radius allows.
@@ -357,6 +364,40 @@ class Plausibility {
       const int open = open_beside(way, lanes[i], reached);
       if (open >= 0) at(way, lanes[i], open) = {true, reason};
     }
+  }
+
+  bool straight_on(const Way& way) const {
+    return turn_of(way.angle) == Turn::through || goes_on_alone(way);
+  }
+
+  static bool nearly_straight(const Way& way) {
+    return in_steps(std::abs(way.angle)) <= in_steps(most_off_course);
+  }
+
+  // Of several ways straight on into one street that which keeps its lanes: as way_through.
+  const Way& main_into(const Way& way) const {
+    const Way* main = &way;
+    for (const Way& other : ways_)
+      if (other.to == way.to && !other.movement->forbidden(LaneKind::general) &&
+          !turns_back(other) && nearly_straight(other) &&
+          off_course(other) < off_course(*main))
+        main = &other;
+    return *main;
+  }
+
+  // Who enters beside a street that goes on takes the lanes on his side, those that are left, so
+  // that he crosses no path of it.
+  void leave_to_main(Way& way) const {
+    if (!nearly_straight(way)) return;
+    const Way& main = main_into(way);
+    const int m = static_cast<int>(way.goals.size());
+    if (main.movement->from == way.movement->from || m < 2) return;
+    const int through = static_cast<int>(group_of(from(main).in, LaneKind::general).size());
+    const int left = std::clamp(m - through, 1, m);
+    if (comes_from(main) > comes_from(way))
+      way.goals.erase(way.goals.begin(), way.goals.end() - left);
+    else
+      way.goals.erase(way.goals.begin() + left, way.goals.end());
   }
 
   // The general lane nearest to a carpool lane in which a general lane goes on; -1: none is needed.
@@ -389,6 +430,13 @@ class Plausibility {
     });
   }
 
+  // From where a movement comes, as its street that goes out looks back along itself: degrees, the
+  // greater, the farther to the left.
+  double comes_from(const Way& way) const {
+    const Point back = from(way).stand - way.to->stand;
+    return norm(back) > 0 ? turn_angle(back, way.to->course * -1) : 0;
+  }
+
   // Lanes that others enter from one side are left to them; else lanes go on as they lie.
   int shift_straight_on(const Way& way, const Group& lanes, int high) const {
     if (high > 0) {
@@ -396,7 +444,7 @@ class Plausibility {
       for (const Way& other : ways_)
         if (other.to == way.to && other.movement != way.movement &&
             !other.movement->forbidden(LaneKind::general) && !turns_back(other))
-          (other.order > way.order ? from_left : from_right) = true;
+          (comes_from(other) > comes_from(way) ? from_left : from_right) = true;
       if (from_left != from_right) return from_left ? high : 0;
     }
     const auto abreast = [](const std::vector<LaneEnd>& ends, const Group& group) {
@@ -431,9 +479,19 @@ class Plausibility {
     return false;
   }
 
-  bool taken(const Movement& movement, const Verdict* besides) const {
-    return std::any_of(movement.verdicts.begin(), movement.verdicts.end(),
-                       [&](const Verdict& v) { return v.plausible && &v != besides; });
+  bool for_cars(const Way& way, int in, int out) const {
+    return leads_as(from(way).in[in].kind) == LaneKind::general &&
+           leads_as(way.to->out[out].kind) == LaneKind::general;
+  }
+
+  // Whether another path takes the movement: one for cars, where this one is.
+  bool taken_beside(const Way& way, int in, int out) const {
+    for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
+      for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
+        if (at(way, i, o).plausible && (i != in || o != out) &&
+            (for_cars(way, i, o) || !for_cars(way, in, out)))
+          return true;
+    return false;
   }
 
   // Whether the lane takes the movement, to whichever lane.
@@ -471,7 +529,7 @@ class Plausibility {
     const Verdict& verdict = at(way, in, out);
     const Astray beside = astray(way, in, out);
     return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
-            tight(way, in, out), beside.crosses,
+            beside.crosses, tight(way, in, out),
             in_steps(std::abs(way.angle) + importance_weight * beside.lanes)};
   }
 
@@ -540,7 +598,7 @@ class Plausibility {
           if (!verdict.plausible || !tight(way, i, o)) continue;
           const bool corner = !drivable(way, i, o);
           if (!corner && (verdict.reason == Reason::turn_lanes ||
-                          (std::abs(way.angle) <= sharp && !taken(*way.movement, &verdict))))
+                          (ordinary(way) && !taken_beside(way, i, o))))
             continue;
           std::vector<Pair> instead;
           if (!spreads(way.movement->from, i, &verdict))

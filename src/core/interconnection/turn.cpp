@@ -19,4 +19,11 @@ Turn turn_of(double angle) {
   return angle > 0 ? Turn::left : Turn::right;
 }
 
+Turn turn_called(bool turns_back, double angle, double side) {
+  if (turns_back) return Turn::u_turn;
+  const Turn turn = turn_of(angle);
+  if (turn != Turn::u_turn) return turn;
+  return side > 0 ? Turn::left : Turn::right;
+}
+
 }  // namespace streetgen

@@ -11,10 +11,12 @@
 #include "interconnection/guided_path.hpp"
 #include "interconnection/junction_route.hpp"
 #include "interconnection/kerb_clear_path.hpp"
+#include "interconnection/movement_angle.hpp"
 #include "interconnection/path_choice.hpp"
 #include "interconnection/plausibility.hpp"
 #include "interconnection/taut_path.hpp"
 #include "interconnection/turn.hpp"
+#include "interconnection/turning_back.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -52,10 +54,12 @@ class Across {
       if (lanes_[from].in.empty()) continue;
       const std::vector<Way> ways = ways_from(from);
       for (int to = 0; to < static_cast<int>(place_.legs.size()); ++to) {
-        if (lanes_[to].out.empty() || turns_back(from, to) || !ways[to].route) continue;
+        if (lanes_[to].out.empty() || to_itself(from, to) || !ways[to].route) continue;
         poll_cancel();
-        Movement movement{from, to, ways[to].restricted, 0, {}, {}, {}};
-        drawn.push_back(draw(ends, *ways[to].route, movement));
+        const bool back = turns_back(ends, from, to);
+        Movement movement{from, to, back && !by_an_opening(ends, *ways[to].route),
+                          ways[to].restricted, 0, {}, {}, {}};
+        drawn.push_back(draw(ends, *ways[to].route, movement, back));
         movements.push_back(std::move(movement));
       }
     }
@@ -111,8 +115,31 @@ class Across {
     }
   }
 
-  bool turns_back(int from, int to) const {
+  bool to_itself(int from, int to) const {
     return !settings_.u_turn && (from == to || place_.legs[from].edge == place_.legs[to].edge);
+  }
+
+  // Whether edges inside that lead to nothing else join the two carriageways: an opening in the
+  // median, which is meant for those who turn back.
+  bool by_an_opening(const std::vector<Leg>& ends, const JunctionRoute& route) const {
+    if (route.empty()) return false;
+    std::vector<int> edges, nodes;
+    for (const RoutePiece& piece : route) {
+      const InnerEdge& edge = place_.inner[piece.inner];
+      edges.push_back(piece.inner);
+      nodes.insert(nodes.end(), {edge.from_node, edge.to_node});
+    }
+    const auto passed = [&](int node) {
+      return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+    };
+    for (int e = 0; e < static_cast<int>(place_.inner.size()); ++e)
+      if (std::find(edges.begin(), edges.end(), e) == edges.end() &&
+          (passed(place_.inner[e].from_node) || passed(place_.inner[e].to_node)))
+        return false;
+    for (std::size_t leg = 0; leg < ends.size(); ++leg)
+      if (passed(place_.legs[leg].node) && !comes_alone(ends[leg]) && !goes_alone(ends[leg]))
+        return false;
+    return true;
   }
 
   LaneEnd end_of(int index) const {
@@ -133,13 +160,20 @@ class Across {
     Leg ends;
     for (const int lane : lanes_[leg].in) ends.in.push_back(end_of(lane));
     for (const int lane : lanes_[leg].out) ends.out.push_back(end_of(lane));
+    for (const std::vector<LaneEnd>* lanes : {&ends.in, &ends.out}) {
+      if (lanes->empty()) continue;
+      ends.course = lanes->front().direction * (lanes == &ends.in ? -1 : 1);
+      ends.outset = ends.course;
+      ends.stand = lanes->front().place;
+    }
     ends.importance = place_.legs[leg].importance;
     ends.on_ring = place_.legs[leg].on_ring;
     return ends;
   }
 
   std::vector<JunctionMovement> draw(const std::vector<Leg>& ends, const JunctionRoute& route,
-                                     Movement& movement) const {
+                                     Movement& movement, bool back) const {
+    const double side = movement_angle(ends[movement.from], ends[movement.to]);
     const JunctionLeg &from = place_.legs[movement.from], &to = place_.legs[movement.to];
     movement.least_radius = speed_radius(std::min(from.speed, to.speed));
     std::vector<JunctionMovement> pairs;
@@ -150,7 +184,7 @@ class Across {
         pair.lane_in = lanes_[movement.from].in[i];
         pair.lane_out = lanes_[movement.to].out[o];
         pair.angle = rounded_degrees(turn_angle(in.direction, out.direction));
-        pair.turn = turn_of(pair.angle);
+        pair.turn = turn_called(back, pair.angle, side);
         pair.line = path_between(route, in, out, movement.from, movement.to);
         pair.interconnections = steps_between(pair.lane_in, pair.lane_out);
         movement.radius.push_back(quarter_radius(pair.line));

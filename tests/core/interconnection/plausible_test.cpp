@@ -12,6 +12,8 @@
 namespace streetgen {
 namespace plausible_test {
 
+const Line onwards{{0, 0, 0}, {100, 0, 0}};
+
 TEST(Plausible, ALoneLaneTakesEveryWay) {
   const JoinedTown town = crossing(1);
   for (const Interconnection& i : town.join()) EXPECT_TRUE(i.plausible);
@@ -48,6 +50,32 @@ TEST(Plausible, AnEntryIsLeftTheLanesOnItsSide) {
   const auto all = town.join();
   EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}}));
   EXPECT_EQ(plausible(town, all, 2, 3), (Ranks{{1, 3}}));
+}
+
+// The link bends shortly before it joins, and its last piece comes from the right however its path
+// turns.
+TEST(Plausible, ALinkFromTheRightEntersOnTheRight) {
+  for (const double bend : {20., 40., 60.})
+    for (const double aside : {3., 6., 12.}) {
+      const JoinedTown town({road(1, west, 2, 0),
+                             road(2, {{-100, -aside - 4, 0}, {-bend, -aside, 0}, {0, 0, 0}}, 1, 0),
+                             road(3, onwards, 3, 0)});
+      const auto all = town.join();
+      EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}})) << bend << ' ' << aside;
+      EXPECT_EQ(plausible(town, all, 2, 3), (Ranks{{1, 3}})) << bend << ' ' << aside;
+    }
+}
+
+// As many lanes go on as come: those of the link merge into the one on its side.
+TEST(Plausible, ALinkCrossesNoLaneThatGoesOn) {
+  for (const double side : {-1., 1.}) {
+    const JoinedTown town({road(1, west, 2, 0), road(2, {{-100, 30 * side, 0}, {0, 0, 0}}, 2, 0),
+                           road(3, onwards, 2, 0)});
+    const auto all = town.join();
+    EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{1, 1}, {2, 2}}));
+    EXPECT_EQ(plausible(town, all, 2, 3),
+              side > 0 ? (Ranks{{1, 1}, {2, 1}}) : (Ranks{{1, 2}, {2, 2}}));
+  }
 }
 
 TEST(Plausible, WhereLanesEndAllLeadOn) {
@@ -110,8 +138,6 @@ TEST(Plausible, AnUnmarkedOuterLaneTakesTheTurnsOnItsSide) {
   EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{2, 1}}));
   EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{2, 1}}));
 }
-
-const Line onwards{{0, 0, 0}, {100, 0, 0}};
 
 TEST(Plausible, ALaneEndsOnTheSideToWhichItMerges) {
   for (const unsigned mark : {turn::merge_left, turn::merge_right}) {
@@ -449,11 +475,23 @@ TEST(Plausible, ATightTurnTakesTheNextLane) {
   }
 }
 
+// At 110 km/h both turns are tight, that of the bus lane at the kerb too.
+TEST(Plausible, ATightTurnIsLeftToNoBusLaneAlone) {
+  for (const double radius : {0.5, 1., 2.}) {
+    LanedAxis special = road(1, west, 2, 1);
+    special.forward[1].kind = LaneKind::bus;
+    std::vector<LanedAxis> roads{special, road(2, south, 1, 1), road(3, east, 2, 2)};
+    for (LanedAxis& r : roads) r.speed = 110;
+    const JoinedTown town(roads, radius);
+    EXPECT_EQ(plausible(town, town.join(), 1, 2).count({1, 1}), 1u) << radius;
+  }
+}
+
 // At 110 km/h a turn needs 7 m, and the one about the nose between 2 and 3 has less on either lane:
 // the lane of 2 that it alone took is left to 1.
 TEST(Plausible, ATightTurnGivesWayToAWideOne) {
   std::vector<LanedAxis> roads{road(1, west, 1, 1), road(2, {{0, 0, 0}, {100, 20, 0}}, 2, 0),
-                               road(3, {{85, -60, 0}, {0, 0, 0}}, 1, 0)};
+                               road(3, {{40, -92, 0}, {0, 0, 0}}, 1, 0)};
   for (LanedAxis& r : roads) r.speed = 110;
   const JoinedTown town(roads, 0.5);
   const auto all = town.join();

@@ -106,6 +106,20 @@ TEST_F(DualCarriageway, ATurnBackToTheOtherCarriagewayGoesAboutTheMedian) {
   EXPECT_GT(farthest, -4);
 }
 
+// Without the cross street the edge inside leads from one carriageway into the other alone.
+TEST_F(DualCarriageway, AnOpeningInTheMedianIsMeantForTurningBack) {
+  EXPECT_FALSE(between(junction_movements(place, settings), 0, 3)->plausible);
+  place.legs.resize(4);
+  place.lanes.resize(4);
+  const auto all = junction_movements(place, settings);
+  for (const auto& [in, out] : {std::pair(0, 3), std::pair(2, 1)}) {
+    ASSERT_NE(between(all, in, out), nullptr);
+    EXPECT_TRUE(between(all, in, out)->plausible);
+    EXPECT_EQ(between(all, in, out)->turn, Turn::u_turn);
+  }
+  EXPECT_TRUE(between(all, 0, 1)->plausible);
+}
+
 TEST_F(DualCarriageway, NobodyTurnsBackFromAStreetThatGoesRoundARoundabout) {
   EXPECT_EQ(between(junction_movements(place, settings), 0, 3)->reason, Reason::u_turn);
   place.legs[0].on_ring = true;
