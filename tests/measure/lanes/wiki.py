@@ -83,7 +83,7 @@ def number(tags, key, reading):
     return int(value)
 
 
-def lists_of(tags, direction, oneway, reading):
+def lists_of(tags, direction, oneway, count, reading):
     """The lists that speak of a direction, by key."""
     lists = {}
     for key in LISTS:
@@ -92,6 +92,9 @@ def lists_of(tags, direction, oneway, reading):
         if value is None and plain is not None:
             if oneway is None:
                 reading.doubt('a list without direction on a two-way street')
+                # The likelier reading is that each direction has it, where it is as long as that.
+                if len(plain.split('|')) == count:
+                    value = plain
             elif oneway == BACKWARD:
                 reading.doubt('a list without direction on a street driven backward')
             elif direction == oneway:
@@ -121,6 +124,14 @@ def kind_in(lists, i, reading):
     return GENERAL
 
 
+def listed(tags, direction):
+    """How many lanes for motor traffic the lists of a direction have, where they agree."""
+    lists = {key: tags[name].split('|') for key in LISTS for name in [f'{key}:lanes:{direction}'] if name in tags}
+    if len({len(entries) for entries in lists.values()}) != 1:
+        return None
+    return sum(kind_in(lists, i, Reading()) != CYCLE for i in range(len(next(iter(lists.values())))))
+
+
 def counts(tags, oneway, reading):
     """Lanes for motor traffic of each direction where the tags say them, else None."""
     total = number(tags, 'lanes', reading)
@@ -133,6 +144,16 @@ def counts(tags, oneway, reading):
     if total is None:
         return stated
     left = total - both
+    if tags.get('oneway') in ('reversible', 'alternating'):
+        # The likelier reading is that all lanes are driven in turns.
+        reading.both = total
+        return {FORWARD: 0, BACKWARD: 0}
+    if oneway is None and list(stated.values()) == [None, None]:
+        said = {d: listed(tags, d) for d in stated}
+        if None not in said.values() and sum(said.values()) == left:
+            stated = said
+        elif list(said.values()).count(None) == 1:
+            stated = {d: n if n is not None and n < left else None for d, n in said.items()}
     if oneway is not None:
         if stated[oneway] is None:
             stated[oneway] = left - (stated[OTHER[oneway]] or 0)
@@ -154,7 +175,10 @@ def counts(tags, oneway, reading):
         reading.both += 1
         stated[FORWARD] = stated[BACKWARD] = 0
     elif left % 2:
+        # The likelier reading is that those in the middle turn off.
         reading.doubt('an odd number of lanes, of no direction')
+        reading.both += 1
+        stated[FORWARD] = stated[BACKWARD] = left // 2
     elif left < 1:
         reading.doubt('lanes and directions do not add up')
     else:
@@ -164,7 +188,7 @@ def counts(tags, oneway, reading):
 
 def motor_lanes(tags, direction, oneway, count, reading):
     """The lanes of a direction as lists and numbers say them: with the cycle lanes of lists, without those of sides."""
-    lists = lists_of(tags, direction, oneway, reading)
+    lists = lists_of(tags, direction, oneway, count, reading)
     turns = lists.pop('turn', None)
     lengths = {len(entries) for entries in lists.values()}
     if len(lengths) > 1:
@@ -284,6 +308,10 @@ def add_cycle_lanes(tags, oneway, near, reading):
             continue
         if goes == '-1' or oneway is not None and both_ways and goes is None and ('cycleway:both' in tags or side != ways[0] or 'cycleway' in tags):
             reading.doubt('the direction of a cycle lane where bicycles go both ways')
+            if goes is None and side not in ways and CYCLE not in reading.lanes[OTHER[oneway]]:
+                # The likelier reading is that a lane on the far side goes against the traffic.
+                put(reading.lanes[OTHER[oneway]], CYCLE, near == 'right')
+                continue
         if direction in listed or (direction, at_right) in seen:
             continue
         seen.add((direction, at_right))
@@ -339,5 +367,10 @@ def read(tags, near):
     for row in reading.lanes.values():
         row[:] = [kind_of_all(tags) if kind == GENERAL else kind for kind in row]
     add_cycle_lanes(tags, oneway, near, reading)
+    for direction, row in reading.lanes.items():
+        turns = reading.turns[direction]
+        if turns is not None and CYCLE in row and len(turns) == len(row):
+            # The likelier reading is that a list as long as all lanes counts them.
+            reading.turns[direction] = [turn for turn, kind in zip(turns, row) if kind != CYCLE]
     add_parking(tags, oneway, near, reading)
     return reading
