@@ -14,6 +14,32 @@ for key in ([[lanes width est_width lane_markings oneway junction layer bridge t
     street_keys[key] = true
 end
 
+-- Words that are a letter away from each other are alike with a letter taken out of either.
+local function each_worn(word, take)
+    take(word)
+    for i = 1, #word > 4 and #word or 0 do
+        take(word:sub(1, i - 1) .. word:sub(i + 1))
+    end
+end
+
+local worn_keys = {}
+for key in pairs(street_keys) do
+    if #key >= 4 then
+        each_worn(key, function(worn) worn_keys[worn] = true end)
+    end
+end
+
+-- Does a key begin as one of a street does, or with a misspelt word, which the import names?
+local speaks_of_street = setmetatable({}, { __index = function(known, key)
+    local word = key:lower():gsub('^source:', ''):match('^[^:]*')
+    local speaks = street_keys[word] or false
+    if #word >= 4 then
+        each_worn(word, function(worn) speaks = speaks or worn_keys[worn] or false end)
+    end
+    known[key] = speaks
+    return speaks
+end })
+
 local line = osm2pgsql.define_way_table(prefix .. '_line', {
     { column = 'class', type = 'text', not_null = true },
     { column = 'name', type = 'text' },
@@ -40,7 +66,7 @@ function osm2pgsql.process_way(object)
     end
     local tags = {}
     for key, value in pairs(object.tags) do
-        if street_keys[key:gsub('^source:', ''):match('^[^:]*')] then
+        if speaks_of_street[key] then
             tags[key] = value
         end
     end

@@ -28,7 +28,7 @@ struct OsmLaneUse {
   DrivingSide driving_side = DrivingSide::right;
   double lane_width = 3.5, cycle_lane_width = 1.5, parking_lane_width = 2;  // metres, where unknown
   std::optional<double> roadway_width{};                                    // metres, stated
-  int usual_lanes = 1;  // of a one-way way of which no lanes are stated
+  int usual_lanes = 1;  // of a way of its width of which no lanes are stated
 };
 
 struct UnreadTag {
@@ -55,6 +55,9 @@ OsmLanes read_osm_lanes(const OsmTags& tags, const OsmLaneUse& use);
 struct OsmTagUse {
   const char* keys;
   const char* becomes;
+  // What it may say, parted by spaces, of a list what each lane may; null: a number, or what the
+  // reader judges by itself.
+  const char* words = nullptr;
 };
 const std::vector<OsmTagUse>& osm_tag_uses();
 

@@ -9,8 +9,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_lanes(keys text[], words text[], drivi
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 1 COST 100 AS 'MODULE_PATHNAME', 'streetgen_osm_lanes';
 COMMENT ON FUNCTION streetgen._osm_lanes(text[], text[], text, float8, float8, float8, float8, integer) IS
     'The lanes of a way, as columns of axis, by the keys and words of its tags (highway is its class), where one '
-    'drives on a side and lanes have these widths, metres; roadway_width 0 is unknown. usual_lanes: of a one-way '
-    'street that says none. Tags that were not read so come with their reasons.';
+    'drives on a side and lanes have these widths, metres; roadway_width 0 is unknown. usual_lanes: of a street '
+    'of that width that says none. Tags that were not read so come with their reasons.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_tag_use() RETURNS TABLE(tag text, becomes text)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 40 AS 'MODULE_PATHNAME', 'streetgen_osm_tag_use';

@@ -58,7 +58,8 @@ CREATE OR REPLACE FUNCTION streetgen._take_osm_lines(source regclass) RETURNS vo
 DECLARE
     present constant name[] := ARRAY(SELECT attname FROM pg_attribute WHERE attrelid = source AND attnum > 0
         AND NOT attisdropped);
-    tags constant text := CASE WHEN 'tags' = ANY (present) THEN 'tags::jsonb'
+    tags constant text := CASE WHEN 'tags' = ANY (present)
+        THEN 'CASE jsonb_typeof(tags::jsonb) WHEN ''object'' THEN jsonb_strip_nulls(tags::jsonb) ELSE ''{}'' END'
         ELSE format('jsonb_strip_nulls(jsonb_object(ARRAY[%s]::text[]))', (
             SELECT string_agg(format('%L, %I', tag, name), ', ') FROM unnest(streetgen._osm_column_tags()) tag,
             LATERAL (SELECT replace(tag, ':', '_') AS name) c WHERE name = ANY (present))) END;
@@ -69,8 +70,8 @@ BEGIN
         source);
 END $$;
 COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
-    'Copies the lines of an OSM table to where import_osm reads them, each with its tags. A table of an older flex '
-    'file has a column for each tag in place of tags.';
+    'Copies the lines of an OSM table to where import_osm reads them, each with its tags; none where they are NULL or '
+    'no object. A table of an older flex file has a column for each tag in place of tags.';
 
 CREATE OR REPLACE FUNCTION streetgen._read_osm_tags(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -105,12 +106,12 @@ BEGIN
     LEFT JOIN (SELECT c.class, c.width AS class_width, c.speed AS class_speed, c.lanes_by_width
         FROM pg_temp._import_class c) usual USING (class),
     streetgen._osm_width(tags) across(metres, width_unread), streetgen._osm_speed(tags) pace(kmh, speed_unread),
-    -- Lanes of a one-way street that says none.
+    -- Lanes of a street that says none.
     LATERAL (SELECT CASE WHEN lanes_by_width THEN streetgen.estimated_lane_count(
         coalesce(nullif(metres, 0), class_width, width_default), coalesce(kmh, class_speed), lane_width) ELSE 1 END
         AS usual_lanes) u,
     LATERAL (SELECT array_agg(key) AS keys, array_agg(value) AS words
-        FROM jsonb_each_text(tags || jsonb_build_object('highway', class))) said,
+        FROM jsonb_each_text(tags || jsonb_build_object('highway', coalesce(class, '')))) said,
     LATERAL streetgen._osm_lanes(keys, words, driving_side, lane_width, cycle_lane_width, parking_lane_width,
         coalesce(metres, 0), coalesce(usual_lanes, 1)) lanes,
     LATERAL (SELECT tags ->> 'junction' IN ('roundabout', 'circular') AS ring, coalesce(tags ->> 'oneway'
@@ -132,11 +133,11 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, m.width, m.roadway_offset, m.lane_count, m.direction,
-    m.roundabout_tag, m.speed, m.level, class, m.lanes_forward, m.lanes_backward, m.lanes_both, m.kind_forward,
+    m.roundabout_tag, m.speed, m.level, l.class, m.lanes_forward, m.lanes_backward, m.lanes_both, m.kind_forward,
     m.kind_backward, m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward,
     m.change_backward, m.sidewalk_left, m.sidewalk_right, m.unread, NULL,
-    streetgen._osm_access(tags, class)
-FROM pg_temp._import_line JOIN pg_temp._import_meaning m USING (class, tags)
+    streetgen._osm_access(l.tags, l.class)
+FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';
@@ -191,7 +192,8 @@ BEGIN
     END IF;
     CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
         SELECT l.way_id::text AS source_ref, u.tag, coalesce(m.tags ->> u.tag, m.class) AS value, u.reason
-        FROM pg_temp._import_meaning m JOIN pg_temp._import_line l ON (l.class, l.tags) = (m.class, m.tags),
+        FROM pg_temp._import_meaning m JOIN pg_temp._import_line l
+            ON l.tags = m.tags AND l.class IS NOT DISTINCT FROM m.class,
             unnest(m.unread_tags, m.unread_reasons) u(tag, reason);
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
     RETURN QUERY SELECT * FROM streetgen._tell_osm_lines(model, source::text);

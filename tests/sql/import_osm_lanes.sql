@@ -16,11 +16,13 @@ SELECT n, class, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), S
   (9, 'secondary', '{}'), (10, 'primary', '{}'), (11, 'trunk', '{}'), (12, 'secondary', '{"width": "14"}'),
   (13, 'trunk', '{"oneway": "yes", "cycleway:right": "lane"}'), (14, 'trunk', '{"oneway": "yes"}'),
   (15, 'secondary', '{"lanes": "2", "cycleway:right": "lane", "cycleway:right:oneway": "no"}'),
-  (16, 'secondary', '{"oneway": "reversible"}'), (17, 'secondary', '{"lanes": "1", "oneway": "alternating"}'),
+  (16, 'secondary', '{"oneway": "reversible", "lanes": "2"}'), (17, 'secondary', '{"lanes": "1", "oneway": "alternating"}'),
   (18, 'secondary', '{"oneway": "yes", "lanes": "3", "busway:left": "lane", "turn:lanes": "left|through|through"}'),
   (19, 'secondary', '{"lanes": "2", "parking:lanes:forward": "|designated"}'),
   (20, 'secondary', '{"lanes": "3"}'), (21, 'footway', '{"lanes": "many"}'),
-  (22, 'secondary', '{"oneway": "yes", "lanes": "2", "cycleway:right": "lane", "cycleway:right:width": "2.25"}')) v(n, class, tags);
+  (22, 'secondary', '{"oneway": "yes", "lanes": "2", "cycleway:right": "lane", "cycleway:right:width": "2.25"}'),
+  (23, 'secondary', '{"width": "14", "cycleway:right": "lane"}'), (24, 'secondary', NULL), (25, NULL, '{"lanes": "2"}'), (26, 'secondary', '{"lanes": null, "oneway": "yes"}'), (27, 'secondary', '[1]'),
+  (28, 'secondary', '{"oneway": "yes", "lanes": "2", "parking:both": "lane", "width": "13.5"}'), (29, 'busway', '{"lanes": "1"}')) v(n, class, tags);
 CREATE TABLE report AS SELECT * FROM streetgen.import_osm('town', 'osm');
 SELECT streetgen.import_osm('left_hand', 'osm') \g /dev/null
 CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coalesce(a.kind_forward, '-'), coalesce(a.kind_backward, '-')) AS kinds, u.lanes_forward AS forward, u.lanes_backward AS backward,
@@ -36,15 +38,19 @@ SELECT 'drawn the other way round, the same lanes lie on the same ground', (f.tu
 SELECT 'two-way streets of unknown lanes have as many each way: way ' || way, forward = backward AND forward = CASE way WHEN 12 THEN 2 ELSE 1 END FROM seen WHERE way BETWEEN 9 AND 12 ORDER BY way;
 SELECT 'their lanes are 2.4 to 4.5 m wide', bool_and(across / (forward + backward) BETWEEN 2.4 AND 4.5) FROM seen WHERE way BETWEEN 9 AND 12;
 SELECT 'a cycle lane leaves the usual lanes of cars', (SELECT forward FROM seen WHERE way = 13) = (SELECT forward FROM seen WHERE way = 14);
+SELECT 'beside a cycle lane too, whichever side it lies on', (forward, backward, kinds) = (2, 2, 'general|general|cycle / general|general') FROM seen WHERE way = 23;
+SELECT 'rows without tags or with NULL in them become streets like others', array_agg(way ORDER BY way) = '{24,25,26,27}' FROM seen WHERE way BETWEEN 24 AND 27;
+SELECT 'a width of a source is believed beside the lanes of the kerbs', across = 13.5 FROM seen WHERE way = 28;
 SELECT 'an odd lane of no direction lies in the middle', (forward, backward, both_ways) = (1, 1, 1) FROM seen WHERE way = 20;
 SELECT 'all lanes of a reversible street are for both directions', bool_and(forward = 0 AND backward = 0 AND both_ways > 0) FROM seen WHERE way IN (16, 17);
-SELECT 'what was not made is named', array_agg(source_ref || ' ' || tag ORDER BY source_ref) = '{"15 cycleway:right","19 parking:lanes:forward"}' FROM town.unread_tag WHERE source = 'osm_line';
+SELECT 'what was not made is named', array_agg(source_ref || ' ' || tag ORDER BY source_ref) = '{"15 cycleway:right","19 parking:lanes:forward","20 lanes"}' FROM town.unread_tag WHERE source = 'osm_line';
 SELECT 'with what it says, and why', bool_and(value = 'lane' AND reason LIKE 'a cycle lane at this kerb%') FROM town.unread_tag WHERE source_ref = '15';
-SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{"cycleway:right 15","parking:lanes:forward 19"}' FROM report WHERE what LIKE 'lanes not understood%';
+SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{"cycleway:right 15","lanes 20","parking:lanes:forward 19"}' FROM report WHERE what LIKE 'lanes not understood%';
 UPDATE osm_line SET tags = tags - 'parking:lanes:forward' WHERE way_id = 19;
-SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 1 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
+SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 2 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
 SELECT 'where one drives on the left, the near kerb is the left one', string_agg(kind_forward, ' ' ORDER BY source_ref) = 'general|general|cycle cycle|general|general' FROM (SELECT '1' AS source_ref, kind_forward FROM left_hand.axis WHERE source_ref = '22'
   UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
 SELECT 'the streets are sound', bool_and(deleted = 0) FROM streetgen.generate('town');
+SELECT 'the one lane of a busway is for buses', array_agg(l.kind) = '{bus}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 29;
 SELECT 'no list goes astray', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error' OR rule LIKE '%not those of all lanes%');
 SELECT 'every tag that is read has a word on what becomes of it', count(*) > 40 AND bool_and(becomes <> '') AND count(DISTINCT (source, tag)) = count(*) FROM streetgen.tag_use();

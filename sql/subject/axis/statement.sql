@@ -89,14 +89,17 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT CASE WHEN by_hand OR NOT lanes_by_width THEN NULL ELSE max_width_per_lane END AS most_per_lane
         HAVING true) m ON true
-LEFT JOIN LATERAL (
-    SELECT streetgen.believed_width(width, lane_count, most_per_lane) AS believed,
-           streetgen.believed_width(width_end, lane_count, most_per_lane) AS believed_end HAVING true) b ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,
     coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
         + coalesce(streetgen.kerbside_width(kind_backward, cycle_lane_width, parking_lane_width), 0)
         AS kerbside) stated
+-- Lanes of the kerbs lie beside those that lane_count counts.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN streetgen.believed_width(width - kerbside, lane_count, most_per_lane) IS NOT NULL THEN width END
+            AS believed,
+        CASE WHEN streetgen.believed_width(width_end - kerbside, lane_count, most_per_lane) IS NOT NULL
+            THEN width_end END AS believed_end HAVING true) b ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed,
         least(200, streetgen.estimated_width(CASE WHEN lanes_by_width IS NOT FALSE THEN lanes_stated END, class_width,

@@ -90,18 +90,17 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
     }
 }
 
-bool give_to_buses(HeadingLanes& lanes, const WayTags& tags) {
+void give_to_buses(HeadingLanes& lanes, const WayTags& tags) {
   const bool closed = nearest_word({"motorcar", "motor_vehicle", "vehicle", "access"},
                                    lanes.heading, tags) == "no";
   const bool buses = lets_in(nearest_word({"bus"}, lanes.heading, tags)) ||
                      lets_in(nearest_word({"psv"}, lanes.heading, tags));
   const bool alone = tags.value("highway") == "busway" || (closed && buses);
   const bool shared = !alone && tags.value("hov") == "designated";
-  if (!alone && !shared) return false;
+  if (!alone && !shared) return;
   for (OsmLane& lane : lanes.lanes)
     if (lane.kind == LaneKind::general)
       lane.kind = alone ? LaneKind::bus : LaneKind::carpool;
-  return alone;
 }
 
 }  // namespace streetgen

@@ -23,6 +23,6 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
                    WayTags& tags);
 
 // Where buses may drive and cars may not, all lanes are theirs.
-bool give_to_buses(HeadingLanes& lanes, const WayTags& tags);
+void give_to_buses(HeadingLanes& lanes, const WayTags& tags);
 
 }  // namespace streetgen

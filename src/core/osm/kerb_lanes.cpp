@@ -1,10 +1,13 @@
 #include "osm/kerb_lanes.hpp"
 
-#include "streetgen/measure_text.hpp"
+#include "osm/lane_list.hpp"
 
 namespace streetgen {
 
 namespace {
+
+// Metres from the kerb to the end of a car that stands so.
+constexpr double depth_of_diagonal = 4.5, depth_of_perpendicular = 5;
 
 CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
   CycleWish wish;
@@ -39,9 +42,9 @@ std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
   for (const std::string& key : {tags.key_of("cycleway", kerb), std::string("cycleway:both"),
                                  std::string("cycleway")})
     if (const std::string said = tags.value(key + ":width"); !said.empty()) {
-      const std::optional<double> width = read_metres(said);
-      if (!width || *width > 10) tags.name(key + ":width", "it is no width of a lane");
-      return width && *width <= 10 ? width : std::nullopt;
+      const std::optional<double> width = lane_width_of(said);
+      if (!width) tags.name(key + ":width", "it is no width of a lane");
+      return width;
     }
   return std::nullopt;
 }
@@ -60,6 +63,28 @@ void put_cycle_lane(RoadSide kerb, DrivingSide side, std::optional<double> width
   put_at(kerb, side, {LaneKind::cycle, false, {}, {}, width}, lanes.lanes);
 }
 
+// A tag says of which kind a cycle lane is that no tag tells of.
+void name_kinds_without_lane(RoadSide kerb, WayTags& tags) {
+  const std::string key = tags.key_of("cycleway", kerb) + ":lane", kind = tags.value(key);
+  if (kind == "advisory" || kind == "exclusive" || kind == "soft_lane")
+    tags.name(key, "no cycle lane is there");
+}
+
+// Metres; none where cars stand along the kerb and no width is stated.
+std::optional<double> parking_width_at(RoadSide kerb, const std::string& stands, WayTags& tags) {
+  for (const std::string& key : {tags.key_of("parking", kerb), std::string("parking:both")})
+    if (const std::string said = tags.value(key + ":width"); !said.empty()) {
+      if (const std::optional<double> width = lane_width_of(said)) return width;
+      tags.name(key + ":width", "it is no width of a lane");
+    }
+  std::string turned = tags.value(tags.key_of("parking", kerb) + ":orientation");
+  if (turned.empty()) turned = tags.value("parking:both:orientation");
+  if (turned.empty()) turned = stands;
+  if (turned == "diagonal") return depth_of_diagonal;
+  if (turned == "perpendicular") return depth_of_perpendicular;
+  return std::nullopt;
+}
+
 }  // namespace
 
 CycleWishes wanted_cycle_lanes(WayTags& tags) {
@@ -69,7 +94,10 @@ CycleWishes wanted_cycle_lanes(WayTags& tags) {
 void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) {
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
     const CycleWish& wish = kerb == RoadSide::near ? wishes.near : wishes.far;
-    if (!wish.along && !wish.against) continue;
+    if (!wish.along && !wish.against) {
+      name_kinds_without_lane(kerb, tags);
+      continue;
+    }
     const std::optional<double> width = width_at(kerb, tags);
     const bool near = kerb == RoadSide::near;
     // A direction has its own lanes on its side alone: there runs no lane of the other one.
@@ -83,7 +111,7 @@ void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) 
   }
 }
 
-void lay_parking_lanes(WayLanes& lanes, const WayTags& tags) {
+void lay_parking_lanes(WayLanes& lanes, WayTags& tags) {
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
     const std::string place = tags.value(tags.said_of("parking", kerb)),
                       stands = tags.value(tags.said_of("parking:lane", kerb));
@@ -92,7 +120,8 @@ void lay_parking_lanes(WayLanes& lanes, const WayTags& tags) {
       continue;
     const bool beyond = kerb == RoadSide::far &&
                         (!tags.one_way() || tags.takes_turns() || !lanes.against.lanes.empty());
-    put_at(beyond ? RoadSide::near : kerb, lanes.side, {LaneKind::parking, false},
+    put_at(beyond ? RoadSide::near : kerb, lanes.side,
+           {LaneKind::parking, false, {}, {}, parking_width_at(kerb, stands, tags)},
            beyond ? lanes.against.lanes : lanes.along.lanes);
   }
 }

@@ -4,6 +4,8 @@ namespace streetgen {
 
 namespace {
 
+constexpr int most_in_turn = 30;
+
 using Reading = LaneLists::Reading;
 
 // One direction while it is counted.
@@ -95,7 +97,8 @@ void share(WayLanes& lanes, int total, const BusWishes& buses, Count& along, Cou
   } else {
     along.lanes = rest / 2 + forth;
     against.lanes = rest / 2 + back;
-    if (lanes.middle > 0) tags.name("lanes", "one lane more is of no direction");
+    if (total > 1)
+      tags.name("lanes", "one lane more is of no direction, and lies in the middle for both");
     ++lanes.middle;
   }
 }
@@ -191,10 +194,13 @@ HeadingLanes lanes_of(const Count& count, Heading heading, int usual) {
 }
 
 // Who drives against the traffic of a one-way street: buses, or else bicycles.
-void close_to_cars(HeadingLanes& lanes, const std::string& key, WayTags& tags) {
-  const bool buses = tags.speaks_of_buses();
-  if (lanes.has(LaneKind::general) && !buses && tags.value("oneway:bicycle") != "no")
-    tags.name(key, "nothing says who may drive against the traffic");
+void close_to_cars(HeadingLanes& lanes, const Count& count, WayTags& tags) {
+  const bool buses = tags.lets_buses_in(Heading::against);
+  if (lanes.has(LaneKind::general) && !buses && tags.value("oneway:bicycle") != "no") {
+    std::vector<std::string> keys{count.key};
+    for (const LaneLists::List& list : count.lists.all()) keys.push_back(list.key);
+    tags.name_first_of(keys, "nothing says who may drive against the traffic");
+  }
   for (OsmLane& lane : lanes.lanes)
     if (lane.kind == LaneKind::general)
       lane.kind = buses || tags.value("oneway:bicycle") != "no" ? LaneKind::bus : LaneKind::cycle;
@@ -213,8 +219,9 @@ int middle_lanes(const WayLanes& lanes, WayTags& tags) {
       tags.name("centre_turn_lane", "lanes counts an even number, as if there were none");
   }
   if (middle > 6 || (middle > 0 && tags.one_way())) {
-    tags.name(turns.empty() ? "lanes:both_ways" : "turn:lanes:both_ways",
-              middle > 6 ? "it is more than 6 lanes" : "a one-way street has no lanes for both");
+    tags.name_first_of(
+        {"turn:lanes:both_ways", "lanes:both_ways", "lanes:reversible", "centre_turn_lane"},
+        middle > 6 ? "it is more than 6 lanes" : "a one-way street has no lanes for both");
     return 0;
   }
   if (!turns.empty()) {
@@ -228,6 +235,26 @@ int middle_lanes(const WayLanes& lanes, WayTags& tags) {
         tags.name("turn:lanes:both_ways", "a lane in the middle leads to the " + turned + " alone");
   }
   return middle;
+}
+
+// The lanes of a street that one direction has at a time.
+int lanes_in_turn(const WayLanes& lanes, WayTags& tags) {
+  int stated = lanes.middle;
+  for (const char* key : {"lanes:forward", "lanes:backward"}) {
+    const std::optional<int> count = tags.count(key, 0);
+    stated += count.value_or(0);
+    if (count) tags.name(key, "all lanes of the way are for both directions, one at a time");
+  }
+  if (lanes.total) {
+    if (lanes.middle > 0 && lanes.middle != *lanes.total)
+      tags.name("lanes", "all lanes of the way are for both directions, one at a time");
+    return *lanes.total;
+  }
+  if (stated > 0) return std::min(stated, most_in_turn);
+  const bool one = tags.value("oneway") == "alternating";
+  tags.name("oneway", one ? "no tag counts its lanes: it has one"
+                          : "no tag counts its lanes: it has two");
+  return one ? 1 : 2;
 }
 
 }  // namespace
@@ -255,7 +282,7 @@ WayLanes counted_lanes(const LaneLists& along, const LaneLists& against,
     for (const LaneLists* lists : {&along, &against})
       for (const LaneLists::List& list : lists->all())
         tags.name(list.key, "all lanes of the way are for both directions, one at a time");
-    lanes.middle = lanes.total.value_or(2);
+    lanes.middle = lanes_in_turn(lanes, tags);
     return lanes;
   }
   Count forth = count_of(along, Heading::along), back = count_of(against, Heading::against);
@@ -265,7 +292,13 @@ WayLanes counted_lanes(const LaneLists& along, const LaneLists& against,
     count_both(lanes, buses, forth, back, tags);
   lanes.along = lanes_of(forth, Heading::along, tags.one_way() ? use.usual_lanes : 1);
   lanes.against = lanes_of(back, Heading::against, tags.one_way() ? 0 : 1);
-  if (tags.one_way()) close_to_cars(lanes.against, back.key, tags);
+  if (tags.one_way()) close_to_cars(lanes.against, back, tags);
+  const int told = forth.counted() + lanes.middle +
+                   (tags.one_way() ? std::max(back.counted(), buses.against.lanes())
+                                   : back.counted());
+  if (lanes.total && forth.lanes && (tags.one_way() || back.lanes) && told != *lanes.total &&
+      !forth.buses_beside)
+    tags.name("lanes", "the lanes of its directions are others");
   lay_bus_lanes(buses.along, forth.buses_beside, lanes.side, lanes.along, tags);
   lay_bus_lanes(buses.against, back.buses_beside || (tags.one_way() && lanes.against.lanes.empty()),
                 lanes.side, lanes.against, tags);

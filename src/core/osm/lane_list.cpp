@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <set>
 
+#include "streetgen/measure_text.hpp"
+
 namespace streetgen {
 
 namespace {
+
+constexpr double narrowest_lane = 0.3, widest_lane = 20;  // metres, that anybody would believe
 
 constexpr const char* list_names[] = {"turn", "change",   "width", "access", "vehicle",
                                       "motor_vehicle", "motorcar", "bus",   "psv",    "taxi",
@@ -22,14 +26,9 @@ bool lane_of_cycles(const std::string& word) {
 
 }  // namespace
 
-std::vector<std::string> parted_list(const std::string& list) {
-  std::vector<std::string> words;
-  for (std::size_t from = 0;;) {
-    const std::size_t to = list.find('|', from);
-    words.push_back(list.substr(from, to - from));
-    if (to == std::string::npos) return words;
-    from = to + 1;
-  }
+std::optional<double> lane_width_of(const std::string& word) {
+  const std::optional<double> width = read_metres(word);
+  return width >= narrowest_lane && width <= widest_lane ? width : std::nullopt;
 }
 
 bool speaks_of_each_direction(const std::string& list, const WayTags& tags) {
@@ -83,7 +82,7 @@ LaneLists::Mark LaneLists::mark(std::size_t length, std::size_t lane, WayTags& t
   if (lane_of_cycles(said("cycleway"))) return Mark::cycle;
   if (closed && open(bicycle)) return Mark::cycle;
   if (closed) {
-    if (!tags.speaks_of_buses())
+    if (!tags.lets_buses_in(Heading::along) && !tags.lets_buses_in(Heading::against))
       for (std::size_t i = 0; i < lists_.size(); ++i)
         if (lists_[i].words.size() == length && lists_[i].words[lane] == cars &&
             (names_[i] == "access" || names_[i].find("vehicle") != std::string::npos ||

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace streetgen {
 
-std::vector<std::string> parted_list(const std::string& list);
+// Metres; none where a word is no width of a lane.
+std::optional<double> lane_width_of(const std::string& word);
 
 // Of a street of both directions a list without one speaks of each where tag lanes counts it twice.
 bool speaks_of_each_direction(const std::string& list, const WayTags& tags);

@@ -1,28 +1,35 @@
 #include "streetgen/osm_lanes.hpp"
 
+#include <cmath>
+
 #include "osm/bus_lanes.hpp"
 #include "osm/kerb_lanes.hpp"
 #include "osm/lane_count.hpp"
 #include "osm/lane_list.hpp"
 #include "osm/placement.hpp"
 #include "osm/way_tags.hpp"
-#include "streetgen/measure_text.hpp"
 
 namespace streetgen {
 
 namespace {
 
 constexpr std::size_t most_lanes = 30;  // of all directions, with those of the kerbs
+constexpr int most_each_way = 10;          // that a width alone makes
+constexpr std::size_t most_marks = 10;  // on one lane
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+// One mark or more, parted by ;, or nothing.
 bool is_turn(const std::string& words) {
+  if (words.empty()) return true;
+  std::size_t marks = 0;
   for (std::size_t from = 0;;) {
     const std::size_t to = words.find(';', from);
-    if (!is_one_of(words.substr(from, to - from),
-                   {"", "none", "reverse", "sharp_left", "left", "slight_left", "merge_to_left",
+    if (++marks > most_marks ||
+        !is_one_of(words.substr(from, to - from),
+                   {"none", "reverse", "sharp_left", "left", "slight_left", "merge_to_left",
                     "through", "merge_to_right", "slight_right", "right", "sharp_right"}))
       return false;
     if (to == std::string::npos) return true;
@@ -70,18 +77,47 @@ void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
     const auto known = [&](const std::string& word) {
       return name == "turn"     ? is_turn(word)
              : name == "change" ? is_change(word)
-                                : word.empty() || read_metres(word).value_or(100) < 100;
+                                : word.empty() || lane_width_of(word).has_value();
     };
-    const auto strange = std::find_if_not(list.words.begin(), list.words.end(), known);
-    if (strange != list.words.end()) {
-      tags.name(list.key, "\"" + *strange + "\" means nothing there");
-      continue;
-    }
     for (std::size_t i = 0; i < named.size(); ++i) {
-      if (name == "turn") named[i]->turn = list.words[i];
-      if (name == "change") named[i]->change = list.words[i];
-      if (name == "width" && !list.words[i].empty()) named[i]->width = read_metres(list.words[i]);
+      // A word that means nothing is lost alone: those beside it keep their places.
+      if (!known(list.words[i]))
+        tags.name(list.key, means_nothing(list.words[i]));
+      else if (name == "turn")
+        named[i]->turn = list.words[i];
+      else if (name == "change")
+        named[i]->change = list.words[i];
+      else if (!list.words[i].empty())
+        named[i]->width = lane_width_of(list.words[i]);
     }
+  }
+}
+
+double usual_width(const OsmLane& lane, const OsmLaneUse& use) {
+  return lane.width.value_or(lane.kind == LaneKind::cycle     ? use.cycle_lane_width
+                             : lane.kind == LaneKind::parking ? use.parking_lane_width
+                                                              : use.lane_width);
+}
+
+// Of a two-way street of unknown lanes both directions have as many: what its width has room for
+// beside the lanes of the kerbs.
+void fill_width(WayLanes& lanes, const OsmLaneUse& use, const WayTags& tags) {
+  if (tags.one_way() || tags.takes_turns() || lanes.along.known || lanes.against.known ||
+      !use.roadway_width)
+    return;
+  double room = *use.roadway_width;
+  for (const HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    for (const OsmLane& lane : of_heading->lanes)
+      if (!drives(lane.kind)) room -= usual_width(lane, use);
+  const int each_way =
+      static_cast<int>(std::lround(room / 2 * use.usual_lanes / *use.roadway_width));
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) {
+    const auto general =
+        std::find_if(of_heading->lanes.begin(), of_heading->lanes.end(),
+                     [](const OsmLane& lane) { return lane.kind == LaneKind::general; });
+    const int more = std::min(each_way, most_each_way) - of_heading->driving();
+    if (general != of_heading->lanes.end() && more > 0)
+      of_heading->lanes.insert(general, more, OsmLane{});
   }
 }
 
@@ -103,10 +139,10 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   const CycleWishes cycles = wanted_cycle_lanes(tags);
   WayLanes lanes = counted_lanes(along, against, cycles, use, tags);
   for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
-    if (give_to_buses(*of_heading, tags) && lanes.middle > 0)
-      tags.name("lanes", "a lane for both directions is no bus lane");
+    give_to_buses(*of_heading, tags);
   lay_cycle_lanes(cycles, lanes, tags);
   lay_parking_lanes(lanes, tags);
+  fill_width(lanes, use, tags);
   if (!tags.takes_turns()) {
     take_lists(along, lanes.along, tags);
     if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);

@@ -1,8 +1,12 @@
 #include "osm/placement.hpp"
 
+#include <cmath>
+
 namespace streetgen {
 
 namespace {
+
+constexpr double farthest = 100;  // metres
 
 struct Mark {
   double share = 0;  // of the width of the lane, from its left
@@ -81,7 +85,11 @@ std::optional<double> placed_offset(const WayLanes& lanes, const OsmLaneUse& use
     const std::size_t place = counted[mark->lane - 1];
     double x = (heading == Heading::along ? mark->share : 1 - mark->share) * across[place].width;
     for (std::size_t i = 0; i < place; ++i) x += across[i].width;
-    offset = (x - total / 2) * (tags.drawn_against() ? -1 : 1);
+    const double found = (x - total / 2) * (tags.drawn_against() ? -1 : 1);
+    if (std::abs(found) > farthest)
+      tags.name(key, "it puts the way more than 100 m beside the middle of its lanes");
+    else
+      offset = found;
   }
   if (!tags.one_way() && !tags.value("placement").empty() && tags.value("placement") != "transition")
     tags.name("placement", "it says no direction of a street of both");

@@ -1,11 +1,25 @@
 #include "osm/tag_use.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <set>
 
 #include "streetgen/osm_lanes.hpp"
 
 namespace streetgen {
+
+// Words of tags.
+constexpr const char* who_may =
+    "yes no none designated official permissive private permit destination customers customer "
+    "delivery loading residents resident employees restricted agricultural forestry emergency "
+    "military construction discouraged use_sidepath dismount unknown public closed local limited "
+    "lane bus psv taxi hov carpool bicycle cycle foot hgv";
+constexpr const char* yes_or_no = "yes no true false 1 0 -1";
+constexpr const char* cycleways =
+    "lane opposite_lane track opposite_track opposite shared_lane share_busway "
+    "opposite_share_busway shared shoulder separate sidepath sidewalk crossing asl soft_lane yes no "
+    "none";
 
 const std::vector<OsmTagUse>& osm_tag_uses() {
   static const std::vector<OsmTagUse> uses = {
@@ -15,10 +29,12 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "The direction of the traffic. All lanes of a reversible or alternating way are for both "
        "directions."},
       {"oneway[:bus|:psv|:bicycle]",
-       "Where it is no, a lane at the far kerb of a one-way street runs against the traffic."},
+       "Where it is no, a lane at the far kerb of a one-way street runs against the traffic.",
+       yes_or_no},
       {"lanes[|:forward|:backward]", "The number of general, bus and carpool lanes."},
       {"lanes[:both_ways|:reversible]", "The number of lanes in the middle, for both directions."},
-      {"centre_turn_lane", "Value yes is a lane in the middle, for both directions."},
+      {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.",
+       yes_or_no},
       {"lanes[:bus|:psv][|:forward|:backward]",
        "So many lanes at the near kerb are bus lanes, unless a list says which."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
@@ -28,34 +44,55 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"change:lanes[|:forward|:backward]", "Where one may leave each lane."},
       {"width:lanes[|:forward|:backward]", "The width of each lane."},
       {"[access|vehicle|motor_vehicle|motorcar]:lanes[|:forward|:backward]",
-       "A lane that is closed to cars is one of those that may drive there: a bus or cycle lane."},
+       "A lane that is closed to cars is one of those that may drive there: a bus or cycle lane.",
+       who_may},
       {"[bus|psv|taxi]:lanes[|:forward|:backward]",
-       "A designated lane is a bus lane, as is one that is closed to cars and open to these."},
-      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane."},
+       "A designated lane is a bus lane, as is one that is closed to cars and open to these.",
+       who_may},
+      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane.",
+       who_may},
       {"bicycle:lanes[|:forward|:backward]",
        "A designated lane that is closed to cars, or that tag lanes does not count, is a cycle "
-       "lane."},
-      {"cycleway:lanes[|:forward|:backward]", "A lane so named is a cycle lane."},
-      {"hov", "Value designated: all lanes are carpool lanes."},
+       "lane.",
+       who_may},
+      {"cycleway:lanes[|:forward|:backward]", "A lane so named is a cycle lane.",
+       "lane exclusive advisory designated soft_lane shared_lane pictogram track yes no none"},
+      {"hov", "Value designated: all lanes are carpool lanes.",
+       who_may},
       {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
-       "Value no, where buses may drive: all lanes of the direction are bus lanes."},
+       "Value no, where buses may drive: all lanes of the direction are bus lanes.",
+       who_may},
       {"[bus|psv][|:forward|:backward]",
-       "Where cars may not drive, a value that lets buses in makes all lanes bus lanes."},
+       "Where cars may not drive, a value that lets buses in makes all lanes bus lanes.",
+       who_may},
       {"busway[|:left|:right|:both]",
        "Value lane: a bus lane at the kerb, among the lanes that are counted; opposite_lane: one "
-       "against the traffic."},
+       "against the traffic.",
+       "lane opposite_lane opposite separate no none"},
       {"cycleway[|:left|:right|:both]",
        "Value lane: a cycle lane at the kerb, beside the lanes that are counted; opposite_lane: "
-       "one against the traffic. Tracks and shared lanes are no lanes of the roadway."},
+       "one against the traffic. Tracks and shared lanes are no lanes of the roadway.",
+       cycleways},
       {"cycleway[:left|:right|:both]:oneway",
        "The direction of the cycle lane. One for both directions is made at the far kerb of a "
-       "one-way street alone."},
+       "one-way street alone.",
+       yes_or_no},
       {"cycleway[|:left|:right|:both]:width", "The width of the cycle lane."},
       {"cycleway[|:left|:right|:both]:lane",
-       "Nothing: an advisory lane is a cycle lane as an exclusive one is."},
-      {"parking[:left|:right|:both]", "Value lane: a parking lane at the kerb."},
+       "Nothing: an advisory lane is a cycle lane as an exclusive one is. Without a cycle lane "
+       "the way is named.",
+       "advisory exclusive mandatory pictogram soft_lane"},
+      {"parking[:left|:right|:both]", "Value lane: a parking lane at the kerb.",
+       "lane street_side on_kerb half_on_kerb shoulder separate yes no none"},
       {"parking:lane[:left|:right|:both]",
-       "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb."},
+       "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb, so deep.",
+       "parallel diagonal perpendicular marked yes no none no_parking no_stopping no_standing "
+       "separate fire_lane"},
+      {"parking[:left|:right|:both]:width", "The width of the parking lane."},
+      {"parking[:left|:right|:both]:orientation",
+       "The depth of a parking lane without a width: diagonal 4.5 m, perpendicular 5 m.",
+       "parallel diagonal perpendicular"},
+      {"lane_markings", "Nothing: all lanes are drawn, marked or not."},
       {"placement[|:forward|:backward]",
        "The distance from the way to the middle of the roadway, by the lane that the way marks."},
       {"[destination|destination:ref|destination:symbol|destination:colour|destination:street|"
@@ -85,15 +122,64 @@ void expand(const std::string& start, const std::string& rest, std::set<std::str
   }
 }
 
+const std::map<std::string, const OsmTagUse*>& told_keys() {
+  static const std::map<std::string, const OsmTagUse*> told = [] {
+    std::map<std::string, const OsmTagUse*> uses;
+    for (const OsmTagUse& use : osm_tag_uses()) {
+      std::set<std::string> keys;
+      expand("", use.keys, keys);
+      for (const std::string& key : keys) uses.emplace(key, &use);
+    }
+    return uses;
+  }();
+  return told;
+}
+
+constexpr std::size_t shortest_misspelt = 4;  // letters; shorter keys are too much alike
+
+// A key, and what it is with a letter taken out.  Keys that are a letter away from each other share one of these.
+template <class Take>
+void each_worn(const std::string& key, const Take& take) {
+  take(key);
+  if (key.size() <= shortest_misspelt) return;
+  for (std::size_t i = 0; i < key.size(); ++i) take(key.substr(0, i) + key.substr(i + 1));
+}
+
 }  // namespace
 
-bool tag_is_told(const std::string& key) {
-  static const std::set<std::string> told = [] {
-    std::set<std::string> keys;
-    for (const OsmTagUse& use : osm_tag_uses()) expand("", use.keys, keys);
+bool tag_is_told(const std::string& key) { return told_keys().count(key) > 0; }
+
+std::string strange_word(const std::string& key, const std::string& said) {
+  const auto told = told_keys().find(key);
+  if (told == told_keys().end() || !told->second->words) return {};
+  const std::string known = " " + std::string(told->second->words) + " ";
+  for (std::size_t from = 0; from <= said.size();) {
+    const std::size_t to = std::min(said.find_first_of("|;", from), said.size());
+    const std::string word = said.substr(from, to - from);
+    if (known.find(" " + word + " ") == std::string::npos && !word.empty()) return word;
+    from = to + 1;
+  }
+  return {};
+}
+
+std::string key_nearest_to(const std::string& key) {
+  static const std::map<std::string, std::string> worn = [] {
+    std::map<std::string, std::string> keys;
+    for (const auto& [told, use] : told_keys())
+      each_worn(told, [&, &meant = told](const std::string& each) { keys.emplace(each, meant); });
     return keys;
   }();
-  return told.count(key) > 0;
+  std::string small;
+  for (const char letter : key)
+    small += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (tag_is_told(small)) return small;
+  std::string nearest;
+  if (small.size() >= shortest_misspelt)
+    each_worn(small, [&](const std::string& each) {
+      const auto found = worn.find(each);
+      if (nearest.empty() && found != worn.end()) nearest = found->second;
+    });
+  return nearest;
 }
 
 }  // namespace streetgen

@@ -38,6 +38,23 @@ std::string WayTags::value(const std::string& key) const {
   return word;
 }
 
+std::string means_nothing(const std::string& word) {
+  std::size_t end = std::min<std::size_t>(word.size(), 40);
+  // Not within a letter of several bytes.
+  while (end < word.size() && (static_cast<unsigned char>(word[end]) & 0xC0) == 0x80) --end;
+  return "\"" + word.substr(0, end) + "\" means nothing there";
+}
+
+std::vector<std::string> parted_list(const std::string& list) {
+  std::vector<std::string> words;
+  for (std::size_t from = 0;;) {
+    const std::size_t to = list.find('|', from);
+    words.push_back(list.substr(from, to - from));
+    if (to == std::string::npos) return words;
+    from = to + 1;
+  }
+}
+
 std::string WayTags::key_of(const std::string& base, Heading heading) const {
   return base + ((heading == Heading::along) != drawn_against() ? ":forward" : ":backward");
 }
@@ -78,19 +95,40 @@ void WayTags::name(const std::string& key, const std::string& reason) {
   unread_.push_back({key, reason});
 }
 
-void WayTags::name_strangers() {
-  for (const auto& [key, word] : tags_)
-    if ((":" + key + ":").find(":lanes:") != std::string::npos && !tag_is_told(key) &&
-        key.compare(0, 7, "source:") != 0)
-      name(key, key.find(":conditional") != std::string::npos ? "it holds at times only"
-                                                              : "it is not known");
+void WayTags::name_first_of(const std::vector<std::string>& keys, const std::string& reason) {
+  const auto had = std::find_if(keys.begin(), keys.end(),
+                                [&](const std::string& key) { return tags_.count(key) > 0; });
+  if (had != keys.end()) name(*had, reason);
 }
 
-bool WayTags::speaks_of_buses() const {
-  return std::any_of(tags_.begin(), tags_.end(), [](const auto& tag) {
-    const std::string parts = ":" + tag.first + ":";
-    return parts.find(":bus:") != std::string::npos || parts.find(":psv:") != std::string::npos;
-  });
+void WayTags::name_strangers() {
+  for (const auto& [key, word] : tags_) {
+    if (key.compare(0, 7, "source:") == 0) continue;
+    if (tag_is_told(key)) {
+      if (const std::string strange = strange_word(key, value(key)); !strange.empty())
+        name(key, means_nothing(strange));
+    } else if (const std::string meant = key_nearest_to(key); !meant.empty())
+      name(key, "it is not known; " + meant + " is");
+    else if ((":" + key + ":").find(":lanes:") != std::string::npos)
+      name(key, key.find(":conditional") != std::string::npos ? "it holds at times only"
+                                                              : "it is not known");
+  }
+}
+
+bool WayTags::lets_buses_in(Heading heading) const {
+  const bool contraflow = one_way() && heading == Heading::against;
+  const auto lets_in = [&](const std::string& key) {
+    const std::vector<std::string> words = parted_list(value(key));
+    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
+      return !word.empty() && word != "no" && word != "none" && word != "0";
+    });
+  };
+  for (const std::string name : {"bus", "psv"}) {
+    if (contraflow && value("oneway:" + name) == "no") return true;
+    for (const std::string& base : {name, name + ":lanes", "lanes:" + name})
+      if (lets_in(key_of(base, heading)) || (!contraflow && lets_in(base))) return true;
+  }
+  return false;
 }
 
 }  // namespace streetgen

@@ -14,6 +14,12 @@ enum class Heading { along, against };  // the traffic; of a two-way street: the
 // Of those who drive along: near is the side on which one drives.
 enum class RoadSide { near, far };
 
+// The reason why a word is named, of which a long one is cut.
+std::string means_nothing(const std::string& word);
+
+// The words of a list, parted by |.
+std::vector<std::string> parted_list(const std::string& list);
+
 class WayTags {
  public:
   WayTags(const OsmTags& tags, DrivingSide side);
@@ -37,9 +43,12 @@ class WayTags {
   std::optional<int> count(const std::string& key, int least);
 
   void name(const std::string& key, const std::string& reason);
-  void name_strangers();  // tags about lanes that nobody knows
+  void name_first_of(const std::vector<std::string>& keys, const std::string& reason);  // that it has
+  // Tags about lanes that nobody knows, keys that are misspelt, and words that mean nothing.
+  void name_strangers();
   std::vector<UnreadTag> take_unread() { return std::move(unread_); }
-  bool speaks_of_buses() const;
+  // Does a tag of this heading say that buses may drive there?
+  bool lets_buses_in(Heading heading) const;
 
  private:
   const OsmTags& tags_;

@@ -96,11 +96,15 @@ bool all_general(const std::vector<OsmLane>& lanes) {
 
 void put_into_words(FoundOsmLanes& found) {
   const OsmLanes& lanes = found.lanes;
+  // Of unknown lanes the kinds of one direction say how many the other one has.
+  const bool by_kinds = lanes.direction == WayDirection::both && !lanes.forward_known &&
+                        !lanes.backward_known && !lanes.lane_count &&
+                        !(all_general(lanes.forward) && all_general(lanes.backward));
   for (int way = 0; way < 2; ++way) {
     const std::vector<OsmLane>& of_way = way == 0 ? lanes.forward : lanes.backward;
     found.driving[way] = static_cast<int>(std::count_if(
         of_way.begin(), of_way.end(), [](const OsmLane& lane) { return drives(lane.kind); }));
-    found.texts[way] = texts_of(of_way, !all_general(of_way));
+    found.texts[way] = texts_of(of_way, by_kinds || !all_general(of_way));
   }
   for (const UnreadTag& tag : lanes.unread) {
     found.keys.push_back(tag.key);

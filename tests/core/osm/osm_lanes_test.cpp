@@ -49,7 +49,11 @@ TEST(OsmLanes, CountsOfTagLanes) {
   EXPECT_EQ(read({}), "general | general");
   EXPECT_EQ(read({{"lanes", "4"}}), "general general | general general");
   EXPECT_EQ(read({{"lanes", "1"}}), " |  | 1");
-  EXPECT_EQ(read({{"lanes", "3"}}), "general | general | 1") << "the same for both directions";
+  EXPECT_EQ(read({{"lanes", "3"}}), "general | general | 1 ?lanes")
+      << "the same for both directions, and told";
+  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:forward", "2"}, {"turn:lanes:forward", "left||right"}}),
+            "general:left general general:right | general general ?lanes:forward ?lanes")
+      << "lanes that a list overrules are told";
   EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}}), "general general | general");
   EXPECT_EQ(read({{"lanes", "3"}, {"lanes:backward", "2"}}), "general | general general");
   EXPECT_EQ(read({{"lanes", "5"}, {"lanes:forward", "2"}, {"lanes:both_ways", "1"}}),
@@ -92,8 +96,52 @@ TEST(OsmLanes, ListsGoFromLeftToRightInDrivingDirection) {
   EXPECT_EQ(read({{"turn:lanes", "left|right"}}), "general | general ?turn:lanes");
   EXPECT_EQ(read({{"lanes", "4"}, {"bus:lanes", "yes|designated"}, {"lanes:bus", "2"}}),
             "general bus | general bus") << "a list of half of the lanes speaks of each direction";
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|next_lane"}}),
-            "general general |  ?turn:lanes");
+}
+
+TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
+  const auto turns = [](const std::string& list) {
+    return read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", list}});
+  };
+  EXPECT_EQ(turns("left|next_lane"), "general:left general |  ?turn:lanes");
+  for (const char* strange : {"left;", ";left", "left;;right", "left,right",
+                              "left;left;left;left;left;left;left;left;left;left;left"})
+    EXPECT_EQ(turns(strange + std::string("|through")), "general general:through |  ?turn:lanes")
+        << strange;
+  const auto widths = [](const std::string& list) {
+    return read({{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", list}});
+  };
+  for (const char* strange : {"-3", "0", "0.01", "99.9999", "1e3", "wide", "nan"})
+    EXPECT_EQ(widths(strange + std::string("|3")), "general general=3.00 |  ?width:lanes")
+        << strange;
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"change:lanes", "never|no"}}),
+            "general general/no |  ?change:lanes");
+  for (const char* strange : {"-1", "0", "50", "much"})
+    EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "lane"}, {"cycleway:right:width", strange}}),
+              "general cycle | general ?cycleway:right:width") << strange;
+}
+
+TEST(OsmLanes, UnknownLanesBesideACycleLaneAreTheSameForBothDirections) {
+  OsmLaneUse use;
+  use.roadway_width = 14;
+  use.usual_lanes = 4;
+  EXPECT_EQ(read({{"cycleway:right", "lane"}}, use), "general general cycle | general general");
+  EXPECT_EQ(read({{"cycleway:left", "lane"}}, use), "general general | general general cycle");
+  EXPECT_EQ(read({{"parking:both", "lane"}, {"cycleway:right", "lane"}}, use),
+            "general cycle parking | general parking");
+  use.roadway_width = 6;
+  use.usual_lanes = 2;
+  EXPECT_EQ(read({{"cycleway:right", "lane"}}, use), "general cycle | general");
+  EXPECT_EQ(read({{"cycleway:right", "lane"}, {"lanes", "2"}}, use), "general cycle | general");
+}
+
+TEST(OsmLanes, MisspeltKeysAreNamed) {
+  for (const char* key : {"turns:lanes", "Turn:lanes", "turn:lane", "Oneway", "onway", "lane",
+                          "Lanes", "lanes:foward", "bus:lane", "cicleway", "LANES:Backward"})
+    EXPECT_EQ(read({{key, "1"}}), std::string("general | general ?") + key);
+  for (const char* key : {"surface", "name", "maxspeed", "lit", "foot", "layer", "sidewalk",
+                          "source:lanes", "lane_markings", "oneway:foot", "width", "bridge",
+                          "taxi", "hgv", "goods", "shoulder", "overtaking"})
+    EXPECT_EQ(read({{key, "no"}}), "general | general") << key;
 }
 
 TEST(OsmLanes, ListsCountAllLanesAndTagLanesThoseOfCars) {
@@ -168,7 +216,8 @@ TEST(OsmLanes, BusLanesOfStreetsOfBothDirections) {
   EXPECT_EQ(read({{"busway", "lane"}}), "general bus | general bus");
   EXPECT_EQ(read({{"lanes", "1"}, {"busway", "lane"}}), "general bus | general bus ?lanes");
   EXPECT_EQ(read({{"lanes", "4"}, {"lanes:psv", "2"}}), "general bus | general bus");
-  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:psv", "1"}}), "general | general | 1 ?lanes:psv");
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:psv", "1"}}), "general | general | 1 ?lanes:psv ?lanes");
+  EXPECT_EQ(read({{"busway", "designated"}}), "general | general ?busway");
 }
 
 TEST(OsmLanes, StreetsForBusesAlone) {
@@ -203,6 +252,14 @@ TEST(OsmLanes, LanesAgainstTheTrafficOfOneWayStreets) {
             "general general | bus");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:backward", "1"}}),
             "general | bus ?lanes:backward") << "nobody is said to drive there";
+  for (const OsmTags& of_buses : {OsmTags{{"bus", "no"}}, OsmTags{{"maxspeed:bus", "50"}},
+                                  OsmTags{{"psv", "yes"}}, OsmTags{{"bus:lanes:forward", "yes"}},
+                                  OsmTags{{"oneway:bus", "yes"}}}) {
+    OsmTags tags = {{"oneway", "yes"}, {"lanes", "2"}, {"lanes:backward", "1"},
+                    {"oneway:bicycle", "no"}};
+    tags.insert(of_buses.begin(), of_buses.end());
+    EXPECT_EQ(read(tags), "general | cycle") << of_buses.begin()->first << " is none against it";
+  }
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"busway", "opposite_lane"}}),
             "general | bus");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes:backward", "left"}}),
@@ -263,6 +320,14 @@ TEST(OsmLanes, ParkingLanesLieOutermost) {
                   {"cycleway", "opposite_lane"}}),
             "general parking | cycle parking");
   EXPECT_EQ(read({{"lanes", "2"}, {"parking:right", "street_side"}}), "general | general");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:both", "lane"}, {"parking:right:width", "2.4 m"},
+                  {"parking:left:orientation", "diagonal"}}),
+            "general parking=2.40 | general parking=4.50");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:both", "lane"}, {"parking:both:width", "-2"},
+                  {"parking:both:orientation", "perpendicular"}}),
+            "general parking=5.00 | general parking=5.00 ?parking:both:width");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:lane:right", "diagonal"}}),
+            "general parking=4.50 | general");
 }
 
 TEST(OsmLanes, LanesInTheMiddle) {
@@ -278,7 +343,12 @@ TEST(OsmLanes, LanesInTheMiddle) {
             "general general |  ?lanes:both_ways");
   EXPECT_EQ(read({{"oneway", "reversible"}, {"lanes", "2"}}), " |  | 2");
   EXPECT_EQ(read({{"oneway", "alternating"}, {"lanes", "1"}}), " |  | 1");
-  EXPECT_EQ(read({{"oneway", "reversible"}}), " |  | 2");
+  EXPECT_EQ(read({{"oneway", "reversible"}}), " |  | 2 ?oneway");
+  EXPECT_EQ(read({{"oneway", "alternating"}}), " |  | 1 ?oneway");
+  EXPECT_EQ(read({{"oneway", "reversible"}, {"lanes:forward", "1"}, {"lanes:backward", "2"}}),
+            " |  | 3 ?lanes:forward ?lanes:backward");
+  EXPECT_EQ(read({{"oneway", "reversible"}, {"lanes", "3"}, {"lanes:reversible", "1"}}),
+            " |  | 3 ?lanes");
 }
 
 TEST(OsmLanes, WhatIsNotReadIsNamed) {
@@ -290,6 +360,13 @@ TEST(OsmLanes, WhatIsNotReadIsNamed) {
   EXPECT_EQ(read({{"oneway", "maybe"}}), "general | general ?oneway");
   EXPECT_EQ(read({{"destination:lanes", "Lyon|Paris"}}), "general | general")
       << "it says nothing of lanes";
+  EXPECT_EQ(read({{"cycleway:right", "track"}, {"cycleway:right:lane", "exclusive"}}),
+            "general | general ?cycleway:right:lane");
+  std::string wide = "20";
+  for (int i = 1; i < 14; ++i) wide += "|20";
+  EXPECT_EQ(read_osm_lanes({{"oneway", "yes"}, {"lanes", "14"}, {"width:lanes", wide},
+                            {"placement", "left_of:1"}}, {}).unread.at(0).key, "placement")
+      << "a way lies no farther than 100 m from its lanes";
 }
 
 TEST(OsmLanes, PlacementByTheWidthsOfLanes) {
