@@ -20,13 +20,14 @@ struct CornerArc {
   double abscissa_b = 0;
 };
 
-// The circle of `radius` outside both axes' borders, nearest to the node among all places
-// at width / 2 + radius of both (curves of the offset borders included); ties go to the
-// smaller abscissa on a.  None where the offset borders do not meet.
+// The circle of `radius` outside both axes' borders, the first on the way out from the node along
+// both among all places at width / 2 + radius of both (curves of the offset borders included); of
+// two as far the nearer to the node.  An axis that comes back to its node counts up to half its
+// length.  None where the offset borders do not meet.
 std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
                                     double width_b, double radius);
 
-// The same of axes that begin behind their node: nearest to that node.
+// The same of axes that begin behind their node, out from that node both ways.
 std::optional<CornerArc> corner_arc(const Line& axis_a, const Line& axis_b, double width_a,
                                     double width_b, double radius, const Point& node);
 

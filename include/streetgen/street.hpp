@@ -71,6 +71,10 @@ struct StreetSettings {
   double max_arc_distance = 60;          // metres from the node to an arc's centre
   double radius_minimal = 0.15;          // metres, the kerb stone's radius
   double reach = 60;  // metres along the network: how far a corner follows its axes
+  // The arc of a corner ends no farther from the crossing of its kerbs, and closes no more ground
+  // from there on; the paper has no such bounds: both may be infinite.
+  double corner_length = 15;  // metres along the kerbs
+  double corner_area = 20;    // square metres
   // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.
   // Two bounds of that ground; the paper has none. The last value is the width of a median that
   // stays ground.

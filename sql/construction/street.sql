@@ -10,9 +10,9 @@ CREATE OR REPLACE FUNCTION streetgen.arc_centre(axis_a geometry, axis_b geometry
     AS $$ SELECT streetgen._arc_centre(axis_a::bytea, axis_b::bytea, width_a, width_b, radius)::geometry $$;
 COMMENT ON FUNCTION streetgen.arc_centre(geometry, geometry, float8, float8, float8) IS
     'Centre (POINT) of the circle of the given radius that touches the left border of a and the right border of b, '
-    'the nearest to the node. Both axes (LINESTRING, metres) start at the node; the corner lies counter-clockwise '
-    'from a to b. Widths are kerb to kerb, up to 200 m. Bad geometry or numbers: 22023. NULL where the offset borders '
-    'do not meet. StreetGen paper, 2.4. NULL for NULL.';
+    'the first on the way out from the node along both. Both axes (LINESTRING, metres) start at the node; the corner '
+    'lies counter-clockwise from a to b. Widths are kerb to kerb, up to 200 m. Bad geometry or numbers: 22023. NULL '
+    'where the offset borders do not meet. StreetGen paper, 2.4. NULL for NULL.';
 
 CREATE OR REPLACE FUNCTION streetgen._corner_arc(bytea, bytea, float8, float8, float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_corner_arc';

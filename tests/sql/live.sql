@@ -320,7 +320,7 @@ SELECT 'heights are followed', array_agg(ST_Z(geom)::integer ORDER BY ST_X(geom)
 SELECT 'and nothing is left to do', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('high');
 
 -- Ground that a neighbour of what changes gives up: a street that lies beside the corner at its far node had lost some to it.
-SELECT streetgen.create_model('corner', 2154) \g /dev/null
+SELECT streetgen.create_model('corner', 2154), streetgen.set('corner', 'corner_length', NULL), streetgen.set('corner', 'corner_area', NULL) \g /dev/null
 INSERT INTO corner.axis (axis_id, geom, width, importance, radius) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650020 6860000,650030 6860000)', 6, 2, 20), (2, 'SRID=2154;LINESTRING(650030 6860000,650030 6860100)', 6, 2, 20),
   (3, 'SRID=2154;LINESTRING(650020 6860010.5,650020 6860040)', 14, 9, 0), (4, 'SRID=2154;LINESTRING(650000 6860000,649900 6860000)', 6, 2, 20);
 CREATE TEMPORARY VIEW lost AS SELECT contested_area AS area FROM corner.section JOIN corner.edge USING (edge_id) WHERE axis_id = 3;
@@ -351,7 +351,7 @@ INSERT INTO town.axis (axis_id, geom, width, importance) SELECT * FROM grid;
 SELECT 'and it goes on from nothing', test.followed('town', 'once');
 
 -- A street is cut far from its corner, whose arc then bends nearer to the node: farther than reach, within max_arc_distance.
-SELECT streetgen.create_model('bend', 2154), streetgen.set('bend', 'reach', '10'), streetgen.set('bend', 'max_arc_distance', '200') \g /dev/null
+SELECT streetgen.create_model('bend', 2154), streetgen.set('bend', 'reach', '10'), streetgen.set('bend', 'max_arc_distance', '200'), streetgen.set('bend', 'corner_length', NULL), streetgen.set('bend', 'corner_area', NULL) \g /dev/null
 INSERT INTO bend.axis (axis_id, geom, width, radius) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650200 6860000)', 6, 50), (2, 'SRID=2154;LINESTRING(650000 6860000, 650000 6860200)', 6, 50),
   (3, 'SRID=2154;LINESTRING(650007 6860030, 650007 6860100)', 10, 5);
 CREATE FUNCTION pg_temp.ceded() RETURNS float8 LANGUAGE sql AS $$ SELECT contested_area FROM bend.section JOIN bend.edge USING (edge_id) WHERE axis_id = 3 $$;
@@ -474,7 +474,7 @@ SELECT 'as from scratch', test.followed('short', 'once');
 SELECT streetgen.drop_model('short') \g /dev/null
 
 -- The same where a corner beyond a short street follows the one that turns: neither street of it comes near the edit.
-SELECT streetgen.create_model('led', 2154), streetgen.set('led', 'short_axis', 'follow'), streetgen.set('led', 'follow_length', NULL), streetgen.set('led', 'follow_area', NULL) \g /dev/null
+SELECT streetgen.create_model('led', 2154), streetgen.set('led', 'short_axis', 'follow'), streetgen.set('led', 'corner_length', NULL), streetgen.set('led', 'corner_area', NULL), streetgen.set('led', 'follow_length', NULL), streetgen.set('led', 'follow_area', NULL) \g /dev/null
 INSERT INTO led.axis (axis_id, geom, width) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7 FROM (VALUES
   (1, 'LINESTRING(0 -100, 0 0)'), (2, 'LINESTRING(0 0, 155 0)'), (3, 'LINESTRING(155 0, 163 0)'), (4, 'LINESTRING(155 0, 155 -100)'),
   (5, 'LINESTRING(163 0, 163 100)'), (6, 'LINESTRING(163 0, 263 -40)')) a(axis_id, line);

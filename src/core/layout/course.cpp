@@ -37,6 +37,13 @@ Line walked(const Course& course, double until) {
   return line;
 }
 
+Point direction_at(const Course& course, double abscissa) {
+  const auto piece = std::find_if(course.begin(), course.end() - 1,
+                                  [&](const CoursePiece& p) { return abscissa < p.end; });
+  const double share = (abscissa - piece->start) / (piece->end - piece->start);
+  return position_at(piece->line, share * length(piece->line)).direction;
+}
+
 KerbLine kerb_line(const Course& course, double u, double v, int side) {
   KerbLine kerb;
   for (const CoursePiece& piece : course) {

@@ -51,9 +51,8 @@ std::optional<double> max_corner_radius(const Arm& a, const Arm& b, double radiu
 
 std::optional<CornerArc> corner_behind(const Arm& a, const Arm& b, double radius) {
   const double by = 4 * (a.reach() + b.reach() + radius);
-  auto behind =
-      corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1), 2 * b.start_to(-1), radius,
-                 planar(a.line.front()));
+  auto behind = corner_arc(led_back(a, by), led_back(b, by), 2 * a.start_to(+1), 2 * b.start_to(-1),
+                           radius, planar(a.line.front()));
   if (!behind) return std::nullopt;
   behind->abscissa_a -= by;
   behind->abscissa_b -= by;
@@ -69,11 +68,40 @@ double angle_between(const Arm& a, const Arm& b) {
 
 namespace {
 
+double widest_half(const Course& course) {
+  return std::max_element(
+             course.begin(), course.end(),
+             [](const CoursePiece& l, const CoursePiece& m) { return l.half < m.half; })
+      ->half;
+}
+
+// Up to the arc its circle fits nowhere between the two: farther apart, one comes back there.
+bool beside_each_other(const Course& a, const Course& b, const CornerArc& corner) {
+  const Line on_a = walked(a, corner.abscissa_a), on_b = walked(b, corner.abscissa_b);
+  if (on_a.empty() || on_b.empty()) return true;  // behind the node
+  const double apart = widest_half(a) + widest_half(b) + 2 * corner.radius + 1e-3;
+  const auto all_near = [&](const Line& line, const Line& other) {
+    return std::all_of(line.begin(), line.end(),
+                       [&](const Point& p) { return distance_to_line(p, other) <= apart; });
+  };
+  return all_near(on_a, on_b) && all_near(on_b, on_a);
+}
+
+// Where the kerbs cross first on the way out from the node; none where one of them only comes back
+// to the other there.
+template <class Street>
+std::optional<CornerArc> kerb_crossing(const Street& a, const Street& b) {
+  auto crossing = corner_arc(a, b, 0);
+  if (crossing && !beside_each_other(course_of(a, +1), course_of(b, -1), *crossing))
+    crossing.reset();
+  return crossing;
+}
+
 // The kerb lines alone, where there is no arc: they cross, or one arm's flat end sticks out.
 void solve_without_arc(const Arm& a, const Arm& b, double angle, double reach,
                        SolvedCorner& solved) {
   if (angle >= M_PI - same_angle) return;
-  const auto crossing = corner_arc(a, b, 0);
+  const auto crossing = kerb_crossing(a, b);
   const Point node = planar(a.line.front());
   if (crossing && distance(crossing->centre, node) <= reach) {
     solved.gap = {true, *crossing};
@@ -119,6 +147,68 @@ namespace {
 const Point& start_of(const Arm& arm) { return arm.line.front(); }
 const Point& start_of(const Course& course) { return course.front().line.front(); }
 
+const Line& first_line(const Arm& arm) { return arm.line; }
+const Line& first_line(const Course& course) { return course.front().line; }
+
+bool straight_until(const Line& line, double abscissa) {
+  return abscissa <= distance(line[0], line[1]);
+}
+
+// What lies between kerbs that part by an angle and an arc that touches both: its length along them
+// and its area, of a radius of 1 m.
+struct Fillet {
+  double length, area;
+};
+Fillet fillet_at(double angle) {
+  const double length = 1 / std::tan(angle / 2);
+  return {length, length - (M_PI - angle) / 2};
+}
+
+// The largest radius of straight streets whose arc keeps to the bounds, by the angle from a to b.
+double bounded_radius(double angle, const CornerWish& wish) {
+  const Fillet unit_fillet = fillet_at(angle);
+  return std::min(wish.corner_length / unit_fillet.length,
+                  std::sqrt(wish.corner_area / unit_fillet.area));
+}
+
+// The arc itself, or the one of the largest radius that ends no farther from the crossing of the
+// kerbs, and closes no more ground from there on, than a corner may.
+template <class Street>
+std::optional<CornerArc> within_bounds(const Street& a, const Street& b, const CornerArc& arc,
+                                       const CornerWish& wish) {
+  constexpr double precision = 1e-7;
+  const double farthest = std::max(arc.abscissa_a, arc.abscissa_b);
+  if (farthest <= wish.corner_length && farthest * arc.radius <= wish.corner_area) return arc;
+  const Line &on_a = first_line(a), &on_b = first_line(b);
+  if (straight_until(on_a, arc.abscissa_a) && straight_until(on_b, arc.abscissa_b)) {
+    const Point u = on_a[1] - on_a[0], v = on_b[1] - on_b[0];
+    const double angle = std::atan2(cross(u, v), dot(u, v));
+    if (angle <= 0) return arc;
+    const double radius = bounded_radius(angle, wish);
+    return radius < arc.radius ? corner_arc(a, b, radius) : arc;
+  }
+  const auto crossing = kerb_crossing(a, b);
+  if (!crossing) return std::nullopt;
+  const Course course_a = course_of(a, +1), course_b = course_of(b, -1);
+  const auto fits = [&](const CornerArc& tried) {
+    if (tried.abscissa_a - crossing->abscissa_a > wish.corner_length ||
+        tried.abscissa_b - crossing->abscissa_b > wish.corner_length)
+      return false;
+    const Polygon ground = cusp(course_a, course_b, *crossing, tried);
+    return ground.empty() || std::abs(signed_area(ground.front())) <= wish.corner_area;
+  };
+  if (fits(arc)) return arc;
+  std::optional<CornerArc> found;
+  for (double low = 0, high = arc.radius; high - low > precision;) {
+    const double middle = (low + high) / 2;
+    const auto tried = corner_arc(a, b, middle);
+    const bool is_within = tried && fits(*tried);
+    (is_within ? low : high) = middle;
+    if (is_within) found = tried;
+  }
+  return found;
+}
+
 // On two arms, or on two courses.
 template <class Street>
 std::optional<SolvedCorner> solve_arc(const Street& a, const Street& b, double angle,
@@ -134,6 +224,10 @@ std::optional<SolvedCorner> solve_arc(const Street& a, const Street& b, double a
     const auto largest = max_corner_radius(a, b, wish.radius);
     if (largest && *largest > 0.001) found = corner_arc(a, b, *largest);
     solved.method = Method::radius_reduced;
+  }
+  if (found && !wish.by_hand) {
+    found = within_bounds(a, b, *found, wish);
+    if (found && found->radius < wish.radius) solved.method = Method::radius_reduced;
   }
   if (found && !near(*found)) {
     double least = std::min(wish.radius_minimal, found->radius);
@@ -178,36 +272,14 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
   return solved;
 }
 
-namespace {
-
-double widest_half(const Course& course) {
-  return std::max_element(
-             course.begin(), course.end(),
-             [](const CoursePiece& l, const CoursePiece& m) { return l.half < m.half; })
-      ->half;
-}
-
-// Up to the arc its circle fits nowhere between the two: farther apart, one comes back there.
-bool beside_each_other(const Course& a, const Course& b, const CornerArc& corner) {
-  const Line on_a = walked(a, corner.abscissa_a), on_b = walked(b, corner.abscissa_b);
-  const double apart = widest_half(a) + widest_half(b) + 2 * corner.radius + 1e-3;
-  const auto all_near = [&](const Line& line, const Line& other) {
-    return std::all_of(line.begin(), line.end(),
-                       [&](const Point& p) { return distance_to_line(p, other) <= apart; });
-  };
-  return all_near(on_a, on_b) && all_near(on_b, on_a);
-}
-
-}  // namespace
-
 bool may_follow(const Arm& a, const Arm& b) { return angle_between(a, b) < nearly_straight; }
 
 std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Course& onwards_a,
                                           const Course& onwards_b, const CornerWish& wish) {
   auto solved = solve_arc(onwards_a, onwards_b, angle_between(a, b), wish);
   if (!solved || !beside_each_other(onwards_a, onwards_b, solved->gap.corner)) return std::nullopt;
-  const auto crossing = corner_arc(onwards_a, onwards_b, 0);
-  if (!crossing || !beside_each_other(onwards_a, onwards_b, *crossing)) return std::nullopt;
+  const auto crossing = kerb_crossing(onwards_a, onwards_b);
+  if (!crossing) return std::nullopt;
   solved->gap.angle = angle_between(a, b);
   solved->gap.beyond = cusp(onwards_a, onwards_b, *crossing, solved->gap.corner);
   solved->gap.meets = false;

@@ -6,6 +6,7 @@
 
 #include "layout/surface_ring.hpp"
 #include "streetgen/street.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -21,6 +22,8 @@ struct CornerWish {
   double max_arc_distance = 60;
   double radius_minimal = 0.15;
   bool by_hand = false;  // of a centre too far the largest radius that is near, not the minimal
+  double corner_length = infinite;  // metres along the kerbs from their crossing to the arc's end
+  double corner_area = infinite;    // square metres between the kerbs and the arc
 };
 
 struct SolvedCorner {
@@ -30,8 +33,9 @@ struct SolvedCorner {
   double limit_b = 0;
 };
 
-// Counter-clockwise from a to b.  Section 2.4: no candidate, no arc; an axis too short,
-// the largest radius that fits; the centre too far, the minimal radius.
+// Counter-clockwise from a to b.  Section 2.4: no candidate, no arc; an axis too short, or the arc
+// farther from the crossing of the kerbs than it may be, the largest radius that fits; the centre
+// too far, the minimal radius.
 SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish);
 
 // The corner of arms[i] and the next, arms counter-clockwise: none is rounded on the roadway of

@@ -118,6 +118,14 @@ void change_width(Course& course, const Arm& arm, const Taper& taper, int side) 
 
 }  // namespace
 
+namespace {
+
+int node_of(const std::vector<Edge>& edges, const EdgeEnd& end) {
+  return end.at_start ? edges[end.edge].from_node : edges[end.edge].to_node;
+}
+
+}  // namespace
+
 Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
                         std::vector<int>& looked_at) {
   const auto& edges = layout.streets.network.edges;
@@ -126,9 +134,10 @@ Course continued_course(const Layout& layout, const EdgeEnd& end, int side,
   if (widens(own)) return course;
   EdgeEnd last = end;
   bool unbroken = true;  // nothing left between, on the side of the kerb
+  const int node = node_of(edges, end);
   while (course.back().end < layout.settings.reach) {
-    const Edge& edge = edges[last.edge];
-    looked_at.push_back(last.at_start ? edge.to_node : edge.from_node);
+    looked_at.push_back(node_of(edges, {last.edge, !last.at_start}));
+    if (looked_at.back() == node) break;  // a street that comes back
     const Junction& junction = layout.junctions[looked_at.back()];
     const EdgeEnd* const kerb = unbroken ? beside(layout, last, junction, side) : nullptr;
     const EdgeEnd* next = alike(layout, last, junction, side);

@@ -77,11 +77,6 @@ int meet_arc_arc(const OffsetPiece& a, const OffsetPiece& b, Point out[2]) {
   return 2;
 }
 
-double piece_distance(const OffsetPiece& piece, const Point& p) {
-  if (!piece.arc) return distance_to_segment(p, piece.start, piece.end);
-  return std::max(0.0, distance(p, piece.centre) - distance(piece.start, piece.centre));
-}
-
 Box box_of(const OffsetPiece& piece) {
   const Box box = box_of(piece.start, piece.end);
   if (!piece.arc) return box;
@@ -98,6 +93,7 @@ constexpr std::size_t worth_thinning = 16;
 class Axis {
  public:
   Axis(const Line& line, double half) : line_(line), half_(half) {
+    if (distance(line.front(), line.back()) == 0) until_ = length(line) / 2 - coordinate_margin;
     if (line.size() <= worth_an_index) return;
     std::vector<Box> boxes(line.size() - 1);
     for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(line[i], line[i + 1]);
@@ -105,6 +101,7 @@ class Axis {
   }
   Axis(const CoursePiece& piece, bool last) : Axis(piece.line, piece.half) {
     start_ = piece.start;
+    if (start_ > 0) until_ = infinite;
     if (half_ == 0) share_ = (piece.end - piece.start) / length(piece.line);
     last_ = last;
   }
@@ -114,6 +111,8 @@ class Axis {
   bool first() const { return start_ == 0; }
   // On the course, of a place `at` metres along the line.
   double abscissa(double at) const { return start_ + at * share_; }
+  // Of an axis that comes back to its node: its second half leads there from the other side.
+  bool leads_back(double at) const { return at > until_; }
 
   // Whether the place on it that is nearest to p is an end where the width changes.
   bool ends_before(const Point& p) const {
@@ -155,24 +154,50 @@ class Axis {
   const Line& line_;
   double half_;
   double start_ = 0, share_ = 1;  // metres of the course, and of it a metre of the line
+  double until_ = infinite;       // metres of the line
   bool last_ = true;
   std::optional<BoxIndex> segments_;
 };
+
+using Street = std::vector<Axis>;
 
 struct Foot {
   const Axis* axis;
   double at;  // metres along its line
 
   double abscissa() const { return axis->abscissa(at); }
+  bool leads_back() const { return axis->leads_back(at); }
 };
 
 struct Meeting {
   Point centre;
   Foot a, b;
+};
 
-  // The shorter way to both feet tells the first of meetings in one place, whichever street is a: a
-  // circle may touch both sides of a bend.
-  double way() const { return a.abscissa() + b.abscissa(); }
+// Out from the node along both streets, whichever of them is a.
+class WayOut {
+ public:
+  WayOut(const Point& node, const Street& a, const Street& b)
+      : node_(node), from_a_(place_on(a)), from_b_(place_on(b)) {}
+
+  const Point& node() const { return node_; }
+  double to(const Meeting& meeting) const {
+    return std::abs(meeting.a.abscissa() - from_a_) + std::abs(meeting.b.abscissa() - from_b_);
+  }
+  // As far as to a piece of a alone.
+  double to_piece(const Axis& axis, const OffsetPiece& piece) const {
+    const double start = axis.abscissa(piece.start_abscissa) - from_a_,
+                 end = axis.abscissa(piece.end_abscissa) - from_a_;
+    return std::max({start, -end, 0.0});
+  }
+
+ private:
+  double place_on(const Street& street) const {
+    return nearest_abscissa(node_, street.front().line());
+  }
+
+  Point node_;
+  double from_a_, from_b_;  // 0 where the axes start at the node
 };
 
 // The offset border. That of the first piece has the quarter of its round end behind the node:
@@ -229,8 +254,6 @@ class Border {
   std::optional<BoxIndex> index_;
 };
 
-using Street = std::vector<Axis>;
-
 Street street_of(const Line& axis, double width) {
   Street street;
   street.emplace_back(axis, width / 2);
@@ -253,42 +276,47 @@ std::vector<Border> borders_of(const Street& street, double radius, int side) {
 
 Point start_of(const Street& street) { return planar(street.front().line().front()); }
 
-std::optional<Meeting> nearest_meeting(const Street& street_a, const Street& street_b,
-                                       double radius, const Point& node) {
+// The first meeting on the way out along both borders; of two as far the one nearer to the node.
+std::optional<Meeting> first_meeting(const Street& street_a, const Street& street_b, double radius,
+                                     const WayOut& out) {
   const auto borders_a = borders_of(street_a, radius, +1),
              borders_b = borders_of(street_b, radius, -1);
-  std::optional<Meeting> best;
-  double best_distance = infinite;
+  std::optional<Meeting> first;
+  double shortest = infinite;
   const auto too_near = [](const std::vector<Border>& borders, const Point& p) {
     return std::any_of(borders.begin(), borders.end(),
                        [&](const Border& border) { return border.too_near(p); });
+  };
+  const auto nearer = [&](const Meeting& found) {
+    return !first || distance(out.node(), found.centre) < distance(out.node(), first->centre);
   };
   const auto meet = [&](const Border& border_a, const OffsetPiece& a, const Border& border_b,
                         const OffsetPiece& b) {
     Point places[2];
     const int count =
         a.arc ? (b.arc ? meet_arc_arc(a, b, places) : meet_line_arc(b, a, places))
-              : (b.arc ? meet_line_arc(a, b, places) : meet_line_line(a, b, node, places));
+              : (b.arc ? meet_line_arc(a, b, places) : meet_line_line(a, b, out.node(), places));
     for (int i = 0; i < count; ++i) {
       Meeting found{places[i], {&border_a.axis(), 0}, {&border_b.axis(), 0}};
-      const double d = distance(node, found.centre);
-      if (d > best_distance + border_slack) continue;
       if (!within(a, found.centre, &found.a.at)) continue;
       if (!within(b, found.centre, &found.b.at)) continue;
-      if (d > best_distance - border_slack && best && found.way() >= best->way()) continue;
+      const double way = out.to(found);
+      if (way > shortest + border_slack) continue;
+      if (way > shortest - border_slack && !nearer(found)) continue;
+      if (found.a.leads_back() || found.b.leads_back()) continue;
       if (too_near(borders_a, found.centre) || too_near(borders_b, found.centre)) continue;
-      best = found;
-      best_distance = std::min(d, best_distance);
+      first = found;
+      shortest = std::min(way, shortest);
     }
   };
   for (const Border& border_a : borders_a)
     for (const OffsetPiece& a : border_a.pieces()) {
-      if (piece_distance(a, node) > best_distance + border_slack) continue;
+      if (out.to_piece(border_a.axis(), a) > shortest + border_slack) continue;
       poll_cancel();
       for (const Border& border_b : borders_b)
         border_b.each_near(a, [&](const OffsetPiece& b) { meet(border_a, a, border_b, b); });
     }
-  return best;
+  return first;
 }
 
 Point towards(const Foot& foot, const Point& centre) {
@@ -313,7 +341,7 @@ double straight_radius(const Axis& a, const Axis& b) {
 
 std::optional<CornerArc> arc_of(const Street& a, const Street& b, double radius,
                                 const Point& node) {
-  const auto meeting = nearest_meeting(a, b, radius, node);
+  const auto meeting = first_meeting(a, b, radius, {node, a, b});
   if (!meeting) return std::nullopt;
   CornerArc corner;
   corner.centre = planar(meeting->centre);
@@ -335,9 +363,8 @@ std::optional<CornerArc> arc_of(const Street& a, const Street& b, double radius,
 
 std::optional<double> largest_radius(const Street& a, const Street& b, double radius_limit) {
   constexpr double precision = 1e-7;
-  const auto fits = [&](double radius) {
-    return nearest_meeting(a, b, radius, start_of(a)).has_value();
-  };
+  const WayOut out(start_of(a), a, b);
+  const auto fits = [&](double radius) { return first_meeting(a, b, radius, out).has_value(); };
   if (!fits(0)) return std::nullopt;
   if (fits(radius_limit)) return radius_limit;
   double low = 0, high = radius_limit;

@@ -38,13 +38,14 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   std::vector<const Arm*> arms;
   arms.reserve(junction.ends.size());
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
-  const CornerWish wish{radius, settings.max_arc_distance, settings.radius_minimal, by_hand};
+  const CornerWish wish{radius, settings.max_arc_distance, settings.radius_minimal, by_hand,
+                        settings.corner_length, settings.corner_area};
   SolvedCorner solved = solve_corner(arms, i, wish);
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
   // By hand, a corner is as it is wanted.
   const auto ended = [&](const SolvedCorner& corner, const Course& on_a, const Course& on_b) {
-    if (by_hand || !ends_a_median(corner)) return corner;
+    if (by_hand || corner.gap.corner.radius <= 0) return corner;
     return nose(on_a, on_b, corner, wish, settings).value_or(corner);
   };
   const bool reduced = solved.method == Method::radius_reduced;

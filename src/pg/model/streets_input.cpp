@@ -202,6 +202,8 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.overlaps_maximal = static_cast<int>(given.measure("overlaps_maximal", 1));
   settings.kerb_stone_width = given.measure("kerb_stone_width");
   settings.reach = given.measure("reach");
+  settings.corner_length = given.measure_or_unbounded("corner_length");
+  settings.corner_area = given.measure_or_unbounded("corner_area");
   settings.follow_length = given.measure_or_unbounded("follow_length");
   settings.follow_area = given.measure_or_unbounded("follow_area");
   settings.median_width_minimal = given.measure("median_width_minimal", 1e-6);

@@ -46,7 +46,8 @@ TEST(Streets, AnAxisTooShortForAnyRadiusIsFollowed) {
 // However far, as the paper has it.
 StreetSettings far_followed() {
   StreetSettings settings;
-  settings.follow_length = settings.follow_area = std::numeric_limits<double>::infinity();
+  settings.corner_length = settings.corner_area = settings.follow_length = settings.follow_area =
+      std::numeric_limits<double>::infinity();
   return settings;
 }
 

@@ -21,7 +21,8 @@ StreetSettings far_arcs() {
 
 StreetSettings without_bounds() {
   StreetSettings settings = far_arcs();
-  settings.follow_length = settings.follow_area = std::numeric_limits<double>::infinity();
+  settings.follow_length = settings.follow_area = settings.corner_length = settings.corner_area =
+      std::numeric_limits<double>::infinity();
   settings.island_area = 0;
   return settings;
 }
@@ -61,7 +62,7 @@ TEST(Nose, PavesNoMoreThanItMay) {
     EXPECT_EQ(corner.radius_wanted, 6);
     const Corner bounded_by_area = [&] {
       StreetSettings settings = far_arcs();
-      settings.follow_length = 1000;
+      settings.follow_length = settings.corner_length = 1000;
       return between(streets(fork(2 * half), settings), 1, 2);
     }();
     EXPECT_NEAR(bounded_by_area.radius, std::min(6.0, by_area), 2e-2 * by_area) << degrees;
@@ -103,7 +104,8 @@ TEST(Nose, IsNoCornerByHandAndNoneOfTwentyDegreesAndMore) {
   const Corner corner = between(streets(fork(0.1), far_arcs(), typed), 1, 2);
   EXPECT_EQ(corner.method, Method::by_hand);
   EXPECT_EQ(corner.radius, 4);
-  EXPECT_EQ(between(streets(fork(20.1 * M_PI / 180), far_arcs()), 1, 2).method, Method::hypothesis);
+  EXPECT_EQ(between(streets(fork(20.1 * M_PI / 180), far_arcs()), 1, 2).method,
+            Method::radius_reduced);
 }
 
 // A triangle of streets 4 m wide about ground that is 6 m by 6 m less the kerbs.
