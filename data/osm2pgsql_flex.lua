@@ -124,6 +124,7 @@ end
 local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {
     { column = 'restriction', type = 'text' },
     { column = 'excepted', type = 'text' }, -- traffic that it does not hold for
+    { column = 'held_for', type = 'text' }, -- the traffic that alone it holds for; conditional, hours: times; empty: all
     { column = 'from_way', type = 'bigint' },
     { column = 'to_way', type = 'bigint' },
     { column = 'via_ways', type = 'text' }, -- in their order, parted by commas
@@ -155,11 +156,27 @@ local function insert_route(object)
     end
 end
 
+-- Whom a turn restriction holds for, by its type, a key such as restriction:hgv, or tags of its times.
+local function held_for(tags)
+    local traffic = tags.type:match('^restriction:(.*)$')
+    if traffic then
+        return traffic
+    end
+    if tags.restriction then
+        return (tags.day_on or tags.day_off or tags.hour_on or tags.hour_off) and 'hours' or ''
+    end
+    for key in pairs(tags) do
+        traffic = key:match('^restriction:(.*)$') or traffic
+    end
+    return traffic or ''
+end
+
 function osm2pgsql.process_relation(object)
     insert_route(object)
-    if object.tags.type ~= 'restriction' then
+    if not (object.tags.type or ''):match('^restriction%f[:\0]') then
         return
     end
+    local limits = held_for(object.tags)
     local from, to, via = {}, {}, {}
     for _, member in ipairs(object.members) do
         if member.type == 'w' and member.role == 'from' then
@@ -175,7 +192,7 @@ function osm2pgsql.process_relation(object)
     for i = 1, math.max(#from, 1) do
         for j = 1, math.max(#to, 1) do
             restriction:insert({ restriction = object.tags.restriction, excepted = object.tags.except,
-                                 from_way = from[i], to_way = to[j], geom = geom,
+                                 held_for = limits, from_way = from[i], to_way = to[j], geom = geom,
                                  via_ways = #via > 0 and table.concat(via, ',') or nil })
         end
     end

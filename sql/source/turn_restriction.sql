@@ -7,11 +7,14 @@ DECLARE
     -- Tables written by an older flex file lack them.
     excepted constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = source
         AND attname = 'excepted' AND NOT attisdropped), 'NULL::text');
+    held_for constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = source
+        AND attname = 'held_for' AND NOT attisdropped), 'NULL::text');
     via_ways constant text := coalesce((SELECT attname FROM pg_attribute WHERE attrelid = source
         AND attname = 'via_ways' AND NOT attisdropped), $q$CASE WHEN via_way THEN '0' END$q$);
 BEGIN
     EXECUTE format('CREATE TEMPORARY TABLE _import_relation ON COMMIT DROP AS SELECT relation_id, from_way, to_way, '
-        'restriction, geom, %s AS excepted, %s AS via_ways FROM %s', excepted, via_ways, source);
+        'restriction, geom, %s AS excepted, %s AS held_for, %s AS via_ways FROM %s', excepted, held_for, via_ways,
+        source);
 END $$;
 COMMENT ON FUNCTION streetgen._take_restrictions(regclass) IS
     'Copies the turn restrictions of an OSM table to where the import reads them; none of NULL.';
@@ -44,7 +47,9 @@ BEGIN
         CASE WHEN v.follow THEN (SELECT ST_Multi(ST_Collect(ST_LineInterpolatePoint(line, 0.5) ORDER BY i))
             FROM unnest(v.lines) WITH ORDINALITY l(line, i)) END AS via_geom,
         CASE WHEN v.follow THEN ST_ClosestPoint(v.lines[cardinality(v.lines)], ST_Force2D(b.geom)) END AS to_geom,
-        CASE WHEN restriction IS NULL THEN 'not for all traffic'
+        CASE WHEN held_for = 'conditional' THEN 'at times only'
+            WHEN held_for NOT IN ('', 'hours') OR restriction IS NULL AND held_for IS NULL THEN 'not for all traffic'
+            WHEN restriction IS NULL THEN 'without a word on its turn'
             WHEN restriction !~ '^(no|only)_(left_turn|right_turn|straight_on|u_turn)$|^no_(entry|exit)$'
                 THEN 'not understood'
             WHEN from_way IS NULL OR to_way IS NULL THEN 'without the way that it leads from or to'
@@ -53,7 +58,7 @@ BEGIN
             WHEN a.axis_id IS NULL OR b.axis_id IS NULL OR array_position(v.axes, NULL) IS NOT NULL
                 THEN 'of ways that are no axes'
             WHEN NOT v.follow THEN 'via ways that do not follow each other' END AS left_out,
-        except_kinds, except_others
+        except_kinds, except_others, held_for = 'hours' AS at_hours
     FROM pg_temp._import_relation r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, from_way::text)
         LEFT JOIN axis b ON (b.source, b.source_ref) = (ways, to_way::text)
     CROSS JOIN LATERAL (
@@ -88,6 +93,9 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'turn_restriction', relations);
     RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.except_others GROUP BY r.class
+        ORDER BY r.class;
+    RETURN QUERY SELECT 'turn restriction at hours of a day, taken for all times', r.class, count(*),
+        array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.at_hours GROUP BY r.class
         ORDER BY r.class;
     RETURN QUERY SELECT CASE WHEN via THEN 'turn restrictions via ways, obeyed where these lie in a junction'
             ELSE 'turn restrictions' END, r.class, count(*), NULL::text[]

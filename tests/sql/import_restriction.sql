@@ -38,6 +38,14 @@ SELECT 'one via ways names them in the order in which they are driven', (SELECT 
     = '{"20/1/2 3,5,6","21/2/1 6,5,3"}' FROM restricted.turn_restriction r WHERE via_axes IS NOT NULL);
 SELECT 'with the places where it begins, passes and ends', (SELECT ST_AsText(geom) = 'POINT(650000 6860000)' AND ST_AsText(via_geom) LIKE 'MULTIPOINT(%650000 6860050%,%650050 6860100%,%650100 6860050%)' AND ST_AsText(to_geom) = 'POINT(650100 6860000)' FROM restricted.turn_restriction WHERE source_ref LIKE '20/%');
 SELECT 'and is counted', (SELECT sum(count) = 2 FROM import_report WHERE what LIKE 'turn restrictions via ways%');
+ALTER TABLE town_restriction ADD held_for text DEFAULT '';
+UPDATE town_restriction SET held_for = CASE relation_id WHEN 11 THEN 'hgv' WHEN 12 THEN 'conditional' WHEN 13 THEN 'hours' ELSE '' END;
+CREATE TABLE limited AS SELECT * FROM streetgen.import_osm('restricted', 'town') WHERE what LIKE 'turn restriction %';
+SELECT 'a limited restriction is told: ' || what, (SELECT array_agg(ref) = ARRAY[e.ref] FROM limited l, unnest(source_refs) ref WHERE l.what LIKE 'turn restriction ' || e.what || ',%')
+    FROM (VALUES ('not for all traffic', '11'), ('at times only', '12'), ('without a word on its turn', '14'), ('at hours of a day', '13')) e(what, ref);
+SELECT 'and holds at all times, or not at all', (SELECT array_agg(DISTINCT split_part(source_ref, '/', 1)) && '{13}' AND NOT array_agg(split_part(source_ref, '/', 1)) && '{11,12}' FROM restricted.turn_restriction);
+ALTER TABLE town_restriction DROP held_for;
+SELECT FROM streetgen.import_osm('restricted', 'town') \g /dev/null
 SELECT 'also one that lacks a way', (SELECT array_agg(ref ORDER BY ref) = '{18,19}' FROM import_report, unnest(source_refs) ref WHERE what = 'turn restriction without the way that it leads from or to, left out');
 ALTER TABLE town_restriction ADD COLUMN excepted text;
 UPDATE town_restriction SET excepted = CASE relation_id WHEN 10 THEN 'no' WHEN 11 THEN 'psv; bicycle' WHEN 12 THEN 'bus;psv' WHEN 13 THEN 'taxi;Bicycle' END;

@@ -14,6 +14,7 @@ namespace streetgen {
 namespace {
 
 constexpr std::size_t most_lanes = 30;  // of all directions, with those of the kerbs
+constexpr double width_rounded = 0.25;     // metres, within which widths of a lane are alike
 constexpr int most_each_way = 10;          // that a width alone makes
 constexpr std::size_t most_marks = 10;  // on one lane
 
@@ -131,6 +132,24 @@ void name_lists_of_both(const OsmTags& said, WayTags& tags) {
       tags.name(key, "it says no direction of a street of both");
 }
 
+// Widths of all lanes that are not the width of the street: its lanes become wider or narrower alike.
+void name_widths_beside_street(const WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
+  double sum = 0, rounded = 0;
+  for (const HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    for (const OsmLane& lane : of_heading->lanes) {
+      if (!lane.width) return;
+      sum += *lane.width;
+      rounded += width_rounded;
+    }
+  if (lanes.middle > 0 || !use.roadway_width ||
+      std::abs(sum - *use.roadway_width) <= rounded)
+    return;
+  tags.name_first_of({"width:lanes", "width:lanes:forward", "width:lanes:backward"},
+                     sum < *use.roadway_width
+                         ? "the lanes are narrower together than the street, and become wider"
+                         : "the lanes are wider together than the street, and become narrower");
+}
+
 }  // namespace
 
 OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
@@ -148,6 +167,7 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
     if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);
   }
   name_lists_of_both(said, tags);
+  name_widths_beside_street(lanes, use, tags);
 
   OsmLanes read;
   read.direction = tags.direction();

@@ -120,6 +120,21 @@ TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
               "general cycle | general ?cycleway:right:width") << strange;
 }
 
+TEST(OsmLanes, WidthsOfLanesThatAreNotThatOfTheStreetAreNamed) {
+  OsmLaneUse use;
+  const OsmTags tags = {{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", "3|3"}};
+  for (const double wide : {6.0, 6.2}) {
+    use.roadway_width = wide;
+    EXPECT_EQ(read(tags, use), "general=3.00 general=3.00 | ") << wide;
+  }
+  for (const double wide : {5.0, 9.0}) {
+    use.roadway_width = wide;
+    EXPECT_EQ(read(tags, use), "general=3.00 general=3.00 |  ?width:lanes") << wide;
+  }
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", "3|"}}, use),
+            "general=3.00 general | ") << "a lane without a width takes what is left";
+}
+
 TEST(OsmLanes, UnknownLanesBesideACycleLaneAreTheSameForBothDirections) {
   OsmLaneUse use;
   use.roadway_width = 14;
