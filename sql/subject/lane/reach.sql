@@ -1,32 +1,49 @@
 -- The reach of a change along a street, by turn marks that hold to the next junction.
 
+CREATE OR REPLACE FUNCTION streetgen._goes_straight(back geometry, onwards geometry) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- The core asks for less than 50 degrees, of edges that may be cut elsewhere.
+    RETURN abs(180 - degrees(ST_Angle(
+        ST_StartPoint(back), ST_LineInterpolatePoint(back, least(1, 10 / ST_Length(back))),
+        ST_StartPoint(onwards), ST_LineInterpolatePoint(onwards, least(1, 10 / ST_Length(onwards)))))) < 60;
+COMMENT ON FUNCTION streetgen._goes_straight(geometry, geometry) IS
+    'Does one who comes by a line go about straight on by another? Both lines begin where they meet.';
+
 CREATE OR REPLACE FUNCTION streetgen._lane_axes_from_afar(model name, axes bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
     AS $$
 DECLARE
     -- Axes that share a node are nearer.
     near constant float8 := 3 * streetgen._tolerance(model);
+    farthest constant float8 := 2000;
     hull geometry;
     afar bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF NOT EXISTS (SELECT FROM axis WHERE turn_forward IS NOT NULL OR turn_backward IS NOT NULL) THEN
-        RETURN '{}';
-    END IF;
     SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) FROM axis WHERE axis_id = ANY (axes) INTO hull;
-    -- Back over ends at which two axes meet, as far as none is marked.
-    WITH RECURSIVE run(axis_id) AS (
-        SELECT a.axis_id FROM axis a WHERE ST_DWithin(a.geom, hull, near) AND a.axis_id <> ALL (axes)
-        UNION SELECT o.axis_id FROM run r JOIN axis a USING (axis_id),
-            unnest(ARRAY[ST_StartPoint(a.geom), ST_EndPoint(a.geom)]) place,
-            LATERAL (SELECT n.axis_id, count(*) OVER () AS meeting FROM axis n
-                WHERE ST_DWithin(n.geom, place, near) OFFSET 0) o
-        WHERE coalesce(a.turn_forward, a.turn_backward) IS NULL AND o.meeting = 2 AND o.axis_id <> ALL (axes))
-    SELECT array_agg(axis_id) FROM run INTO afar;
+    -- From marks on: over ends at which two axes meet, and straight on over others, along edges as short as one within
+    -- a junction.
+    WITH RECURSIVE way(path, geom) AS (
+        SELECT ARRAY[axis_id], geom FROM axis WHERE coalesce(turn_forward, turn_backward) IS NOT NULL
+            AND ST_DWithin(geom, hull, farthest)
+        UNION ALL SELECT w.path || o.axis_id, o.geom FROM way w,
+            unnest(ARRAY[ST_Reverse(w.geom), w.geom]) back, ST_StartPoint(back) place, LATERAL (
+                SELECT axis_id, n.geom, coalesce(turn_forward, turn_backward) IS NOT NULL AS marked,
+                    count(*) OVER () AS meeting, CASE WHEN ST_DWithin(ST_StartPoint(n.geom), place, near)
+                        THEN n.geom ELSE ST_Reverse(n.geom) END AS onwards
+                FROM axis n WHERE ST_DWithin(n.geom, place, near) OFFSET 0) o
+        WHERE NOT marked AND o.axis_id <> ALL (w.path) AND ST_DWithin(ST_StartPoint(o.onwards), place, near)
+            AND ST_DWithin(o.geom, hull, farthest)
+            AND (meeting = 2 OR streetgen._goes_straight(back, o.onwards) AND (ST_Length(o.onwards) < 101
+                OR EXISTS (SELECT FROM axis m WHERE ST_DWithin(m.geom, ST_LineSubstring(o.onwards,
+                    near / ST_Length(o.onwards), 101 / ST_Length(o.onwards)), near)
+                AND m.axis_id <> o.axis_id AND NOT ST_DWithin(m.geom, place, near)))))
+    SELECT array_agg(DISTINCT axis_id) FROM way, unnest(path) axis_id WHERE ST_DWithin(geom, hull, near)
+        AND axis_id <> ALL (axes) INTO afar;
     RETURN coalesce(afar, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._lane_axes_from_afar(name, bigint[]) IS
-    'The axes about some along which turn marks may come to them from afar, over ends at which two axes meet.';
+    'The axes along which turn marks come to some from afar, from as far as 2 km.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_lane_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
