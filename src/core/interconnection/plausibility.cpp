@@ -484,6 +484,11 @@ class Plausibility {
            leads_as(way.to->out[out].kind) == LaneKind::general;
   }
 
+  // Whether cars come to the pair and may not go on.
+  bool leaves_cars_behind(const Way& way, int in, int out) const {
+    return leads_as(from(way).in[in].kind) == LaneKind::general && !for_cars(way, in, out);
+  }
+
   // Whether another path takes the movement: one for cars, where this one is.
   bool taken_beside(const Way& way, int in, int out) const {
     for (int i = 0; i < static_cast<int>(from(way).in.size()); ++i)
@@ -502,7 +507,7 @@ class Plausibility {
   }
 
   // The less, the likelier.  Of equals the first in the order of legs and lanes.
-  using Cost = std::tuple<bool, bool, bool, bool, long long>;
+  using Cost = std::tuple<bool, bool, bool, bool, bool, long long>;
 
   // What else goes the same way: its distance from the pair, in lanes, and whether it crosses it.
   // Without any, the outermost lanes of the side to which one turns are the nearest.
@@ -529,7 +534,7 @@ class Plausibility {
     const Verdict& verdict = at(way, in, out);
     const Astray beside = astray(way, in, out);
     return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
-            beside.crosses, tight(way, in, out),
+            leaves_cars_behind(way, in, out), beside.crosses, tight(way, in, out),
             in_steps(std::abs(way.angle) + importance_weight * beside.lanes)};
   }
 

@@ -487,6 +487,30 @@ TEST(Plausible, ATightTurnIsLeftToNoBusLaneAlone) {
   }
 }
 
+// Of two lanes that turn sharply one has no path to its lane that a car can drive; the cycle lane
+// beyond it is no way on.
+TEST(Plausible, TheOnlyWayOnIsOneForCars) {
+  for (const double apart : {40., 46., 52., 58., 64.})
+    for (const double reach : {5., 6.5, 8., 10., 14.}) {
+      const double angle = -apart * M_PI / 180;
+      LanedAxis comes = road(1, {{-8, 0, 0}, {0, 0, 0}}, 3, 0),
+                goes = road(3, {{0, 0, 0}, {reach, 0, 0}}, 3, 0);
+      comes.forward[0].kind = goes.forward[0].kind = LaneKind::cycle;
+      comes.width = goes.width = 8.5;
+      LanedAxis turns =
+          road(2, {{100 * std::cos(angle), 100 * std::sin(angle), 0}, {0, 0, 0}}, 2, 0);
+      turns.width = 6;
+      const JoinedTown town({comes, goes, turns,
+                             road(4, {{reach, 0, 0}, {reach + 90, 0, 0}}, 2, 0),
+                             road(5, {{reach, 0, 0}, {reach, -90, 0}}, 1, 1)},
+                            4);
+      const Ranks found = plausible(town, town.join(), 2, 3);
+      for (const int lane : {1, 2})
+        EXPECT_GE(found.count({lane, 2}) + found.count({lane, 3}), 1u)
+            << apart << " degrees, " << reach << " m, lane " << lane;
+    }
+}
+
 // At 110 km/h a turn needs 7 m, and the one about the nose between 2 and 3 has less on either lane:
 // the lane of 2 that it alone took is left to 1.
 TEST(Plausible, ATightTurnGivesWayToAWideOne) {
