@@ -32,20 +32,27 @@ COMMENT ON FUNCTION streetgen._read_access(text) IS
     'What a source says of who may drive, a word or two parted by |, as axis.access has it; ? where it means nothing.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_access_of(said text) RETURNS text
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
+BEGIN
+    IF strpos(said, ';') = 0 THEN
+        RETURN streetgen._access_word(said);
+    END IF;
     -- Of several words the one that lets most in.
-    SELECT word FROM (SELECT streetgen._access_word(w) AS word FROM regexp_split_to_table(said, ';') w) w
-    ORDER BY array_position('{"",?,destination,customers,delivery,private,carpool,bus,cycle,no}'::text[], word) LIMIT 1
-    $$;
+    RETURN (SELECT word FROM (SELECT streetgen._access_word(w) AS word FROM regexp_split_to_table(said, ';') w) w
+        ORDER BY array_position('{"",?,destination,customers,delivery,private,carpool,bus,cycle,no}'::text[], word)
+        LIMIT 1);
+END $$;
 COMMENT ON FUNCTION streetgen._osm_access_of(text) IS
     'The word of axis.access that a value of an access tag of OSM means; empty: open, ?: it means nothing.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_access_way(tags jsonb, class text, way text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    -- A session plans it once.
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
+BEGIN
     -- The tag that is nearest to a vehicle decides, and of one tag that of the direction.
-    SELECT CASE WHEN car NOT IN ('no', 'bus', 'carpool', 'cycle') THEN replace(car, '?', '')
+    RETURN (SELECT CASE WHEN car NOT IN ('no', 'bus', 'carpool', 'cycle') THEN replace(car, '?', '')
         WHEN car <> 'no' THEN car
         WHEN coalesce(bus, CASE WHEN alone <> 'no' THEN '' END) NOT IN ('no', '?', 'private') THEN 'bus'
         WHEN hov NOT IN ('no', '?') THEN 'carpool'
@@ -66,7 +73,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_access_way(tags jsonb, class text, way
             -- Cars alone are shut out: other motor traffic is not.
             CASE WHEN motorcar = 'no' THEN coalesce(motor, vehicle, every, usual) ELSE 'no' END AS alone,
             coalesce(cycle, vehicle, CASE WHEN every IS NULL THEN nullif(usual, 'cycle') ELSE every END, '') AS bicycle)
-            c $$;
+            c);
+END $$;
 COMMENT ON FUNCTION streetgen._osm_access_way(jsonb, text, text) IS
     'Who may drive a way of OSM with such tags and of a class, in one direction (forward or backward), as a word of '
     'axis.access; empty: all.';
