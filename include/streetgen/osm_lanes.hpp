@@ -45,13 +45,15 @@ struct OsmLanes {
   // Are general and bus lanes of the direction stated, or only usual?
   bool forward_known = false, backward_known = false;
   std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
-  std::optional<double> roadway_offset{};  // metres from the way to the middle of all lanes, left positive
+  std::optional<double>
+      roadway_offset{};  // metres from the way to the middle of all lanes, left positive
   std::vector<UnreadTag> unread{};
 };
 
 OsmLanes read_osm_lanes(const OsmTags& tags, const OsmLaneUse& use);
 
-// What becomes of a tag.  Alternatives of the key stand in brackets: turn:lanes[:forward|:backward].
+// What becomes of a tag.  Alternatives of the key stand in brackets:
+// turn:lanes[:forward|:backward].
 struct OsmTagUse {
   const char* keys;
   const char* becomes;

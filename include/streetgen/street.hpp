@@ -46,8 +46,8 @@ struct StreetAxis {
   double speed = 50;          // km/h
   double roadway_offset = 0;  // metres from the axis to the middle of the roadway, left positive
   bool leads_forward = true, leads_backward = true;  // whether traffic runs along it, against it
-  bool changed = true;        // false: as it was when the streets about it were computed
-  bool outer = false;         // beyond reach of the change: the others are computed with it
+  bool changed = true;  // false: as it was when the streets about it were computed
+  bool outer = false;   // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };

@@ -262,9 +262,8 @@ class InterconnectionBuilder {
       for (std::size_t p = 0; p < pairs[m].size(); ++p) {
         pairs[m][p].plausible = movements[m].verdicts[p].plausible;
         pairs[m][p].reason = movements[m].verdicts[p].reason;
-        pairs[m][p].traffic =
-            traffic_of(movements[m].verdicts[p], lanes_[pairs[m][p].lane_in].kind,
-                       lanes_[pairs[m][p].lane_out].kind);
+        pairs[m][p].traffic = traffic_of(movements[m].verdicts[p], lanes_[pairs[m][p].lane_in].kind,
+                                         lanes_[pairs[m][p].lane_out].kind);
         out_.push_back(std::move(pairs[m][p]));
       }
     const auto place = [](const Interconnection& i) {

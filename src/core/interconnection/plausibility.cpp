@@ -114,8 +114,9 @@ class Plausibility {
   std::vector<const Movement*> turn_off(int leg, const Group& lanes) {
     std::vector<Way> open = open_ways(leg, lanes, LaneKind::general, false);
     for (const Way& way : open) judge_all(way, lanes, Reason::lane_kind);
-    open.erase(std::remove_if(open.begin(), open.end(), [&](const Way& w) { return turns_back(w); }),
-               open.end());
+    open.erase(
+        std::remove_if(open.begin(), open.end(), [&](const Way& w) { return turns_back(w); }),
+        open.end());
     const bool goes_on = open.size() == 1 && goes_on_alone(open.front());
     const int through = way_through(open);
     std::vector<const Movement*> taken;
@@ -379,8 +380,7 @@ class Plausibility {
     const Way* main = &way;
     for (const Way& other : ways_)
       if (other.to == way.to && !other.movement->forbidden(LaneKind::general) &&
-          !turns_back(other) && nearly_straight(other) &&
-          off_course(other) < off_course(*main))
+          !turns_back(other) && nearly_straight(other) && off_course(other) < off_course(*main))
         main = &other;
     return *main;
   }
@@ -533,8 +533,11 @@ class Plausibility {
   Cost cost(const Way& way, int in, int out) const {
     const Verdict& verdict = at(way, in, out);
     const Astray beside = astray(way, in, out);
-    return {verdict.reason == Reason::turn_lanes && !takes(way, in), turns_back(way),
-            leaves_cars_behind(way, in, out), beside.crosses, tight(way, in, out),
+    return {verdict.reason == Reason::turn_lanes && !takes(way, in),
+            turns_back(way),
+            leaves_cars_behind(way, in, out),
+            beside.crosses,
+            tight(way, in, out),
             in_steps(std::abs(way.angle) + importance_weight * beside.lanes)};
   }
 
@@ -602,8 +605,8 @@ class Plausibility {
           Verdict& verdict = at(way, i, o);
           if (!verdict.plausible || !tight(way, i, o)) continue;
           const bool corner = !drivable(way, i, o);
-          if (!corner && (verdict.reason == Reason::turn_lanes ||
-                          (ordinary(way) && !taken_beside(way, i, o))))
+          if (!corner &&
+              (verdict.reason == Reason::turn_lanes || (ordinary(way) && !taken_beside(way, i, o))))
             continue;
           std::vector<Pair> instead;
           if (!spreads(way.movement->from, i, &verdict))

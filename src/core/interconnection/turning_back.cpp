@@ -10,9 +10,9 @@ namespace streetgen {
 
 namespace {
 
-const double side_by_side = std::cos(M_PI / 6 + same_angle);        // of two carriageways
-const double upon = std::cos(M_PI / 18 + same_angle);  // of streets drawn twice
-constexpr double upon_each_other = 2;                  // metres between these
+const double side_by_side = std::cos(M_PI / 6 + same_angle);         // of two carriageways
+const double upon = std::cos(M_PI / 18 + same_angle);                // of streets drawn twice
+constexpr double upon_each_other = 2;                                // metres between these
 const double about_a_nose = std::cos(75 * M_PI / 180 + same_angle);  // where their street parts
 
 // Whether two streets leave the node on one ground: who goes from one to the other goes back.
@@ -21,9 +21,8 @@ bool on_one_ground(const Leg& a, const Leg& b) {
 }
 
 bool lets_cars(const std::vector<LaneEnd>& lanes) {
-  return std::any_of(lanes.begin(), lanes.end(), [](const LaneEnd& lane) {
-    return leads_as(lane.kind) == LaneKind::general;
-  });
+  return std::any_of(lanes.begin(), lanes.end(),
+                     [](const LaneEnd& lane) { return leads_as(lane.kind) == LaneKind::general; });
 }
 
 bool lets_motors(const std::vector<LaneEnd>& lanes) {

@@ -15,7 +15,7 @@ namespace {
 
 const double opposite = std::cos(M_PI / 6 + same_angle);  // of the directions of two carriageways
 constexpr double longer_than_wide = 2;  // a median without a name; else it may be a block
-constexpr double least_across = 0.5;  // sine of the angle of a link and a carriageway
+constexpr double least_across = 0.5;    // sine of the angle of a link and a carriageway
 
 constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
 

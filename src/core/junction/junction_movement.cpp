@@ -57,8 +57,9 @@ class Across {
         if (lanes_[to].out.empty() || to_itself(from, to) || !ways[to].route) continue;
         poll_cancel();
         const bool back = turns_back(ends, from, to);
-        Movement movement{from, to, back && !by_an_opening(ends, *ways[to].route),
-                          ways[to].restricted, 0, {}, {}, {}};
+        Movement movement{
+            from, to, back && !by_an_opening(ends, *ways[to].route), ways[to].restricted, 0, {},
+            {},   {}};
         drawn.push_back(draw(ends, *ways[to].route, movement, back));
         movements.push_back(std::move(movement));
       }

@@ -13,9 +13,9 @@ namespace streetgen {
 namespace {
 
 constexpr double longest_within = 100;  // metres of an edge within a junction
-constexpr double seen_along = 10;      // metres of an edge by which it is seen where it leads
-constexpr double straight_on = 50;     // degrees
-constexpr double same_turn = 1e-4;     // degrees
+constexpr double seen_along = 10;       // metres of an edge by which it is seen where it leads
+constexpr double straight_on = 50;      // degrees
+constexpr double same_turn = 1e-4;      // degrees
 
 // Indices of the lanes that drive in one direction alone, from left to right as one drives.
 std::vector<int> driven_lanes(const std::vector<LaneWish>& lanes, bool along_axis) {
@@ -185,8 +185,7 @@ CarriedMarks::Marks CarriedMarks::carried(const Source& source, const DrivenEdge
     const std::vector<double> shares = lane_shares(lanes, width, settings_.narrowest);
     std::vector<LaneAbreast> found;
     for (const int i : driven_lanes(lanes, driven.along_axis)) {
-      const double aside =
-          width / 2 * (1 - shares[i] - shares[i + 1]) + roadway.roadway_offset;
+      const double aside = width / 2 * (1 - shares[i] - shares[i + 1]) + roadway.roadway_offset;
       found.push_back({lanes[i].turns, driven.along_axis ? aside : -aside});
     }
     return found;

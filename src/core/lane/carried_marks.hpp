@@ -63,9 +63,9 @@ class CarriedMarks {
   const std::vector<Roadway>& roadways_;
   const LaneWishes& wishes_;
   const LaneSettings& settings_;
-  bool any_;                                // whether any edge has marks
-  std::vector<bool> own_, open_;            // by number: it has marks, it has lanes
-  std::vector<std::vector<EdgeEnd>> ends_;  // by node
+  bool any_;                                         // whether any edge has marks
+  std::vector<bool> own_, open_;                     // by number: it has marks, it has lanes
+  std::vector<std::vector<EdgeEnd>> ends_;           // by node
   mutable std::vector<std::optional<Marks>> known_;  // by number
 };
 

@@ -31,10 +31,8 @@ void look_at_kerb(RoadSide kerb, WayTags& tags, BusWishes& wishes) {
     if (tags.one_way() && (word == "opposite_lane") == near) return;
   }
   if (word != "lane" && word != "opposite_lane") return;
-  const bool open_to_buses =
-      tags.value("oneway:bus") == "no" || tags.value("oneway:psv") == "no";
-  const bool against =
-      tags.one_way() ? word == "opposite_lane" || (!near && open_to_buses) : !near;
+  const bool open_to_buses = tags.value("oneway:bus") == "no" || tags.value("oneway:psv") == "no";
+  const bool against = tags.one_way() ? word == "opposite_lane" || (!near && open_to_buses) : !near;
   BusWish& wish = against ? wishes.against : wishes.along;
   if (wish.by_count) return;
   wish.key = key;
@@ -91,16 +89,15 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
 }
 
 void give_to_buses(HeadingLanes& lanes, const WayTags& tags) {
-  const bool closed = nearest_word({"motorcar", "motor_vehicle", "vehicle", "access"},
-                                   lanes.heading, tags) == "no";
+  const bool closed =
+      nearest_word({"motorcar", "motor_vehicle", "vehicle", "access"}, lanes.heading, tags) == "no";
   const bool buses = lets_in(nearest_word({"bus"}, lanes.heading, tags)) ||
                      lets_in(nearest_word({"psv"}, lanes.heading, tags));
   const bool alone = tags.value("highway") == "busway" || (closed && buses);
   const bool shared = !alone && tags.value("hov") == "designated";
   if (!alone && !shared) return;
   for (OsmLane& lane : lanes.lanes)
-    if (lane.kind == LaneKind::general)
-      lane.kind = alone ? LaneKind::bus : LaneKind::carpool;
+    if (lane.kind == LaneKind::general) lane.kind = alone ? LaneKind::bus : LaneKind::carpool;
 }
 
 }  // namespace streetgen

@@ -39,8 +39,8 @@ CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
 }
 
 std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
-  for (const std::string& key : {tags.key_of("cycleway", kerb), std::string("cycleway:both"),
-                                 std::string("cycleway")})
+  for (const std::string& key :
+       {tags.key_of("cycleway", kerb), std::string("cycleway:both"), std::string("cycleway")})
     if (const std::string said = tags.value(key + ":width"); !said.empty()) {
       const std::optional<double> width = lane_width_of(said);
       if (!width) tags.name(key + ":width", "it is no width of a lane");
@@ -52,10 +52,10 @@ std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
 void put_cycle_lane(RoadSide kerb, DrivingSide side, std::optional<double> width,
                     HeadingLanes& lanes) {
   const bool last = (kerb == RoadSide::near) == (side == DrivingSide::right);
-  if (kerb == RoadSide::near ? lanes.has(LaneKind::cycle)
-                             : !lanes.lanes.empty() &&
-                                   (last ? lanes.lanes.back() : lanes.lanes.front()).kind ==
-                                       LaneKind::cycle) {
+  if (kerb == RoadSide::near
+          ? lanes.has(LaneKind::cycle)
+          : !lanes.lanes.empty() &&
+                (last ? lanes.lanes.back() : lanes.lanes.front()).kind == LaneKind::cycle) {
     for (OsmLane& lane : lanes.lanes)
       if (lane.kind == LaneKind::cycle && !lane.width) lane.width = width;
     return;

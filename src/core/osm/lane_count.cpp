@@ -71,7 +71,8 @@ void settle_by_total(int total, Count& along, Count& against, WayTags& tags) {
   Count& other = along.readings.empty() ? along : against;
   for (const Reading& reading : listed.readings)
     if (reading.counted < total) {
-      if (reading.disagrees) tags.name("lanes", "lists of lanes say that it counts cycle lanes too");
+      if (reading.disagrees)
+        tags.name("lanes", "lists of lanes say that it counts cycle lanes too");
       listed.choose(reading);
       other.lanes = total - reading.counted;
       return;
@@ -252,15 +253,15 @@ int lanes_in_turn(const WayLanes& lanes, WayTags& tags) {
   }
   if (stated > 0) return std::min(stated, most_in_turn);
   const bool one = tags.value("oneway") == "alternating";
-  tags.name("oneway", one ? "no tag counts its lanes: it has one"
-                          : "no tag counts its lanes: it has two");
+  tags.name("oneway",
+            one ? "no tag counts its lanes: it has one" : "no tag counts its lanes: it has two");
   return one ? 1 : 2;
 }
 
 }  // namespace
 
-WayLanes counted_lanes(const LaneLists& along, const LaneLists& against,
-                       const CycleWishes& cycles, const OsmLaneUse& use, WayTags& tags) {
+WayLanes counted_lanes(const LaneLists& along, const LaneLists& against, const CycleWishes& cycles,
+                       const OsmLaneUse& use, WayTags& tags) {
   WayLanes lanes;
   lanes.side = use.driving_side;
   lanes.total = tags.count("lanes", 1);
@@ -293,9 +294,9 @@ WayLanes counted_lanes(const LaneLists& along, const LaneLists& against,
   lanes.along = lanes_of(forth, Heading::along, tags.one_way() ? use.usual_lanes : 1);
   lanes.against = lanes_of(back, Heading::against, tags.one_way() ? 0 : 1);
   if (tags.one_way()) close_to_cars(lanes.against, back, tags);
-  const int told = forth.counted() + lanes.middle +
-                   (tags.one_way() ? std::max(back.counted(), buses.against.lanes())
-                                   : back.counted());
+  const int told =
+      forth.counted() + lanes.middle +
+      (tags.one_way() ? std::max(back.counted(), buses.against.lanes()) : back.counted());
   if (lanes.total && forth.lanes && (tags.one_way() || back.lanes) && told != *lanes.total &&
       !forth.buses_beside)
     tags.name("lanes", "the lanes of its directions are others");

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double narrowest_lane = 0.3, widest_lane = 20;  // metres, that anybody would believe
 
-constexpr const char* list_names[] = {"turn", "change",   "width", "access", "vehicle",
-                                      "motor_vehicle", "motorcar", "bus",   "psv",    "taxi",
-                                      "hov",  "bicycle",  "cycleway"};
+constexpr const char* list_names[] = {"turn",          "change",   "width",   "access", "vehicle",
+                                      "motor_vehicle", "motorcar", "bus",     "psv",    "taxi",
+                                      "hov",           "bicycle",  "cycleway"};
 
 bool reserved(const std::string& word) { return word == "designated" || word == "official"; }
 bool open(const std::string& word) {

@@ -14,8 +14,8 @@ namespace streetgen {
 namespace {
 
 constexpr std::size_t most_lanes = 30;  // of all directions, with those of the kerbs
-constexpr double width_rounded = 0.25;     // metres, within which widths of a lane are alike
-constexpr int most_each_way = 10;          // that a width alone makes
+constexpr double width_rounded = 0.25;  // metres, within which widths of a lane are alike
+constexpr int most_each_way = 10;       // that a width alone makes
 constexpr std::size_t most_marks = 10;  // on one lane
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
@@ -70,8 +70,8 @@ void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
     const std::vector<OsmLane*> named = lanes_of_list(list.words.size(), lanes.lanes);
     const bool of_who = !is_one_of(name, {"turn", "change", "width"});
     if (of_who ? list.words.size() != lanes.listed && !says_nothing(list) : named.empty()) {
-      tags.name(list.key, "it lists " + std::to_string(list.words.size()) + " lanes, and there are " +
-                              std::to_string(lanes.lanes.size()));
+      tags.name(list.key, "it lists " + std::to_string(list.words.size()) +
+                              " lanes, and there are " + std::to_string(lanes.lanes.size()));
       continue;
     }
     if (of_who) continue;
@@ -132,7 +132,8 @@ void name_lists_of_both(const OsmTags& said, WayTags& tags) {
       tags.name(key, "it says no direction of a street of both");
 }
 
-// Widths of all lanes that are not the width of the street: its lanes become wider or narrower alike.
+// Widths of all lanes that are not the width of the street: its lanes become wider or narrower
+// alike.
 void name_widths_beside_street(const WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
   double sum = 0, rounded = 0;
   for (const HeadingLanes* of_heading : {&lanes.along, &lanes.against})
@@ -141,8 +142,7 @@ void name_widths_beside_street(const WayLanes& lanes, const OsmLaneUse& use, Way
       sum += *lane.width;
       rounded += width_rounded;
     }
-  if (lanes.middle > 0 || !use.roadway_width ||
-      std::abs(sum - *use.roadway_width) <= rounded)
+  if (lanes.middle > 0 || !use.roadway_width || std::abs(sum - *use.roadway_width) <= rounded)
     return;
   tags.name_first_of({"width:lanes", "width:lanes:forward", "width:lanes:backward"},
                      sum < *use.roadway_width
@@ -157,8 +157,7 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   const LaneLists along(tags, Heading::along), against(tags, Heading::against);
   const CycleWishes cycles = wanted_cycle_lanes(tags);
   WayLanes lanes = counted_lanes(along, against, cycles, use, tags);
-  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
-    give_to_buses(*of_heading, tags);
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) give_to_buses(*of_heading, tags);
   lay_cycle_lanes(cycles, lanes, tags);
   lay_parking_lanes(lanes, tags);
   fill_width(lanes, use, tags);

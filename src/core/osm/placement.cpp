@@ -45,23 +45,29 @@ std::optional<double> placed_offset(const WayLanes& lanes, const OsmLaneUse& use
     for (auto lane = lanes.against.lanes.rbegin(); lane != lanes.against.lanes.rend(); ++lane)
       across.push_back({&*lane, Heading::against, 0});
   };
-  if (lanes.side == DrivingSide::right) against(); else along();
+  if (lanes.side == DrivingSide::right)
+    against();
+  else
+    along();
   for (int i = 0; i < lanes.middle; ++i) across.push_back({&of_both, Heading::along, 0});
-  if (lanes.side == DrivingSide::right) along(); else against();
+  if (lanes.side == DrivingSide::right)
+    along();
+  else
+    against();
 
   double known = 0, total = 0;
   int open = 0;
   for (Across& each : across) {
-    each.width = each.lane->width.value_or(
-        each.lane->kind == LaneKind::cycle     ? use.cycle_lane_width
-        : each.lane->kind == LaneKind::parking ? use.parking_lane_width
-                                               : 0);
+    each.width =
+        each.lane->width.value_or(each.lane->kind == LaneKind::cycle     ? use.cycle_lane_width
+                                  : each.lane->kind == LaneKind::parking ? use.parking_lane_width
+                                                                         : 0);
     known += each.width;
     if (each.width == 0) ++open;
   }
-  const double rest = use.roadway_width ? std::max((*use.roadway_width - known) / std::max(open, 1),
-                                                   0.0)
-                                        : use.lane_width;
+  const double rest = use.roadway_width
+                          ? std::max((*use.roadway_width - known) / std::max(open, 1), 0.0)
+                          : use.lane_width;
   for (Across& each : across) {
     if (each.width == 0) each.width = rest;
     total += each.width;
@@ -78,7 +84,8 @@ std::optional<double> placed_offset(const WayLanes& lanes, const OsmLaneUse& use
         counted.push_back(i);
     if (heading == Heading::against) std::reverse(counted.begin(), counted.end());
     if (!mark || mark->lane < 1 || mark->lane > static_cast<int>(counted.size())) {
-      tags.name(key, mark ? "there is no such lane" : "it is no left_of, middle_of or right_of a lane");
+      tags.name(key,
+                mark ? "there is no such lane" : "it is no left_of, middle_of or right_of a lane");
       continue;
     }
     if (offset) continue;
@@ -91,7 +98,8 @@ std::optional<double> placed_offset(const WayLanes& lanes, const OsmLaneUse& use
     else
       offset = found;
   }
-  if (!tags.one_way() && !tags.value("placement").empty() && tags.value("placement") != "transition")
+  if (!tags.one_way() && !tags.value("placement").empty() &&
+      tags.value("placement") != "transition")
     tags.name("placement", "it says no direction of a street of both");
   return offset;
 }

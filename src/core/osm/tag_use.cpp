@@ -18,7 +18,8 @@ constexpr const char* who_may =
 constexpr const char* yes_or_no = "yes no true false 1 0 -1";
 constexpr const char* cycleways =
     "lane opposite_lane track opposite_track opposite shared_lane share_busway "
-    "opposite_share_busway shared shoulder separate sidepath sidewalk crossing asl soft_lane yes no "
+    "opposite_share_busway shared shoulder separate sidepath sidewalk crossing asl soft_lane yes "
+    "no "
     "none";
 
 const std::vector<OsmTagUse>& osm_tag_uses() {
@@ -33,13 +34,13 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        yes_or_no},
       {"lanes[|:forward|:backward]", "The number of general, bus and carpool lanes."},
       {"lanes[:both_ways|:reversible]", "The number of lanes in the middle, for both directions."},
-      {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.",
-       yes_or_no},
+      {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.", yes_or_no},
       {"lanes[:bus|:psv][|:forward|:backward]",
        "So many lanes at the near kerb are bus lanes, unless a list says which."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
       {"turn:lanes:both_ways",
-       "The number of lanes in the middle, which lead to the left; to the right where one drives on "
+       "The number of lanes in the middle, which lead to the left; to the right where one drives "
+       "on "
        "the left."},
       {"change:lanes[|:forward|:backward]", "Where one may leave each lane."},
       {"width:lanes[|:forward|:backward]", "The width of each lane."},
@@ -49,22 +50,18 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"[bus|psv|taxi]:lanes[|:forward|:backward]",
        "A designated lane is a bus lane, as is one that is closed to cars and open to these.",
        who_may},
-      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane.",
-       who_may},
+      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane.", who_may},
       {"bicycle:lanes[|:forward|:backward]",
        "A designated lane that is closed to cars, or that tag lanes does not count, is a cycle "
        "lane.",
        who_may},
       {"cycleway:lanes[|:forward|:backward]", "A lane so named is a cycle lane.",
        "lane exclusive advisory designated soft_lane shared_lane pictogram track yes no none"},
-      {"hov", "Value designated: all lanes are carpool lanes.",
-       who_may},
+      {"hov", "Value designated: all lanes are carpool lanes.", who_may},
       {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
-       "Value no, where buses may drive: all lanes of the direction are bus lanes.",
-       who_may},
+       "Value no, where buses may drive: all lanes of the direction are bus lanes.", who_may},
       {"[bus|psv][|:forward|:backward]",
-       "Where cars may not drive, a value that lets buses in makes all lanes bus lanes.",
-       who_may},
+       "Where cars may not drive, a value that lets buses in makes all lanes bus lanes.", who_may},
       {"busway[|:left|:right|:both]",
        "Value lane: a bus lane at the kerb, among the lanes that are counted; opposite_lane: one "
        "against the traffic.",
@@ -137,7 +134,8 @@ const std::map<std::string, const OsmTagUse*>& told_keys() {
 
 constexpr std::size_t shortest_misspelt = 4;  // letters; shorter keys are too much alike
 
-// A key, and what it is with a letter taken out.  Keys that are a letter away from each other share one of these.
+// A key, and what it is with a letter taken out.  Keys that are a letter away from each other share
+// one of these.
 template <class Take>
 void each_worn(const std::string& key, const Take& take) {
   take(key);

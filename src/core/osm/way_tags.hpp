@@ -1,5 +1,5 @@
-// The tags of a way as somebody sees them who drives it: a one-way street is driven along, whichever
-// way it is drawn.
+// The tags of a way as somebody sees them who drives it: a one-way street is driven along,
+// whichever way it is drawn.
 #pragma once
 
 #include <optional>
@@ -43,7 +43,8 @@ class WayTags {
   std::optional<int> count(const std::string& key, int least);
 
   void name(const std::string& key, const std::string& reason);
-  void name_first_of(const std::vector<std::string>& keys, const std::string& reason);  // that it has
+  void name_first_of(const std::vector<std::string>& keys,
+                     const std::string& reason);  // that it has
   // Tags about lanes that nobody knows, keys that are misspelt, and words that mean nothing.
   void name_strangers();
   std::vector<UnreadTag> take_unread() { return std::move(unread_); }

@@ -28,9 +28,8 @@ std::vector<Overpass> overpasses_of(const Streets& streets, const StreetModelInp
 // Along the edges whose lanes have marks that come from elsewhere, or had them before.
 LeadsOn marks_lead_on(const StreetModelInput& input) {
   if (input.former.edges.empty()) return {};
-  const auto wishes =
-      std::make_shared<const LaneWishes>(input.lanes, input.lane_overrides, input.circulations,
-                                         input.lane_settings);
+  const auto wishes = std::make_shared<const LaneWishes>(input.lanes, input.lane_overrides,
+                                                         input.circulations, input.lane_settings);
   if (!wishes->mark_any() && input.marked_before.empty()) return {};
   return [&input, wishes](const Network& network, const std::vector<Roadway>& roadways) {
     const CarriedMarks marks(network, roadways, *wishes, input.lane_settings);
@@ -38,9 +37,9 @@ LeadsOn marks_lead_on(const StreetModelInput& input) {
     for (int e = 0; e < static_cast<int>(network.edges.size()); ++e)
       for (const bool along_axis : {true, false}) {
         const DrivenEdge driven{e, along_axis};
-        leads.push_back(marks.carries(driven) ||
-                        (marks.may_carry(driven) &&
-                         input.marked_before.count(network.edges[e].axis_id) > 0));
+        leads.push_back(
+            marks.carries(driven) ||
+            (marks.may_carry(driven) && input.marked_before.count(network.edges[e].axis_id) > 0));
       }
     return leads;
   };
@@ -56,9 +55,8 @@ StreetModel street_model(const StreetModelInput& input) {
     count_ramp_lanes(ramps, input.axes,
                      {input.lanes, input.lane_overrides, input.circulations, input.lane_settings},
                      input.lane_settings);
-  model.streets =
-      streets(input.axes, input.settings, input.overrides, input.former, wanted("kerb"), ramps,
-              wanted("lane") ? marks_lead_on(input) : LeadsOn{});
+  model.streets = streets(input.axes, input.settings, input.overrides, input.former, wanted("kerb"),
+                          ramps, wanted("lane") ? marks_lead_on(input) : LeadsOn{});
   if (wanted("lane")) {
     model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings,
                         input.controls, input.circulations, input.paint);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "geometry/box.hpp"
 #include "geometry/closed_ring.hpp"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double least_room = 1;     // metres, the radius of a disc
 constexpr double fine_enough = 0.2;  // metres between places that are tried
+constexpr double most_paved = 0.15;  // of the ground between the kerbs
 
 // A street along a face, and the corner that it leads away from.
 struct FaceSide {
@@ -174,6 +176,29 @@ class Faces {
     return size > 0 && size < layout_.settings.island_area;
   }
 
+  std::optional<CornerArc> crossing_at(const CornerPlace& corner) const {
+    const Junction& junction = layout_.junctions[corner.node];
+    return corner_arc(course_of(layout_.arm(junction.ends[corner.gap]), +1),
+                      course_of(layout_.arm(junction.next(corner.gap)), -1), 0);
+  }
+
+  // The area between the kerbs, from crossing to crossing; 0 where kerbs leave none.
+  double ground_within(const std::vector<FaceSide>& face) const {
+    Ring ring;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const auto from = crossing_at(face[i].corner),
+                 to = crossing_at(face[(i + 1) % face.size()].corner);
+      if (!from || !to) return 0;
+      const Arm& arm = layout_.arm(face[i].end);
+      const double until = length(arm.line) - to->abscissa_b;
+      if (from->abscissa_a >= until) return 0;
+      const Line kerb = kerb_line(course_of(arm, +1), from->abscissa_a, until, +1).line;
+      ring.insert(ring.end(), kerb.begin(), kerb.end());
+    }
+    ring = closed(std::move(ring));
+    return ring.empty() ? 0 : signed_area(ring);
+  }
+
   // What the fillets pave from the crossing of the kerbs on.
   std::vector<Polygon> fillets(const std::vector<FaceSide>& face) const {
     std::vector<Polygon> paved;
@@ -183,11 +208,11 @@ class Faces {
       const Gap& gap = at_node[side.corner.gap].gap;
       if (!gap.beyond.empty()) paved.push_back(gap.beyond);
       if (!gap.meets || gap.corner.radius <= 0) continue;
+      const auto crossing = crossing_at(side.corner);
+      if (!crossing) continue;
       const Junction& junction = layout_.junctions[side.corner.node];
       const Course a = course_of(layout_.arm(side.end), +1),
                    b = course_of(layout_.arm(junction.next(side.corner.gap)), -1);
-      const auto crossing = corner_arc(a, b, 0);
-      if (!crossing) continue;
       Polygon ground = cusp(a, b, *crossing, gap.corner);
       if (!ground.empty()) paved.push_back(std::move(ground));
     }
@@ -201,7 +226,12 @@ class Faces {
     for (const Point& p : ring) box.add(frame.seen(p));
     if (!has_room(face, {ring}, {}, frame, box)) return false;
     const std::vector<Polygon> paved = fillets(face);
-    return !paved.empty() && !has_room(face, {ring}, paved, frame, box);
+    if (paved.empty()) return false;
+    if (!has_room(face, {ring}, paved, frame, box)) return true;
+    double all = 0;
+    for (const Polygon& fillet : paved) all += std::abs(signed_area(fillet.front()));
+    const double ground = ground_within(face);
+    return ground > 0 && all > most_paved * ground;
   }
 
   // How far the nearest kerb or fillet is, negative on the roadway.

@@ -19,9 +19,9 @@ struct CornerPlace {
 using SolvedCorners = std::vector<std::vector<SolvedCorner>>;
 
 // The corners about each island: a face between the axes of one level, smaller than island_area and
-// no longer about than twice the reach, whose flat kerbs leave room for a disc of 1 m that the
-// fillets of its corners take away. Each corner adds the nodes that it looked at to
-// Junction::followed.
+// no longer about than twice the reach, whose flat kerbs leave room for a disc of 1 m. The fillets
+// of its corners take that room away, or over 15 % of the ground between the kerbs. Each corner
+// adds the nodes that it looked at to Junction::followed.
 std::vector<CornerPlace> swallowed_islands(Layout& layout, const SolvedCorners& corners);
 
 }  // namespace streetgen

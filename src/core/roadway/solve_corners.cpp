@@ -38,8 +38,8 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   std::vector<const Arm*> arms;
   arms.reserve(junction.ends.size());
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
-  const CornerWish wish{radius, settings.max_arc_distance, settings.radius_minimal, by_hand,
-                        settings.corner_length, settings.corner_area};
+  const CornerWish wish{radius,  settings.max_arc_distance, settings.radius_minimal,
+                        by_hand, settings.corner_length,    settings.corner_area};
   SolvedCorner solved = solve_corner(arms, i, wish);
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);

@@ -38,12 +38,12 @@ Texts take_texts(FunctionCallInfo fcinfo, int argument, const char* name) {
 Datum texts_datum(const std::vector<std::string>& texts) {
   auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * (texts.size() + 1)));
   for (std::size_t i = 0; i < texts.size(); ++i) values[i] = CStringGetTextDatum(texts[i].c_str());
-  return PointerGetDatum(construct_array(values, static_cast<int>(texts.size()), TEXTOID, -1, false,
-                                         TYPALIGN_INT));
+  return PointerGetDatum(
+      construct_array(values, static_cast<int>(texts.size()), TEXTOID, -1, false, TYPALIGN_INT));
 }
 
-// A word of each lane, parted by |; empty where no lane has one.  Where cycle and parking lanes have
-// none they are left out.
+// A word of each lane, parted by |; empty where no lane has one.  Where cycle and parking lanes
+// have none they are left out.
 template <class Word>
 std::string listed(const std::vector<OsmLane>& lanes, const Word& word) {
   const bool of_all = std::any_of(lanes.begin(), lanes.end(), [&](const OsmLane& lane) {

@@ -245,13 +245,12 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given
     std::vector<LaneWish> both(counted(rows.lanes_both));
     for (LaneWish& lane : both)
       if (access.forward == access.backward) lane.kind = access.forward;
-    axes.push_back(
-        {axis_id,
-         {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward, rows.turn_forward,
-               access.forward),
-          read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
-               rows.turn_backward, access.backward),
-          std::move(both)}});
+    axes.push_back({axis_id,
+                    {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward,
+                          rows.turn_forward, access.forward),
+                     read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
+                          rows.turn_backward, access.backward),
+                     std::move(both)}});
   }
   return axes;
 }

@@ -131,8 +131,7 @@ TEST(Plausible, AMarkThatNoWayAnswersLeadsStraightOn) {
 TEST(Plausible, AnUnmarkedOuterLaneTakesTheTurnsOnItsSide) {
   LanedAxis marked = road(1, west, 2, 1);
   marked.forward[0].turns = turn::left;
-  const JoinedTown town(
-      {marked, road(2, south, 1, 1), road(3, east, 1, 1), road(4, north, 1, 1)});
+  const JoinedTown town({marked, road(2, south, 1, 1), road(3, east, 1, 1), road(4, north, 1, 1)});
   const auto all = town.join();
   EXPECT_EQ(plausible(town, all, 1, 4), (Ranks{{1, 1}}));
   EXPECT_EQ(plausible(town, all, 1, 3), (Ranks{{2, 1}}));
@@ -144,9 +143,9 @@ TEST(Plausible, ALaneEndsOnTheSideToWhichItMerges) {
     LanedAxis marked = road(1, west, 3, 0);
     marked.forward[mark == turn::merge_left ? 2 : 0].turns = mark;
     const JoinedTown town({marked, road(3, onwards, 2, 0)});
-    EXPECT_EQ(plausible(town, town.join(), 1, 3),
-              mark == turn::merge_left ? (Ranks{{1, 1}, {2, 2}, {3, 2}})
-                                       : (Ranks{{1, 1}, {2, 1}, {3, 2}}));
+    EXPECT_EQ(plausible(town, town.join(), 1, 3), mark == turn::merge_left
+                                                      ? (Ranks{{1, 1}, {2, 2}, {3, 2}})
+                                                      : (Ranks{{1, 1}, {2, 1}, {3, 2}}));
   }
 }
 
@@ -239,10 +238,10 @@ TEST_F(MiddleLane, IsNoWayIntoAStreetWithoutOne) {
 
 TEST_F(MiddleLane, GoesOnWhereTheStreetAloneDoes) {
   const JoinedTown town({street(1, west), street(2, onwards)});
-  EXPECT_EQ(passes(town), (std::set<Passes>{{1, 2, false, false},
-                                            {2, 1, false, false},
-                                            {1, 2, true, true},
-                                            {2, 1, true, true}}));
+  EXPECT_EQ(
+      passes(town),
+      (std::set<Passes>{
+          {1, 2, false, false}, {2, 1, false, false}, {1, 2, true, true}, {2, 1, true, true}}));
 }
 
 TEST_F(MiddleLane, AMarkedLaneBesideItTurnsOffToo) {
@@ -500,8 +499,7 @@ TEST(Plausible, TheOnlyWayOnIsOneForCars) {
       LanedAxis turns =
           road(2, {{100 * std::cos(angle), 100 * std::sin(angle), 0}, {0, 0, 0}}, 2, 0);
       turns.width = 6;
-      const JoinedTown town({comes, goes, turns,
-                             road(4, {{reach, 0, 0}, {reach + 90, 0, 0}}, 2, 0),
+      const JoinedTown town({comes, goes, turns, road(4, {{reach, 0, 0}, {reach + 90, 0, 0}}, 2, 0),
                              road(5, {{reach, 0, 0}, {reach, -90, 0}}, 1, 1)},
                             4);
       const Ranks found = plausible(town, town.join(), 2, 3);

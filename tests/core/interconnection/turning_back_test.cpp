@@ -65,8 +65,7 @@ TEST(TurningBack, TwoOneWayStreetsFarApartAreNoCarriageways) {
 
 TEST(TurningBack, AStreetThatGoesOnSharplyIsNoUTurn) {
   for (const double onwards : {150., 165., 175.}) {
-    const JoinedTown town(
-        {road(1, west, 1, 1), road(2, {{0, 0, 0}, at(onwards, 100)}, 1, 1)});
+    const JoinedTown town({road(1, west, 1, 1), road(2, {{0, 0, 0}, at(onwards, 100)}, 1, 1)});
     const auto all = town.join();
     EXPECT_EQ(plausible(town, all, 1, 2), (Ranks{{1, 1}})) << onwards;
     EXPECT_EQ(turns(town, all, 1, 2), (std::set<std::string>{"left"})) << onwards;
@@ -95,8 +94,7 @@ TEST(TurningBack, CarriagewaysThatEndAtACrossStreetAreNotJoined) {
 TEST(TurningBack, CarsAloneTellTheDirectionsOfAStreet) {
   LanedAxis out = road(2, {{0, 0, 0}, at(-20, 120)}, 1, 1);
   out.backward.front().kind = LaneKind::bus;
-  const JoinedTown town(
-      {road(1, west, 1, 1), out, road(3, {at(20, 120), {0, 0, 0}}, 1, 0)});
+  const JoinedTown town({road(1, west, 1, 1), out, road(3, {at(20, 120), {0, 0, 0}}, 1, 0)});
   EXPECT_EQ(plausible(town, town.join(), 3, 2), Ranks{});
 }
 

@@ -11,11 +11,16 @@ namespace osm_lanes_test {
 
 const char* letter(LaneKind kind) {
   switch (kind) {
-    case LaneKind::bus: return "bus";
-    case LaneKind::carpool: return "carpool";
-    case LaneKind::cycle: return "cycle";
-    case LaneKind::parking: return "parking";
-    default: return "general";
+    case LaneKind::bus:
+      return "bus";
+    case LaneKind::carpool:
+      return "carpool";
+    case LaneKind::cycle:
+      return "cycle";
+    case LaneKind::parking:
+      return "parking";
+    default:
+      return "general";
   }
 }
 
@@ -64,8 +69,7 @@ TEST(OsmLanes, CountsOfTagLanes) {
   for (const char* none : {"2;3", "1.5", "many", "0", "-2", "31", "2 lanes"})
     EXPECT_EQ(read({{"lanes", none}}), "general | general ?lanes") << none;
   EXPECT_EQ(read({{"lanes", "2.0"}}), "general | general");
-  EXPECT_EQ(read({{"lanes", "2"}, {"lanes:forward", "2"}}),
-            "general general | general ?lanes");
+  EXPECT_EQ(read({{"lanes", "2"}, {"lanes:forward", "2"}}), "general general | general ?lanes");
   EXPECT_EQ(read_osm_lanes({{"lanes", "3"}, {"oneway", "yes"}}, {}).lane_count, 3);
   EXPECT_FALSE(read_osm_lanes({}, {}).lane_count);
   EXPECT_FALSE(read_osm_lanes({{"lanes", "4"}}, {}).forward_known);
@@ -82,20 +86,26 @@ TEST(OsmLanes, OneWayStreetsOfUnknownLanesHaveTheUsualOnes) {
 }
 
 TEST(OsmLanes, ListsGoFromLeftToRightInDrivingDirection) {
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"turn:lanes", "left|through;Right | none"},
-                  {"width:lanes", "3.5|3 m|"}, {"change:lanes", "no|not_left|yes"}}),
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "3"},
+                  {"turn:lanes", "left|through;Right | none"},
+                  {"width:lanes", "3.5|3 m|"},
+                  {"change:lanes", "no|not_left|yes"}}),
             "general:left/no=3.50 general:through;right/not_left=3.00 general:none/yes | ");
   EXPECT_EQ(read({{"oneway", "-1"}, {"lanes", "2"}, {"turn:lanes", "left|"}}),
             " | general:left general");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes:forward", "3"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes:forward", "3"},
                   {"turn:lanes:forward", "left|through|right"},
                   {"width:lanes:forward", "3.2|3.2|3.2"}}),
             "general:left=3.20 general:through=3.20 general:right=3.20 | ");
   EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:forward", "left|right"}}),
-            "general:left general:right | general") << "a list says how lanes are shared";
+            "general:left general:right | general")
+      << "a list says how lanes are shared";
   EXPECT_EQ(read({{"turn:lanes", "left|right"}}), "general | general ?turn:lanes");
   EXPECT_EQ(read({{"lanes", "4"}, {"bus:lanes", "yes|designated"}, {"lanes:bus", "2"}}),
-            "general bus | general bus") << "a list of half of the lanes speaks of each direction";
+            "general bus | general bus")
+      << "a list of half of the lanes speaks of each direction";
 }
 
 TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
@@ -117,7 +127,8 @@ TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
             "general general/no |  ?change:lanes");
   for (const char* strange : {"-1", "0", "50", "much"})
     EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "lane"}, {"cycleway:right:width", strange}}),
-              "general cycle | general ?cycleway:right:width") << strange;
+              "general cycle | general ?cycleway:right:width")
+        << strange;
 }
 
 TEST(OsmLanes, WidthsOfLanesThatAreNotThatOfTheStreetAreNamed) {
@@ -132,7 +143,8 @@ TEST(OsmLanes, WidthsOfLanesThatAreNotThatOfTheStreetAreNamed) {
     EXPECT_EQ(read(tags, use), "general=3.00 general=3.00 |  ?width:lanes") << wide;
   }
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", "3|"}}, use),
-            "general=3.00 general | ") << "a lane without a width takes what is left";
+            "general=3.00 general | ")
+      << "a lane without a width takes what is left";
 }
 
 TEST(OsmLanes, UnknownLanesBesideACycleLaneAreTheSameForBothDirections) {
@@ -154,38 +166,58 @@ TEST(OsmLanes, MisspeltKeysAreNamed) {
                           "Lanes", "lanes:foward", "bus:lane", "cicleway", "LANES:Backward"})
     EXPECT_EQ(read({{key, "1"}}), std::string("general | general ?") + key);
   for (const char* key : {"surface", "name", "maxspeed", "lit", "foot", "layer", "sidewalk",
-                          "source:lanes", "lane_markings", "oneway:foot", "width", "bridge",
-                          "taxi", "hgv", "goods", "shoulder", "overtaking"})
+                          "source:lanes", "lane_markings", "oneway:foot", "width", "bridge", "taxi",
+                          "hgv", "goods", "shoulder", "overtaking"})
     EXPECT_EQ(read({{key, "no"}}), "general | general") << key;
 }
 
 TEST(OsmLanes, ListsCountAllLanesAndTagLanesThoseOfCars) {
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"turn:lanes", "left|through|through|right"},
-                  {"vehicle:lanes", "yes|yes|no|yes"}, {"bicycle:lanes", "yes|no|designated|yes"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "3"},
+                  {"turn:lanes", "left|through|through|right"},
+                  {"vehicle:lanes", "yes|yes|no|yes"},
+                  {"bicycle:lanes", "yes|no|designated|yes"},
                   {"width:lanes", "3|3|1.5|3.5"}}),
             "general:left=3.00 general:through=3.00 cycle:through=1.50 general:right=3.50 | ");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "through|through|right"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "2"},
+                  {"turn:lanes", "through|through|right"},
                   {"bicycle:lanes", "|designated|"}}),
             "general:through cycle:through general:right | ");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "through|through|right"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "2"},
+                  {"turn:lanes", "through|through|right"},
                   {"cycleway:lanes", "none|lane|none"}}),
             "general:through cycle:through general:right | ");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "through|right"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "2"},
+                  {"turn:lanes", "through|right"},
                   {"bicycle:lanes", "|designated|"}}),
-            "general:through cycle general:right | ") << "a list of cars leaves out the cycle lane";
+            "general:through cycle general:right | ")
+      << "a list of cars leaves out the cycle lane";
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"bicycle:lanes", "|designated"}}),
-            "general general | ") << "bicycles may use a lane that cars are counted on";
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"vehicle:lanes", "||no"},
+            "general general | ")
+      << "bicycles may use a lane that cars are counted on";
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "3"},
+                  {"vehicle:lanes", "||no"},
                   {"bicycle:lanes", "||designated"}}),
-            "general general cycle |  ?lanes") << "lanes counts the cycle lane too";
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|through|"},
+            "general general cycle |  ?lanes")
+      << "lanes counts the cycle lane too";
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "2"},
+                  {"turn:lanes", "left|through|"},
                   {"cycleway:right", "lane"}}),
-            "general:left general:through cycle | ") << "a list counts the cycle lane at the kerb";
+            "general:left general:through cycle | ")
+      << "a list counts the cycle lane at the kerb";
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", "left|through|right"}}),
             "general:left general:through general:right |  ?lanes");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "4"}, {"turn:lanes", "left|through|right"}}),
-            "general general general general |  ?turn:lanes") << "it lands on no other lane's place";
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "3"}, {"turn:lanes", "left||"},
+            "general general general general |  ?turn:lanes")
+      << "it lands on no other lane's place";
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "3"},
+                  {"turn:lanes", "left||"},
                   {"change:lanes", "no|no|no|no"}}),
             "general:left general general |  ?change:lanes");
 }
@@ -206,7 +238,8 @@ TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
             "general general bus | ");
   EXPECT_EQ(with({{"hov:lanes", "designated||"}}), "carpool general general | ");
   EXPECT_EQ(with({{"psv:lanes", "||designated"}, {"bicycle:lanes", "||designated"}}),
-            "general general bus | ") << "bicycles on a bus lane";
+            "general general bus | ")
+      << "bicycles on a bus lane";
   EXPECT_EQ(with({{"vehicle:lanes", "||no"}, {"change:lanes", "no|no|no"}}),
             "general/no general/no bus/no |  ?vehicle:lanes");
   EXPECT_EQ(with({{"parking:lanes", "||designated"}}), "general general general |  ?parking:lanes");
@@ -216,13 +249,17 @@ TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
   EXPECT_EQ(with({{"busway:left", "lane"}, {"turn:lanes", "left|through|through"}}),
             "bus:left general:through general:through | ");
   EXPECT_EQ(with({{"busway", "lane"}, {"psv:lanes", "yes|designated|yes"}}),
-            "general bus general | ") << "a list goes before a kerb";
+            "general bus general | ")
+      << "a list goes before a kerb";
 }
 
 TEST(OsmLanes, BusLanesOfStreetsOfBothDirections) {
-  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "1"}, {"lanes:backward", "1"},
+  EXPECT_EQ(read({{"lanes", "3"},
+                  {"lanes:forward", "1"},
+                  {"lanes:backward", "1"},
                   {"lanes:psv:forward", "1"}}),
-            "general bus | general") << "lanes:forward leaves the bus lane out";
+            "general bus | general")
+      << "lanes:forward leaves the bus lane out";
   EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}, {"lanes:psv:forward", "1"}}),
             "general bus | general");
   EXPECT_EQ(read({{"lanes", "3"}, {"busway:right", "lane"}}), "general bus | general");
@@ -248,30 +285,44 @@ TEST(OsmLanes, StreetsForBusesAlone) {
 }
 
 TEST(OsmLanes, LanesAgainstTheTrafficOfOneWayStreets) {
-  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:bus", "no"}, {"lanes", "3"}, {"lanes:forward", "2"},
-                  {"lanes:backward", "1"}, {"bus:lanes:backward", "designated"},
-                  {"vehicle:lanes:forward", "no|yes"}, {"bus:lanes:forward", "designated|yes"}}),
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"oneway:bus", "no"},
+                  {"lanes", "3"},
+                  {"lanes:forward", "2"},
+                  {"lanes:backward", "1"},
+                  {"bus:lanes:backward", "designated"},
+                  {"vehicle:lanes:forward", "no|yes"},
+                  {"bus:lanes:forward", "designated|yes"}}),
             "bus general | bus");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:bus", "no"}, {"lanes", "3"}, {"lanes:forward", "2"},
-                  {"lanes:backward", "1"}, {"bus:lanes:backward", "yes"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"oneway:bus", "no"},
+                  {"lanes", "3"},
+                  {"lanes:forward", "2"},
+                  {"lanes:backward", "1"},
+                  {"bus:lanes:backward", "yes"},
                   {"vehicle:lanes:forward", "no|yes"}}),
             "bus general | bus");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:forward", "1"},
-                  {"lanes:backward", "1"}, {"access:lanes:backward", "no"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "2"},
+                  {"lanes:forward", "1"},
+                  {"lanes:backward", "1"},
+                  {"access:lanes:backward", "no"},
                   {"psv:lanes:backward", "designated"}}),
             "general | bus");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:psv", "no"}, {"lanes", "3"},
-                  {"lanes:backward", "1"}}),
-            "general general | bus") << "without a list";
+  EXPECT_EQ(
+      read({{"oneway", "yes"}, {"oneway:psv", "no"}, {"lanes", "3"}, {"lanes:backward", "1"}}),
+      "general general | bus")
+      << "without a list";
   EXPECT_EQ(read({{"oneway", "yes"}, {"oneway:psv", "no"}, {"lanes", "3"}, {"lanes:forward", "2"}}),
             "general general | bus");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:backward", "1"}}),
-            "general | bus ?lanes:backward") << "nobody is said to drive there";
-  for (const OsmTags& of_buses : {OsmTags{{"bus", "no"}}, OsmTags{{"maxspeed:bus", "50"}},
-                                  OsmTags{{"psv", "yes"}}, OsmTags{{"bus:lanes:forward", "yes"}},
-                                  OsmTags{{"oneway:bus", "yes"}}}) {
-    OsmTags tags = {{"oneway", "yes"}, {"lanes", "2"}, {"lanes:backward", "1"},
-                    {"oneway:bicycle", "no"}};
+            "general | bus ?lanes:backward")
+      << "nobody is said to drive there";
+  for (const OsmTags& of_buses :
+       {OsmTags{{"bus", "no"}}, OsmTags{{"maxspeed:bus", "50"}}, OsmTags{{"psv", "yes"}},
+        OsmTags{{"bus:lanes:forward", "yes"}}, OsmTags{{"oneway:bus", "yes"}}}) {
+    OsmTags tags = {
+        {"oneway", "yes"}, {"lanes", "2"}, {"lanes:backward", "1"}, {"oneway:bicycle", "no"}};
     tags.insert(of_buses.begin(), of_buses.end());
     EXPECT_EQ(read(tags), "general | cycle") << of_buses.begin()->first << " is none against it";
   }
@@ -279,9 +330,12 @@ TEST(OsmLanes, LanesAgainstTheTrafficOfOneWayStreets) {
             "general | bus");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes:backward", "left"}}),
             "general general |  ?turn:lanes:backward");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"bus:lanes:forward", "yes|designated"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "2"},
+                  {"bus:lanes:forward", "yes|designated"},
                   {"bus:lanes:backward", "yes|designated"}}),
-            "general bus |  ?bus:lanes:backward") << "lanes counts none of those";
+            "general bus |  ?bus:lanes:backward")
+      << "lanes counts none of those";
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"bicycle:lanes:backward", "designated"}}),
             "general | cycle");
 }
@@ -299,28 +353,42 @@ TEST(OsmLanes, CycleLanesAtKerbs) {
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:left", "lane"}, {"cycleway:left:oneway", "-1"}}),
             "general | general cycle");
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "lane"}, {"cycleway:right:oneway", "no"}}),
-            "general cycle | general ?cycleway:right") << "the lane for both is told";
+            "general cycle | general ?cycleway:right")
+      << "the lane for both is told";
   EXPECT_EQ(one_way({{"cycleway", "opposite"}, {"oneway:bicycle", "no"}}), "general | ");
   EXPECT_EQ(one_way({{"cycleway", "opposite_lane"}}), "general | cycle");
   EXPECT_EQ(one_way({{"cycleway:left", "lane"}, {"oneway:bicycle", "no"}}), "general | cycle");
   EXPECT_EQ(one_way({{"cycleway:left", "lane"}}), "cycle general | ");
   EXPECT_EQ(one_way({{"cycleway:left", "lane"}, {"cycleway:left:oneway", "no"}}),
-            "cycle general | cycle") << "a lane of each direction";
-  EXPECT_EQ(one_way({{"cycleway:left", "lane"}, {"cycleway:left:oneway", "-1"},
-                     {"cycleway:right", "lane"}, {"oneway:bicycle", "no"}}),
+            "cycle general | cycle")
+      << "a lane of each direction";
+  EXPECT_EQ(one_way({{"cycleway:left", "lane"},
+                     {"cycleway:left:oneway", "-1"},
+                     {"cycleway:right", "lane"},
+                     {"oneway:bicycle", "no"}}),
             "general cycle | cycle");
   EXPECT_EQ(one_way({{"cycleway", "lane"}}, left_hand()), "cycle general | ");
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "track"}}), "general | general");
-  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "lane"}, {"access:lanes:forward", "bicycle|yes"},
+  EXPECT_EQ(read({{"lanes", "2"},
+                  {"cycleway", "lane"},
+                  {"access:lanes:forward", "bicycle|yes"},
                   {"access:lanes:backward", "bicycle|yes"},
                   {"bicycle:lanes:forward", "designated|yes"},
-                  {"bicycle:lanes:backward", "designated|yes"}, {"vehicle:lanes:forward", "no|yes"},
-                  {"vehicle:lanes:backward", "no|yes"}, {"width:lanes:forward", "1.5|2.5"},
-                  {"width:lanes:backward", "1.5|2.5"}}, left_hand()),
-            "cycle=1.50 general=2.50 | cycle=1.50 general=2.50") << "no lane is made twice";
-  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}, {"lanes:backward", "1"},
-                  {"cycleway:left", "lane"}, {"cycleway:left:lane", "advisory"},
-                  {"cycleway:right", "no"}, {"turn:lanes:forward", "left|"},
+                  {"bicycle:lanes:backward", "designated|yes"},
+                  {"vehicle:lanes:forward", "no|yes"},
+                  {"vehicle:lanes:backward", "no|yes"},
+                  {"width:lanes:forward", "1.5|2.5"},
+                  {"width:lanes:backward", "1.5|2.5"}},
+                 left_hand()),
+            "cycle=1.50 general=2.50 | cycle=1.50 general=2.50")
+      << "no lane is made twice";
+  EXPECT_EQ(read({{"lanes", "3"},
+                  {"lanes:forward", "2"},
+                  {"lanes:backward", "1"},
+                  {"cycleway:left", "lane"},
+                  {"cycleway:left:lane", "advisory"},
+                  {"cycleway:right", "no"},
+                  {"turn:lanes:forward", "left|"},
                   {"vehicle:lanes:backward", "yes|yes"},
                   {"bicycle:lanes:backward", "yes|designated"}}),
             "general:left general | general cycle");
@@ -331,14 +399,20 @@ TEST(OsmLanes, ParkingLanesLieOutermost) {
             "general cycle parking | general cycle");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"parking:lane:both", "parallel"}}),
             "parking general parking | ");
-  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"parking:lane:both", "parallel"},
+  EXPECT_EQ(read({{"oneway", "yes"},
+                  {"lanes", "1"},
+                  {"parking:lane:both", "parallel"},
                   {"cycleway", "opposite_lane"}}),
             "general parking | cycle parking");
   EXPECT_EQ(read({{"lanes", "2"}, {"parking:right", "street_side"}}), "general | general");
-  EXPECT_EQ(read({{"lanes", "2"}, {"parking:both", "lane"}, {"parking:right:width", "2.4 m"},
+  EXPECT_EQ(read({{"lanes", "2"},
+                  {"parking:both", "lane"},
+                  {"parking:right:width", "2.4 m"},
                   {"parking:left:orientation", "diagonal"}}),
             "general parking=2.40 | general parking=4.50");
-  EXPECT_EQ(read({{"lanes", "2"}, {"parking:both", "lane"}, {"parking:both:width", "-2"},
+  EXPECT_EQ(read({{"lanes", "2"},
+                  {"parking:both", "lane"},
+                  {"parking:both:width", "-2"},
                   {"parking:both:orientation", "perpendicular"}}),
             "general parking=5.00 | general parking=5.00 ?parking:both:width");
   EXPECT_EQ(read({{"lanes", "2"}, {"parking:lane:right", "diagonal"}}),
@@ -379,8 +453,13 @@ TEST(OsmLanes, WhatIsNotReadIsNamed) {
             "general | general ?cycleway:right:lane");
   std::string wide = "20";
   for (int i = 1; i < 14; ++i) wide += "|20";
-  EXPECT_EQ(read_osm_lanes({{"oneway", "yes"}, {"lanes", "14"}, {"width:lanes", wide},
-                            {"placement", "left_of:1"}}, {}).unread.at(0).key, "placement")
+  EXPECT_EQ(
+      read_osm_lanes(
+          {{"oneway", "yes"}, {"lanes", "14"}, {"width:lanes", wide}, {"placement", "left_of:1"}},
+          {})
+          .unread.at(0)
+          .key,
+      "placement")
       << "a way lies no farther than 100 m from its lanes";
 }
 
@@ -392,33 +471,82 @@ TEST(OsmLanes, PlacementByTheWidthsOfLanes) {
   EXPECT_DOUBLE_EQ(offset({{"oneway", "-1"}, {"lanes", "3"}, {"placement", "right_of:1"}}), 1.75);
   EXPECT_DOUBLE_EQ(offset({{"oneway", "yes"}, {"lanes", "2"}, {"placement:forward", "right_of:2"}}),
                    3.5);
-  EXPECT_DOUBLE_EQ(offset({{"lanes", "3"}, {"lanes:forward", "2"},
-                           {"placement:forward", "left_of:1"}}), -1.75)
+  EXPECT_DOUBLE_EQ(
+      offset({{"lanes", "3"}, {"lanes:forward", "2"}, {"placement:forward", "left_of:1"}}), -1.75)
       << "the line stays between the directions";
-  EXPECT_DOUBLE_EQ(offset({{"lanes", "3"}, {"lanes:forward", "2"},
-                           {"placement:backward", "left_of:1"}}), -1.75);
-  EXPECT_DOUBLE_EQ(offset({{"oneway", "yes"}, {"lanes", "3"}, {"placement", "right_of:1"},
-                           {"cycleway:right", "lane"}}), -2.5) << "the cycle lane counts";
+  EXPECT_DOUBLE_EQ(
+      offset({{"lanes", "3"}, {"lanes:forward", "2"}, {"placement:backward", "left_of:1"}}), -1.75);
+  EXPECT_DOUBLE_EQ(offset({{"oneway", "yes"},
+                           {"lanes", "3"},
+                           {"placement", "right_of:1"},
+                           {"cycleway:right", "lane"}}),
+                   -2.5)
+      << "the cycle lane counts";
   for (const char* none : {"right_of:3", "right_of", "left_of:0", "center", "left_of:1x"})
     EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"placement", none}}),
-              "general general |  ?placement") << none;
+              "general general |  ?placement")
+        << none;
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"placement", "transition"}}),
             "general general | ");
 }
 
 TEST(OsmLanes, NonsenseIsNamedAndRaisesNothing) {
   std::mt19937 random(7);
-  const std::vector<std::string> keys = {
-      "lanes", "lanes:forward", "lanes:backward", "lanes:both_ways", "lanes:psv", "turn:lanes",
-      "turn:lanes:forward", "turn:lanes:both_ways", "width:lanes:backward", "bus:lanes", "oneway",
-      "bicycle:lanes:forward", "vehicle:lanes", "cycleway", "cycleway:left:oneway", "busway:left",
-      "cycleway:right:width", "parking:both", "placement", "placement:backward", "change:lanes",
-      "oneway:bus", "access", "hov:lanes", "centre_turn_lane", "junction", "highway"};
-  const std::vector<std::string> words = {
-      "", "yes", "no", "-1", "lane", "opposite_lane", "|", "|||", "designated|", "no|yes|", "3",
-      "999999999999", "-3", "1e9", "left|through;right", ";;|;", "reversible", "right_of:99",
-      "nan", "inf", "\xff\xfe", "üß|ö", "3,5 m|", "busway", std::string(5000, '|')};
-  const auto any = [&](const std::vector<std::string>& list) { return list[random() % list.size()]; };
+  const std::vector<std::string> keys = {"lanes",
+                                         "lanes:forward",
+                                         "lanes:backward",
+                                         "lanes:both_ways",
+                                         "lanes:psv",
+                                         "turn:lanes",
+                                         "turn:lanes:forward",
+                                         "turn:lanes:both_ways",
+                                         "width:lanes:backward",
+                                         "bus:lanes",
+                                         "oneway",
+                                         "bicycle:lanes:forward",
+                                         "vehicle:lanes",
+                                         "cycleway",
+                                         "cycleway:left:oneway",
+                                         "busway:left",
+                                         "cycleway:right:width",
+                                         "parking:both",
+                                         "placement",
+                                         "placement:backward",
+                                         "change:lanes",
+                                         "oneway:bus",
+                                         "access",
+                                         "hov:lanes",
+                                         "centre_turn_lane",
+                                         "junction",
+                                         "highway"};
+  const std::vector<std::string> words = {"",
+                                          "yes",
+                                          "no",
+                                          "-1",
+                                          "lane",
+                                          "opposite_lane",
+                                          "|",
+                                          "|||",
+                                          "designated|",
+                                          "no|yes|",
+                                          "3",
+                                          "999999999999",
+                                          "-3",
+                                          "1e9",
+                                          "left|through;right",
+                                          ";;|;",
+                                          "reversible",
+                                          "right_of:99",
+                                          "nan",
+                                          "inf",
+                                          "\xff\xfe",
+                                          "üß|ö",
+                                          "3,5 m|",
+                                          "busway",
+                                          std::string(5000, '|')};
+  const auto any = [&](const std::vector<std::string>& list) {
+    return list[random() % list.size()];
+  };
   for (int i = 0; i < 10000; ++i) {
     OsmTags tags;
     for (int n = random() % 8; n >= 0; --n) tags[any(keys)] = any(words);

@@ -79,8 +79,8 @@ TEST(CornerArc, NoneWhereOneAxisLiesWithinTheOther) {
   EXPECT_FALSE(arc_centre(a, b, 20, 4, 5));
 }
 
-// Two circles are as near to the node of a street of Marseille: one about its end, and one against a
-// bend a metre on. The nearer feet decide, whichever street is looked at first.
+// Two circles are as near to the node of a street of Marseille: one about its end, and one against
+// a bend a metre on. The nearer feet decide, whichever street is looked at first.
 TEST(CornerArc, IsTheSameInTheMirrorWhereTwoAreAsNear) {
   const Line a{{0.4, -0.2, 0}, {1, -2.3, 0}, {2.4, -7.7, 0}, {3.9, -12, 0}, {6.1, -19.7, 0}};
   const Line b{{0.4, -0.2, 0}, {0.2, 0.3, 0}, {-2.2, 9.1, 0}, {-3.4, 13.8, 0}, {-6.1, 24, 0}};
@@ -97,8 +97,8 @@ TEST(CornerArc, IsTheSameInTheMirrorWhereTwoAreAsNear) {
   }
 }
 
-// An on-ramp of Manhattan and its highway, led back behind their node: of circles that touch both, the
-// one by the node is meant, whichever of the two is a.
+// An on-ramp of Manhattan and its highway, led back behind their node: of circles that touch both,
+// the one by the node is meant, whichever of the two is a.
 TEST(CornerArc, IsNearestToTheNodeThatIsGiven) {
   const Line link{{34.9584, 56.781, 0}, {18.6937, 26.0588, 0}, {-54.6175, -77.2867, 0}};
   const Line highway{{34.9584, 56.781, 0}, {55.2477, 87.0288, 0}, {132.8155, 212.9853, 0}};
@@ -109,8 +109,8 @@ TEST(CornerArc, IsNearestToTheNodeThatIsGiven) {
   };
   for (const double radius : {100., 500., 1000., 2000.}) {
     const double by = 4 * (8.25 + radius);
-    const auto drawn = corner_arc(led_back(link, 1, by), led_back(highway, 1, by), 6, 10.5, radius,
-                                  link.front());
+    const auto drawn =
+        corner_arc(led_back(link, 1, by), led_back(highway, 1, by), 6, 10.5, radius, link.front());
     const auto mirrored = corner_arc(led_back(highway, -1, by), led_back(link, -1, by), 10.5, 6,
                                      radius, {-link.front().x, link.front().y, 0});
     ASSERT_TRUE(drawn && mirrored) << radius;

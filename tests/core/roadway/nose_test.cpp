@@ -141,6 +141,21 @@ TEST(Island, OfLargeGroundKeepsItsCorners) {
     EXPECT_NE(corner.method, Method::nose);
 }
 
+// Of the triangle between the kerbs, whose circle has a radius of size (1 - 1 / sqrt 2) - 2.
+TEST(Island, KeepsMostOfItsGround) {
+  for (double size = 12; size <= 30; size += 3) {
+    const Streets kept = streets(triangle(size), {});
+    const double radius = size * (1 - std::sqrt(0.5)) - 2, leg = radius * (2 + std::sqrt(2));
+    int all = 0, left = 0;
+    for (int i = 0; i < 60; ++i)
+      for (int j = 0; i + j < 59; ++j) {
+        ++all;
+        left += !is_roadway(kept, {2 + leg * (i + 0.5) / 60, 2 + leg * (j + 0.5) / 60, 0});
+      }
+    EXPECT_GT(left, 0.85 * all) << size;
+  }
+}
+
 // Of 8 m: the circle within the kerbs has a radius of 0.34 m.
 TEST(Island, WithoutRoomForADiscIsNone) {
   for (const auto& corner : streets(triangle(8), {}).corners)
