@@ -224,10 +224,13 @@ std::optional<SolvedCorner> solve_arc(const Street& a, const Street& b, double a
     const auto largest = max_corner_radius(a, b, wish.radius);
     if (largest && *largest > 0.001) found = corner_arc(a, b, *largest);
     solved.method = Method::radius_reduced;
+    solved.too_short = true;
   }
   if (found && !wish.by_hand) {
+    const double fitting = found->radius;
     found = within_bounds(a, b, *found, wish);
     if (found && found->radius < wish.radius) solved.method = Method::radius_reduced;
+    if (found && found->radius < fitting) solved.too_short = false;
   }
   if (found && !near(*found)) {
     double least = std::min(wish.radius_minimal, found->radius);

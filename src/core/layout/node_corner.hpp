@@ -31,6 +31,7 @@ struct SolvedCorner {
   Method method = Method::hypothesis;
   double limit_a = 0;  // what the corner asks of the two arms' limits, metres
   double limit_b = 0;
+  bool too_short = false;  // an axis is too short for the radius that is wanted and may be
 };
 
 // Counter-clockwise from a to b.  Section 2.4: no candidate, no arc; an axis too short, or the arc

@@ -48,15 +48,13 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
     if (by_hand || corner.gap.corner.radius <= 0) return corner;
     return nose(on_a, on_b, corner, wish, settings).value_or(corner);
   };
-  const bool reduced = solved.method == Method::radius_reduced;
-  const bool follows =
-      solved.method == Method::no_arc || (reduced && settings.short_axis == ShortAxis::follow);
+  const bool follows = solved.method == Method::no_arc ||
+                       (solved.too_short && settings.short_axis == ShortAxis::follow);
   if (follows && may_follow(arm_a, arm_b)) {
     const Course on_a = continued_course(layout, a, +1, junction.followed);
     const Course on_b = continued_course(layout, b, -1, junction.followed);
     const auto followed = follow_corner(arm_a, arm_b, on_a, on_b, wish);
-    if (followed && (!reduced || followed->gap.corner.radius >= radius))
-      return ended(*followed, on_a, on_b);
+    if (followed && !(solved.too_short && followed->too_short)) return ended(*followed, on_a, on_b);
   }
   return ended(solved, course_of(arm_a, +1), course_of(arm_b, -1));
 }

@@ -89,6 +89,21 @@ TEST(Streets, ATooShortAxisIsReducedUnlessFollowedFirst) {
   EXPECT_NEAR(distance(*b->centre, {10, 10, 0}), 0, 1e-9);
 }
 
+TEST(Streets, ABoundOfTheGroundMakesNoAxisTooShort) {
+  StreetSettings settings;
+  settings.short_axis = ShortAxis::follow;
+  // At a right angle an arc closes radius^2 (1 - pi / 4) square metres.
+  settings.corner_area = 4;
+  const double bounded = std::sqrt(4 / (1 - M_PI_4));
+  const Streets short_axis = streets(cut_short(8, 5), settings),
+                long_axis = streets(cut_short(60, 5), settings);
+  const Corner *a = corner_of(short_axis, 1, 2, 0), *b = corner_of(long_axis, 1, 2, 0);
+  EXPECT_EQ(a->method, Method::followed);
+  EXPECT_NEAR(a->radius, bounded, 0.02);  // its arc has chords when its ground is measured
+  EXPECT_EQ(b->method, Method::radius_reduced);
+  EXPECT_NEAR(b->radius, bounded, 1e-6);
+}
+
 // Two straight axes of 112 m, 4.5 degrees apart: their kerbs part within the last metres.
 TEST(Streets, AFarCornerTakesNoMoreThanFits) {
   constexpr double angle = 4.506 * M_PI / 180, size = 112, half_a = 7, half_b = 1.75;
