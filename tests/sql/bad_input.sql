@@ -167,9 +167,9 @@ SELECT format('import_axes names the row with %s = %s', number, value), pg_temp.
 SELECT 'without a source_ref by its place: ' || number, pg_temp.unread(number, value, mapping) LIKE '% not understood, taken as unknown number 2' FROM (VALUES
     ('width', '-1', '{"width": "width"}'), ('level', '51', '{"level": "level"}'), ('label', 'wide', '{"lane_count": "label"}')) v(number, value, mapping);
 SELECT 'import_axes names the row with ' || line, state = '22023' AND said LIKE '%77%' FROM (VALUES
-    ('SRID=4326;LINESTRING(200 100,300 400)'), ('SRID=2154;MULTIPOINT(0 0,1 1)'), ('SRID=2154;GEOMETRYCOLLECTION(POINT(0 0))'), ('SRID=54321;LINESTRING(0 0,1 1)')) v(line),
+    ('SRID=4326;LINESTRING(200 100,300 400)'), ('SRID=54321;LINESTRING(0 0,1 1)')) v(line),
     LATERAL test.refusal(pg_temp.import_of(line, 'id', '77')) r;
 SELECT 'without a source_ref it names the row by its place: ' || line, state = '22023' AND said ~ 'row number 2\M' FROM (VALUES
-    ('SRID=4326;LINESTRING(200 100,300 400)', 'id', '77'), ('SRID=2154;POINT(1 1)', 'id', '77'), ('LINESTRING(0 0,1 1)', 'id', '77'), ('SRID=2154;LINESTRING(0 0,NaN 1)', 'id', '77')) v(line, number, value),
+    ('SRID=4326;LINESTRING(200 100,300 400)', 'id', '77'), ('LINESTRING(0 0,1 1)', 'id', '77'), ('SRID=2154;LINESTRING(0 0,NaN 1)', 'id', '77')) v(line, number, value),
     LATERAL test.refusal(replace(pg_temp.import_of(line, number, value), '{"source_ref": "id", ', '{')) r;
 SELECT 'what import_axes refused changed no axis', count(*) = (SELECT count(*) FROM imported) AND bool_and(a.xmin = i.written) FROM town.axis a LEFT JOIN imported i USING (axis_id);

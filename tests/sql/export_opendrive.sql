@@ -88,7 +88,7 @@ SELECT FROM streetgen.create_model('bent', 2154), streetgen.set('bent', 'smoothi
 INSERT INTO bent.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000,650180 6860060,650300 6860060)', 7);
 SELECT 'the arcs of a smoothed edge are those of its curve', count(*) = 2 AND (SELECT array_agg(round((1 / radius)::numeric, 6) ORDER BY r.start_abscissa) FROM bent.edge, streetgen._arc_road_stretches(curve) r WHERE radius IS NOT NULL) = array_agg(round(abs(c::text::float8)::numeric, 6))
   FROM pg_temp.file('bent') f, unnest(xpath('//arc/@curvature', f)) c;
-UPDATE bent.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650100 6860000,650000 6860000.5,650300 6860060)';
+UPDATE bent.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650100 6860000,650000 6860005,650300 6860060)';
 SELECT 'an edge whose curve keeps a kink is a chain without one', pg_temp.found('//road[@junction="-1"]', f) = 1 FROM pg_temp.file('bent') f;
 SELECT FROM streetgen.create_model('beside', 2154, subjects => '{ramp,junction,alignment,sidewalk}', driving_side => 'right') \g /dev/null
 INSERT INTO beside.axis (axis_id, geom, width, lane_count, direction, kind, speed, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650600 6860000)', 10.5, 3, 'direct', 'motorway', 110, 0, 2),
