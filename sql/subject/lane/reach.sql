@@ -15,35 +15,37 @@ CREATE OR REPLACE FUNCTION streetgen._lane_axes_from_afar(model name, axes bigin
 DECLARE
     -- Axes that share a node are nearer.
     near constant float8 := 3 * streetgen._tolerance(model);
-    farthest constant float8 := 2000;
     hull geometry;
     afar bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
     SELECT ST_ConvexHull(ST_Collect(ST_Force2D(geom))) FROM axis WHERE axis_id = ANY (axes) INTO hull;
     -- From marks on: over ends at which two axes meet, and straight on over others, along edges as short as one within
-    -- a junction.
-    WITH RECURSIVE way(path, geom) AS (
-        SELECT ARRAY[axis_id], geom FROM axis WHERE coalesce(turn_forward, turn_backward) IS NOT NULL
-            AND ST_DWithin(geom, hull, farthest)
-        UNION ALL SELECT w.path || o.axis_id, o.geom FROM way w,
-            unnest(ARRAY[ST_Reverse(w.geom), w.geom]) back, ST_StartPoint(back) place, LATERAL (
-                SELECT axis_id, n.geom, coalesce(turn_forward, turn_backward) IS NOT NULL AS marked,
-                    count(*) OVER () AS meeting, CASE WHEN ST_DWithin(ST_StartPoint(n.geom), place, near)
-                        THEN n.geom ELSE ST_Reverse(n.geom) END AS onwards
-                FROM axis n WHERE ST_DWithin(n.geom, place, near) OFFSET 0) o
-        WHERE NOT marked AND o.axis_id <> ALL (w.path) AND ST_DWithin(ST_StartPoint(o.onwards), place, near)
-            AND ST_DWithin(o.geom, hull, farthest)
+    -- a junction. Then back from the axes that come to the hull.
+    WITH RECURSIVE way(axis_id, leaves_at_end, from_axis, from_end) AS (
+        SELECT axis_id, leaves_at_end, NULL::bigint, NULL::boolean FROM axis,
+            unnest('{true,false}'::boolean[]) leaves_at_end WHERE coalesce(turn_forward, turn_backward) IS NOT NULL
+        UNION SELECT o.axis_id, o.starts_here, w.axis_id, w.leaves_at_end FROM way w JOIN axis x USING (axis_id),
+            LATERAL (SELECT CASE WHEN w.leaves_at_end THEN ST_Reverse(x.geom) ELSE x.geom END AS back) l,
+            ST_StartPoint(back) place, LATERAL (
+                SELECT n.*, CASE WHEN starts_here THEN n.geom ELSE ST_Reverse(n.geom) END AS onwards FROM (
+                    SELECT axis_id, n.geom, coalesce(turn_forward, turn_backward) IS NOT NULL AS marked,
+                        count(*) OVER () AS meeting, ST_DWithin(ST_StartPoint(n.geom), place, near) AS starts_here
+                    FROM axis n WHERE ST_DWithin(n.geom, place, near) OFFSET 0) n) o
+        WHERE NOT marked AND o.axis_id <> w.axis_id AND ST_DWithin(ST_StartPoint(o.onwards), place, near)
             AND (meeting = 2 OR streetgen._goes_straight(back, o.onwards) AND (ST_Length(o.onwards) < 101
                 OR EXISTS (SELECT FROM axis m WHERE ST_DWithin(m.geom, ST_LineSubstring(o.onwards,
                     near / ST_Length(o.onwards), 101 / ST_Length(o.onwards)), near)
-                AND m.axis_id <> o.axis_id AND NOT ST_DWithin(m.geom, place, near)))))
-    SELECT array_agg(DISTINCT axis_id) FROM way, unnest(path) axis_id WHERE ST_DWithin(geom, hull, near)
-        AND axis_id <> ALL (axes) INTO afar;
+                AND m.axis_id <> o.axis_id AND NOT ST_DWithin(m.geom, place, near))))),
+    back(axis_id, leaves_at_end) AS (
+        SELECT axis_id, leaves_at_end FROM way JOIN axis USING (axis_id) WHERE ST_DWithin(geom, hull, near)
+        UNION SELECT w.from_axis, w.from_end FROM back b JOIN way w USING (axis_id, leaves_at_end)
+            WHERE w.from_axis IS NOT NULL)
+    SELECT array_agg(DISTINCT axis_id) FROM back WHERE axis_id <> ALL (axes) INTO afar;
     RETURN coalesce(afar, '{}');
 END $$;
 COMMENT ON FUNCTION streetgen._lane_axes_from_afar(name, bigint[]) IS
-    'The axes along which turn marks come to some from afar, from as far as 2 km.';
+    'The axes along which turn marks come to some from afar.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_lane_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
