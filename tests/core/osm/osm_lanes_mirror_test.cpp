@@ -52,12 +52,22 @@ std::string reversed_list(const std::string& list) {
   return result;
 }
 
-OsmTags mirrored(const OsmTags& tags) {
+// A placement counts the listed lanes of its direction from the left: in the mirror, from the right.
+std::string mirrored_placement(const std::string& word, int lane_count) {
+  const std::size_t colon = word.find(':');
+  return swapped(word.substr(0, colon + 1), "left", "right") +
+         std::to_string(lane_count + 1 - std::stoi(word.substr(colon + 1)));
+}
+
+OsmTags mirrored(const OsmTags& tags, int lane_count) {
   OsmTags result;
   for (const auto& [key, word] : tags) {
     const bool list = key.find(":lanes") != std::string::npos;
+    const bool placement = key.rfind("placement", 0) == 0;
     result[swapped(key, ":left", ":right")] =
-        list ? swapped(reversed_list(word), "left", "right") : word;
+        list        ? swapped(reversed_list(word), "left", "right")
+        : placement ? mirrored_placement(word, lane_count)
+                    : word;
   }
   return result;
 }
@@ -75,30 +85,48 @@ std::string text_of(const std::vector<OsmLane>& lanes, bool mirror) {
   return text;
 }
 
+enum class As { it_is, turned, mirrored };
+
 struct Seen {
   std::string forward, backward;
+  WayDirection direction;
+  bool forward_known, backward_known;
   int both_ways, lane_count;
   double offset;
   std::vector<std::string> unread;
 };
 
-enum class As { it_is, turned, mirrored };
-
+// What is read of a street, as somebody tells it who sees it as it is.
 Seen seen(const OsmTags& tags, As as) {
   OsmLaneUse use;
   use.usual_lanes = 2;
+  const OsmLanes straight = read_osm_lanes(tags, use);
+  const int listed = static_cast<int>(std::count_if(straight.forward.begin(), straight.forward.end(),
+                                                    [](const OsmLane& lane) { return lane.listed; }));
   if (as == As::mirrored) use.driving_side = DrivingSide::left;
-  const OsmLanes lanes =
-      read_osm_lanes(as == As::turned ? turned(tags) : as == As::mirrored ? mirrored(tags) : tags, use);
-  Seen seen{text_of(lanes.forward, as == As::mirrored), text_of(lanes.backward, as == As::mirrored),
-            lanes.both_ways, lanes.lane_count.value_or(0),
-            (as == As::it_is ? 1 : -1) * lanes.roadway_offset.value_or(0), {}};
-  if (as == As::turned) std::swap(seen.forward, seen.backward);
+  const auto changed = [&](const OsmTags& some) {
+    return as == As::turned ? turned(some) : as == As::mirrored ? mirrored(some, listed) : some;
+  };
+  OsmLanes lanes = read_osm_lanes(changed(tags), use);
+  if (as == As::turned) {
+    std::swap(lanes.forward, lanes.backward);
+    std::swap(lanes.forward_known, lanes.backward_known);
+    if (lanes.direction != WayDirection::both)
+      lanes.direction = lanes.direction == WayDirection::direct ? WayDirection::reverse
+                                                                : WayDirection::direct;
+  }
+  Seen seen{text_of(lanes.forward, as == As::mirrored),
+            text_of(lanes.backward, as == As::mirrored),
+            lanes.direction,
+            lanes.forward_known,
+            lanes.backward_known,
+            lanes.both_ways,
+            lanes.lane_count.value_or(0),
+            (as == As::it_is ? 1 : -1) * lanes.roadway_offset.value_or(0),
+            {}};
   for (const UnreadTag& tag : lanes.unread) {
-    const OsmTags key{{tag.key, ""}};
-    seen.unread.push_back((as == As::turned ? turned(key) : as == As::mirrored ? mirrored(key) : key)
-                              .begin()
-                              ->first);
+    OsmTags key{{tag.key, as == As::mirrored ? "middle_of:1" : ""}};
+    seen.unread.push_back(changed(key).begin()->first);
   }
   std::sort(seen.unread.begin(), seen.unread.end());
   return seen;
@@ -126,13 +154,18 @@ class Ways {
     if (!one_way) list_lanes(":lanes:backward", backward);
     for (const char* base : {"cycleway", "busway", "parking"})
       for (const char* side : {":left", ":right"})
-        if (chance(0.2)) tags_[std::string(base) + side] = "lane";
+        if (chance(0.2)) kerb_lane(std::string(base) + side);
     if (chance(0.1)) tags_["cycleway"] = "lane";
     if (chance(0.2)) tags_["cycleway:left:oneway"] = any({"-1", "no", "yes"});
     if (one_way && chance(0.2)) tags_["oneway:bicycle"] = "no";
     if (one_way && chance(0.2)) tags_["oneway:bus"] = "no";
     if (chance(0.2)) tags_["lanes:psv:forward"] = "1";
-    if (chance(0.2)) tags_[one_way ? "placement" : "placement:forward"] = "middle_of:1";
+    if (chance(0.2)) {
+      const std::string word = any({"left_of:", "middle_of:", "right_of:"});
+      tags_[one_way ? "placement" : "placement:forward"] = word + std::to_string(1 + below(forward));
+    }
+    if (chance(0.2)) tags_["width"] = any({"9", "12.5", "30 ft"});
+    let_in(one_way);
     return tags_;
   }
 
@@ -145,6 +178,22 @@ class Ways {
     std::string list = any(known);
     for (int i = 1; i < count; ++i) list += "|" + any(known);
     return list;
+  }
+
+  void kerb_lane(const std::string& key) {
+    tags_[key] = "lane";
+    if (key.rfind("busway", 0) != 0 && chance(0.4)) tags_[key + ":width"] = any({"1.75", "2 m", "6 ft"});
+    if (key.rfind("parking", 0) == 0 && chance(0.4))
+      tags_[key + ":orientation"] = any({"parallel", "diagonal", "perpendicular"});
+  }
+
+  // Who may drive, on all lanes or on those of a direction.
+  void let_in(bool one_way) {
+    const std::string heading = one_way ? "" : any({"", ":forward", ":backward"});
+    if (chance(0.1)) tags_["access" + heading] = any({"no", "private", "destination"});
+    if (chance(0.1)) tags_["motor_vehicle" + heading] = any({"no", "delivery"});
+    if (chance(0.1)) tags_[any({"bus", "psv"}) + heading] = any({"yes", "designated"});
+    if (chance(0.05)) tags_["hov"] = "designated";
   }
 
   // Lists of all lanes: those for cars, and now and then one for bicycles.
@@ -162,6 +211,7 @@ class Ways {
     if (chance(0.4)) tags_["turn" + suffix] = words(all, {"left", "through", "right", "", "slight_left;through"});
     if (chance(0.2)) tags_["width" + suffix] = words(all, {"3", "3.5", ""});
     if (chance(0.2)) tags_["change" + suffix] = words(all, {"yes", "no", "not_left", "only_right"});
+    if (chance(0.1)) tags_["hov" + suffix] = words(all, {"", "designated"});
     if (chance(0.2)) tags_["bus" + suffix] = words(all, {"", "yes", "designated"});
   }
 
@@ -183,21 +233,17 @@ TEST(OsmLanesMirror, FiveHundredWays) {
     const Seen straight = seen(tags, As::it_is);
     if (straight.unread.empty()) ++read;
     for (const As as : {As::turned, As::mirrored}) {
-      // Which lane a placement marks from the left is another one in the mirror.
-      OsmTags compared = tags;
-      if (as == As::mirrored) {
-        compared.erase("placement");
-        compared.erase("placement:forward");
-      }
-      const Seen known = as == As::mirrored ? seen(compared, As::it_is) : straight;
-      const Seen other = seen(compared, as);
-      const std::string what = (as == As::turned ? "turned: " : "mirrored: ") + written(compared);
-      EXPECT_EQ(other.forward, known.forward) << what;
-      EXPECT_EQ(other.backward, known.backward) << what;
-      EXPECT_EQ(other.both_ways, known.both_ways) << what;
-      EXPECT_EQ(other.lane_count, known.lane_count) << what;
-      EXPECT_NEAR(other.offset, known.offset, 1e-9) << what;
-      EXPECT_EQ(other.unread, known.unread) << what;
+      const Seen other = seen(tags, as);
+      const std::string what = (as == As::turned ? "turned: " : "mirrored: ") + written(tags);
+      EXPECT_EQ(other.forward, straight.forward) << what;
+      EXPECT_EQ(other.backward, straight.backward) << what;
+      EXPECT_EQ(other.direction, straight.direction) << what;
+      EXPECT_EQ(other.forward_known, straight.forward_known) << what;
+      EXPECT_EQ(other.backward_known, straight.backward_known) << what;
+      EXPECT_EQ(other.both_ways, straight.both_ways) << what;
+      EXPECT_EQ(other.lane_count, straight.lane_count) << what;
+      EXPECT_NEAR(other.offset, straight.offset, 1e-9) << what;
+      EXPECT_EQ(other.unread, straight.unread) << what;
     }
   }
   EXPECT_GT(read, 250) << "most of the tags agree";
