@@ -74,7 +74,7 @@ struct StreetSettings {
   // The arc of a corner ends no farther from the crossing of its kerbs, and closes no more ground
   // from there on; the paper has no such bounds: both may be infinite.
   double corner_length = 15;  // metres along the kerbs
-  double corner_area = 20;    // square metres
+  double corner_area = 50;    // square metres
   // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.
   // Two bounds of that ground; the paper has none. The last value is the width of a median that
   // stays ground.

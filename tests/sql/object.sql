@@ -192,7 +192,7 @@ SELECT 'one that ends there has none', array_agg(axis_id ORDER BY axis_id) = '{1
 INSERT INTO cut.axis (geom, width) VALUES (pg_temp.line('LINESTRING(100 6, 100 80)'), 6);
 SELECT 'until it goes on', array_agg(axis_id ORDER BY axis_id) = '{1,2,3}' FROM cut.street_object;
 -- Streets of 30 to 69 m between two junctions, whose limits lie 18.5 m from a node: from 38 m on there is a section.
-SELECT streetgen.create_model('short', 2154, subjects => '{object}'), streetgen.set('short', 'corner_area', NULL) \g /dev/null
+SELECT streetgen.create_model('short', 2154, subjects => '{object}') \g /dev/null
 INSERT INTO short.axis (axis_id, geom, width) SELECT 10 * k + n, pg_temp.line(format(line, 400 * k, 30 + k)), 7 FROM generate_series(0, 39) k,
   (VALUES (1, 'LINESTRING(0 %1$s, %2$s %1$s)'), (2, 'LINESTRING(-80 %1$s, 0 %1$s)'), (3, 'LINESTRING(%2$s %1$s, 200 %1$s)')) v(n, line);
 INSERT INTO short.axis (axis_id, geom, width) SELECT 10 * k + n, pg_temp.line(format(line, 400 * k, 30 + k, 400 * k + side)), 7 FROM generate_series(0, 39) k,

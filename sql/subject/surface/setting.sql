@@ -15,7 +15,7 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
     ('corner_length', '15', 'm',
         'the arc of a corner ends no farther than this from the crossing of its kerbs, whatever radius is wanted; '
         'NULL: however far, as the paper has it', 1, 1000, NULL),
-    ('corner_area', '20', 'm2', 'nor does it close more ground than this between the kerbs; NULL: however much', 0.1,
+    ('corner_area', '50', 'm2', 'nor does it close more ground than this between the kerbs; NULL: however much', 0.1,
         100000, NULL),
     ('follow_length', '10', 'm',
         'a corner between nearly parallel kerbs, or one that follows its streets, closes the ground between no '

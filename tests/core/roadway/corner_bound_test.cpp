@@ -64,9 +64,11 @@ TEST(CornerBound, HoldsTheLengthAndTheGroundOfASharpCorner) {
   for (const double degrees : {25.0, 30.0, 45.0, 60.0, 90.0, 120.0}) {
     const double angle = degrees * M_PI / 180, along = 1 / std::tan(angle / 2);
     const double by_area = std::sqrt(20 / (along - (M_PI - angle) / 2)), by_length = 15 / along;
-    EXPECT_NEAR(radius_between(fork(degrees, {}), 1, 2), std::min({8.0, by_area, by_length}), 1e-6)
+    StreetSettings settings, by_length_alone;
+    settings.corner_area = 20;
+    EXPECT_NEAR(radius_between(fork(degrees, settings), 1, 2), std::min({8.0, by_area, by_length}),
+                1e-6)
         << degrees;
-    StreetSettings by_length_alone;
     by_length_alone.corner_area = std::numeric_limits<double>::infinity();
     EXPECT_NEAR(radius_between(fork(degrees, by_length_alone), 1, 2), std::min(8.0, by_length),
                 1e-6)
