@@ -71,9 +71,12 @@ DECLARE
     origin constant text COLLATE "default" := source;
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN (SELECT array_agg(d.source_ref ORDER BY d.source_ref) FROM delivered d
-        JOIN pg_temp._import_shapeless s ON s.source_ref IN (d.source_ref, regexp_replace(d.source_ref, '/\d+$', ''))
-        WHERE d.relation = 'axis' AND d.source = origin AND NOT d.gone);
+    RETURN (WITH there AS (SELECT source_ref FROM delivered d
+                WHERE d.relation = 'axis' AND d.source = origin AND NOT d.gone)
+        SELECT array_agg(source_ref ORDER BY source_ref) FROM (
+            SELECT t.source_ref FROM there t JOIN pg_temp._import_shapeless s ON s.source_ref = t.source_ref
+            UNION SELECT t.source_ref FROM there t
+                JOIN pg_temp._import_shapeless s ON s.source_ref = substring(t.source_ref FROM '^(.*)/\d+$')) staying);
 END $$;
 COMMENT ON FUNCTION streetgen._staying_axes(name, text) IS
     'The source_refs of axes whose rows came without a geometry this time: they have not vanished.';
