@@ -113,11 +113,9 @@ BEGIN
             THEN '{delete,truncate}'::text[] ELSE '{update,delete,truncate}' END, '_settle_conflicts()', 'before',
             'after', 'After an edit: conflicts with a delivery that it settles end');
     END LOOP;
-    PERFORM streetgen._make_route_follower(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_source_functions(name) IS
-    'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it, and '
-    'those by which routes follow axes.';
+    'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it.';
 
 CREATE OR REPLACE FUNCTION streetgen._row_delivered(model name, relation name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
