@@ -23,15 +23,15 @@ const char* turn_name(Turn turn) noexcept;
 
 // Why an interconnection is plausible, or why not.
 enum class Reason {
-  lane_order,   // the order of the lanes at the node
-  turn_lanes,   // the movements marked on the lane
-  only_way,     // plausible: else the lane in would lead nowhere or the lane out not be reached
-  restriction,  // not: a turn restriction
-  lane_kind,    // not: a lane of another kind
-  traffic,  // plausible for some traffic alone: a restriction excepts it, or a street is its own
-  u_turn,   // not: it turns back where there are other ways on
-  radius,   // not: too tight for the speed where other ways do
-  ring,     // not: against the traffic of a roundabout
+  lane_order,    // the order of the lanes at the node
+  turn_lanes,    // the movements marked on the lane
+  only_way,      // plausible: else the lane in would lead nowhere or the lane out not be reached
+  restriction,   // not: a turn restriction
+  lane_kind,     // not: a lane of another kind
+  traffic,       // plausible for some traffic alone: it is excepted, or a street is its own
+  u_turn,        // not: it turns back where there are other ways on
+  radius,        // not: too tight for the speed where other ways do
+  ring,          // not: against the traffic of a roundabout
   not_drivable,  // a corner that no car drives; plausible only where it is the only way
 };
 const char* reason_name(Reason reason) noexcept;

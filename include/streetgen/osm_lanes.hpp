@@ -45,8 +45,8 @@ struct OsmLanes {
   // Are general and bus lanes of the direction stated, or only usual?
   bool forward_known = false, backward_known = false;
   std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
-  std::optional<double>
-      roadway_offset{};  // metres from the way to the middle of all lanes, left positive
+  // Metres from the way to the middle of all lanes, left positive.
+  std::optional<double> roadway_offset{};
   std::vector<UnreadTag> unread{};
 };
 
@@ -57,7 +57,7 @@ OsmLanes read_osm_lanes(const OsmTags& tags, const OsmLaneUse& use);
 struct OsmTagUse {
   const char* keys;
   const char* becomes;
-  // What it may say, parted by spaces, of a list what each lane may; null: a number, or what the
+  // Words that it, or each lane of a list, may have, parted by spaces; null: a number, or what the
   // reader judges by itself.
   const char* words = nullptr;
 };

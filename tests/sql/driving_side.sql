@@ -61,6 +61,8 @@ SELECT 'towns of both sides, some near a border, lie in their country', bool_and
 FROM (VALUES ('London', -0.13, 51.5, 'Britain or Ireland'), ('Dublin', -6.26, 53.35, 'Britain or Ireland'), ('Kyoto', 135.77, 35.01, 'Japan'), ('Delhi', 77.2, 28.6, 'Pakistan or India'),
   ('Sydney', 151.2, -33.87, 'Australia'), ('Nairobi', 36.82, -1.29, 'Tanzania or Kenya'), ('Cape Town', 18.42, -33.92, 'Southern Africa'), ('Bangkok', 100.5, 13.75, 'Thailand'),
   ('Karachi', 67, 24.86, 'Pakistan'), ('Kathmandu', 85.32, 27.7, 'Nepal'), ('Brighton', -0.14, 50.83, 'Britain or Ireland'), ('Dover', 1.31, 51.13, 'Britain'), ('Sapporo', 141.35, 43.06, 'Japan'),
+  ('Phuket', 98.39, 7.88, 'Thailand'), ('Kota Kinabalu', 116.07, 5.98, 'Borneo'), ('Port of Spain', -61.51, 10.66, 'Trinidad and Tobago'), ('Kampala', 32.58, 0.35, 'Uganda'),
+  ('Ca Mau', 104.83, 8.75, NULL), ('Mapun', 118.5, 7, NULL), ('Paria', -61.87, 10.72, NULL), ('Boga', 30.2, 0.97, NULL), ('Theinkun', 99.15, 13.05, NULL),
   ('Paris', 2.35, 48.86, NULL), ('Dieppe', 1.08, 49.92, NULL), ('Boulogne', 1.61, 50.72, NULL), ('Shekou', 113.92, 22.48, NULL), ('Hengqin', 113.53, 22.13, NULL), ('Yuzhno-Kurilsk', 145.86, 44.03, NULL), ('Calais', 1.86, 50.95, NULL), ('Seoul', 126.98, 37.57, NULL), ('Vladivostok', 131.9, 43.1, NULL), ('Vientiane', 102.6, 17.97, NULL),
   ('Phnom Penh', 104.9, 11.56, NULL), ('Kigali', 30.06, -1.94, NULL), ('Luanda', 13.2, -8.8, NULL), ('Addis Ababa', 38.7, 9, NULL), ('Yangon', 96.2, 16.8, NULL),
   ('Manila', 121, 14.6, NULL), ('Miami', -80.2, 25.8, NULL), ('Havana', -82.4, 23.1, NULL), ('San Juan', -66.1, 18.4, NULL), ('Lhasa', 91.1, 29.65, NULL), ('Shenzhen', 114.06, 22.54, NULL),

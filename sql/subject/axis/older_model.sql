@@ -45,7 +45,7 @@ CREATE OR REPLACE FUNCTION streetgen._add_later_classes(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- It came with column access. A class that somebody deleted since stays away.
+    -- Class busway came with column access. A class that somebody deleted since stays away.
     INSERT INTO axis_class SELECT * FROM streetgen._default_axis_class() d
         WHERE d.class = 'busway' AND streetgen._lacks_column(model, 'axis', 'access') ON CONFLICT DO NOTHING;
 END $$;

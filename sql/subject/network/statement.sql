@@ -101,7 +101,7 @@ missed AS (
             ST_Collect(n.geom) AS nodes
         FROM edge JOIN node n ON n.node_id IN (from_node, to_node) WHERE axis_id = r.axis_b) e
     WHERE r.issue = 'end of an axis in the roadway of another, without a node'
-        -- Of two ends that miss each other's axes one is led on, and mends both.
+        -- One of two ends that miss each other's axes is led on, which mends both.
         AND NOT EXISTS (SELECT FROM report o WHERE o.issue = r.issue AND (o.axis_a, o.axis_b) = (r.axis_b, r.axis_a)
             AND ST_DWithin(o.geom, r.geom, r.measure + o.measure)
             AND (o.measure, o.axis_a) < (r.measure, r.axis_a))

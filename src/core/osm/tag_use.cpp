@@ -9,7 +9,9 @@
 
 namespace streetgen {
 
-// Words of tags.
+namespace {
+
+// Words that several tags may have.
 constexpr const char* who_may =
     "yes no none designated official permissive private permit destination customers customer "
     "delivery loading residents resident employees restricted agricultural forestry emergency "
@@ -18,9 +20,10 @@ constexpr const char* who_may =
 constexpr const char* yes_or_no = "yes no true false 1 0 -1";
 constexpr const char* cycleways =
     "lane opposite_lane track opposite_track opposite shared_lane share_busway "
-    "opposite_share_busway shared shoulder separate sidepath sidewalk crossing asl soft_lane yes "
-    "no "
-    "none";
+    "opposite_share_busway shared shoulder separate sidepath sidewalk crossing asl soft_lane "
+    "yes no none";
+
+}  // namespace
 
 const std::vector<OsmTagUse>& osm_tag_uses() {
   static const std::vector<OsmTagUse> uses = {

@@ -116,10 +116,6 @@ void change_width(Course& course, const Arm& arm, const Taper& taper, int side) 
   course.push_back(next);
 }
 
-}  // namespace
-
-namespace {
-
 int node_of(const std::vector<Edge>& edges, const EdgeEnd& end) {
   return end.at_start ? edges[end.edge].from_node : edges[end.edge].to_node;
 }

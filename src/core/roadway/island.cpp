@@ -182,12 +182,19 @@ class Faces {
                       course_of(layout_.arm(junction.next(corner.gap)), -1), 0);
   }
 
+  using Crossings = std::vector<std::optional<CornerArc>>;  // of kerbs, at the corners of a face
+
+  Crossings crossings_of(const std::vector<FaceSide>& face) const {
+    Crossings crossings;
+    for (const FaceSide& side : face) crossings.push_back(crossing_at(side.corner));
+    return crossings;
+  }
+
   // The area between the kerbs, from crossing to crossing; 0 where kerbs leave none.
-  double ground_within(const std::vector<FaceSide>& face) const {
+  double ground_within(const std::vector<FaceSide>& face, const Crossings& crossings) const {
     Ring ring;
     for (std::size_t i = 0; i < face.size(); ++i) {
-      const auto from = crossing_at(face[i].corner),
-                 to = crossing_at(face[(i + 1) % face.size()].corner);
+      const auto &from = crossings[i], &to = crossings[(i + 1) % face.size()];
       if (!from || !to) return 0;
       const Arm& arm = layout_.arm(face[i].end);
       const double until = length(arm.line) - to->abscissa_b;
@@ -200,20 +207,21 @@ class Faces {
   }
 
   // What the fillets pave from the crossing of the kerbs on.
-  std::vector<Polygon> fillets(const std::vector<FaceSide>& face) const {
+  std::vector<Polygon> fillets(const std::vector<FaceSide>& face,
+                               const Crossings& crossings) const {
     std::vector<Polygon> paved;
-    for (const FaceSide& side : face) {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const FaceSide& side = face[i];
       const auto& at_node = corners_[side.corner.node];
       if (at_node.empty()) continue;
       const Gap& gap = at_node[side.corner.gap].gap;
       if (!gap.beyond.empty()) paved.push_back(gap.beyond);
       if (!gap.meets || gap.corner.radius <= 0) continue;
-      const auto crossing = crossing_at(side.corner);
-      if (!crossing) continue;
+      if (!crossings[i]) continue;
       const Junction& junction = layout_.junctions[side.corner.node];
       const Course a = course_of(layout_.arm(side.end), +1),
                    b = course_of(layout_.arm(junction.next(side.corner.gap)), -1);
-      Polygon ground = cusp(a, b, *crossing, gap.corner);
+      Polygon ground = cusp(a, b, *crossings[i], gap.corner);
       if (!ground.empty()) paved.push_back(std::move(ground));
     }
     return paved;
@@ -225,12 +233,13 @@ class Faces {
     Box box;
     for (const Point& p : ring) box.add(frame.seen(p));
     if (!has_room(face, {ring}, {}, frame, box)) return false;
-    const std::vector<Polygon> paved = fillets(face);
+    const Crossings crossings = crossings_of(face);
+    const std::vector<Polygon> paved = fillets(face, crossings);
     if (paved.empty()) return false;
     if (!has_room(face, {ring}, paved, frame, box)) return true;
     double all = 0;
     for (const Polygon& fillet : paved) all += std::abs(signed_area(fillet.front()));
-    const double ground = ground_within(face);
+    const double ground = ground_within(face, crossings);
     return ground > 0 && all > most_paved * ground;
   }
 
