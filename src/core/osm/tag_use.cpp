@@ -9,8 +9,6 @@
 
 namespace streetgen {
 
-namespace {
-
 // Words that several tags may have.
 constexpr const char* who_may =
     "yes no none designated official permissive private permit destination customers customer "
@@ -22,8 +20,6 @@ constexpr const char* cycleways =
     "lane opposite_lane track opposite_track opposite shared_lane share_busway "
     "opposite_share_busway shared shoulder separate sidepath sidewalk crossing asl soft_lane "
     "yes no none";
-
-}  // namespace
 
 const std::vector<OsmTagUse>& osm_tag_uses() {
   static const std::vector<OsmTagUse> uses = {
