@@ -197,6 +197,7 @@ struct Lanes {
 struct LanesOfAxis {
   std::int64_t axis_id = 0;
   AxisLanes lanes;
+  bool on_ring = false;  // by its source; what comes to it from the side yields
 };
 
 // On the edge of the axis that holds `abscissa` traffic goes round a roundabout.

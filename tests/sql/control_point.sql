@@ -62,6 +62,29 @@ DELETE FROM held.control_point WHERE axis_id IS NULL;
 SELECT 'a kind that is none is refused', test.state($q$INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(0 0)', 'gate')$q$) = '23514';
 SELECT 'an empty place is refused', test.state($q$INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT EMPTY', 'stop')$q$) = '23514';
 
+-- A ring that its source calls a roundabout, in a model that looks for none: (0,0) is its middle, and each arm has another class.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('ring', 2154, driving_side => 'right'), streetgen.create_model('ring_anew', 2154, driving_side => 'right');
+  INSERT INTO ring.axis (geom, width, importance, lane_count, roundabout_tag)
+    SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(660000 + 20 * cos(radians(6 * n)), 6860000 + 20 * sin(radians(6 * n))) ORDER BY n), 2154), 6, 4, 1, 'roundabout' FROM generate_series(0, 60) n;
+  INSERT INTO ring.axis (geom, width, importance, lane_count)
+    SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(660000 + 20 * cos(radians(90 * n)), 6860000 + 20 * sin(radians(90 * n))), ST_MakePoint(660000 + 120 * cos(radians(90 * n)), 6860000 + 120 * sin(radians(90 * n)))), 2154),
+      7, (ARRAY[2, 4, 5, 6])[n + 1], 2 FROM generate_series(0, 3) n;
+END $$;
+CREATE FUNCTION ring_lines() RETURNS text LANGUAGE sql AS
+  $$ SELECT string_agg(format('%s:%s', axis_id, m.kind), ' ' ORDER BY axis_id, m.kind) FROM ring.marking m JOIN ring.edge USING (edge_id) WHERE m.kind <> 'arrow' $$;
+SELECT 'each arm of a tagged ring yields, whatever its class, and the ring does not', ring_lines() = '2:yield 3:yield 4:yield 5:yield';
+INSERT INTO ring.control_point (geom, kind) VALUES ('SRID=2154;POINT(659970 6860000)', 'stop');
+SELECT 'a stop sign at an arm holds', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
+SELECT 'a ring is the same from scratch', test.followed('ring', 'ring_anew');
+UPDATE ring.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (2, 3);
+SELECT 'arms that are drawn to the ring yield too', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
+UPDATE ring.axis SET roundabout_tag = NULL WHERE axis_id = 1;
+SELECT 'without the word of the source the classes decide, where no subject looks for rings', ring_lines() LIKE '1:stop 1:stop %' OR to_regclass('ring.roundabout') IS NOT NULL;
+SELECT 'and again it is the same from scratch', test.followed('ring', 'ring_anew');
+UPDATE ring.axis SET roundabout_tag = 'roundabout' WHERE axis_id = 1;
+SELECT 'the word put back puts the lines back', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
+
 -- A layer of anybody.
 CREATE TABLE sign (id integer, place geometry, what text);
 INSERT INTO sign VALUES (1, 'SRID=2154;POINT(649985 6860000)', 'signals'), (2, 'SRID=2154;POINT(640000 6860000)', 'stop'), (3, NULL, 'stop'), (4, ST_Transform('SRID=2154;POINT(650015 6860000)'::geometry, 4326), 'yield');

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "geometry/polyline.hpp"
 
@@ -149,6 +150,27 @@ std::vector<EndControl> end_controls(const Network& network, const std::vector<L
   for (const ControlPoint& point : points) controls.put(point);
   for (const JunctionDecision& decision : decisions) controls.decide(decision, network.nodes);
   return controls.run();
+}
+
+std::vector<ControlPoint> with_ring_entries(const Network& network,
+                                            const std::vector<LanesOfAxis>& lanes,
+                                            std::vector<ControlPoint> points) {
+  std::unordered_set<std::int64_t> rings;
+  for (const LanesOfAxis& axis : lanes)
+    if (axis.on_ring) rings.insert(axis.axis_id);
+  if (rings.empty()) return points;
+  std::vector<bool> on_ring(network.nodes.size());
+  for (const Edge& edge : network.edges)
+    if (rings.count(edge.axis_id) > 0) on_ring[edge.from_node] = on_ring[edge.to_node] = true;
+  for (const Edge& edge : network.edges) {
+    if (rings.count(edge.axis_id) > 0) continue;
+    const auto yields = [&](double abscissa, ControlPoint::Direction direction) {
+      points.push_back({edge.axis_id, abscissa, ControlKind::yield, direction});
+    };
+    if (on_ring[edge.from_node]) yields(edge.start_abscissa, ControlPoint::Direction::against);
+    if (on_ring[edge.to_node]) yields(edge.end_abscissa, ControlPoint::Direction::along);
+  }
+  return points;
 }
 
 }  // namespace streetgen

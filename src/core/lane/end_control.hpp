@@ -27,4 +27,10 @@ std::vector<EndControl> end_controls(const Network& network, const std::vector<L
                                      const std::vector<ControlPoint>& points, double farthest,
                                      const std::vector<JunctionDecision>& decisions = {});
 
+// The control points, and a yield sign on each end of an edge that comes from the side to one that
+// the source says is on a roundabout.
+std::vector<ControlPoint> with_ring_entries(const Network& network,
+                                            const std::vector<LanesOfAxis>& lanes,
+                                            std::vector<ControlPoint> points);
+
 }  // namespace streetgen

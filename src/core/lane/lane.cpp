@@ -259,8 +259,9 @@ class LaneBuilder {
               const std::vector<Circulation>& circulations, const PaintRules& paint)
       : streets_(streets),
         settings_(settings),
-        controls_(end_controls(streets.network, axes, controls, settings.control_distance,
-                               paint.junctions)),
+        controls_(end_controls(streets.network, axes,
+                               with_ring_entries(streets.network, axes, controls),
+                               settings.control_distance, paint.junctions)),
         changes_(paint.changes, paint.leaving),
         wishes_(std::move(axes), std::move(overrides), circulations, settings),
         carried_(streets.network, streets.roadways, wishes_, settings) {}
@@ -291,7 +292,8 @@ class LaneBuilder {
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
       if (!crossed) {
-        append_end_markings(streets_, ranks, controls_, strip, made.lanes, settings_.driving_side,
+        append_end_markings(streets_, ranks, controls_, strip, made.lanes,
+                            wishes_.on_ring(streets_.network.edges[e]), settings_.driving_side,
                             out.markings);
         append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
       }

@@ -32,14 +32,23 @@ LaneWishes::LaneWishes(std::vector<LanesOfAxis> axes, std::vector<LaneOverride> 
 
 bool LaneWishes::mark_any() const { return std::any_of(axes_.begin(), axes_.end(), marked); }
 
-LaneWishes::OfEdge LaneWishes::of(const Edge& edge) const {
+bool LaneWishes::on_ring(const Edge& edge) const {
+  if (circulates(edge)) return true;
+  const LanesOfAxis* axis = axis_of(edge);
+  return axis != nullptr && axis->on_ring;
+}
+
+const LanesOfAxis* LaneWishes::axis_of(const Edge& edge) const {
   const auto axis = std::lower_bound(
       axes_.begin(), axes_.end(), edge.axis_id,
       [](const LanesOfAxis& a, std::int64_t axis_id) { return a.axis_id < axis_id; });
+  return axis != axes_.end() && axis->axis_id == edge.axis_id ? &*axis : nullptr;
+}
+
+LaneWishes::OfEdge LaneWishes::of(const Edge& edge) const {
+  const LanesOfAxis* axis = axis_of(edge);
   OfEdge found;
-  found.lanes = axis != axes_.end() && axis->axis_id == edge.axis_id
-                    ? across(axis->lanes, settings_.driving_side)
-                    : across({}, settings_.driving_side);
+  found.lanes = across(axis != nullptr ? axis->lanes : AxisLanes{}, settings_.driving_side);
   if (const Circulation* circulation = circulations_.of(edge))
     turn_round(*circulation, found.lanes);
   decide(edge, found);

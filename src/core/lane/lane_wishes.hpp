@@ -26,10 +26,13 @@ class LaneWishes {
 
   // Whether traffic goes round a roundabout on the edge.
   bool circulates(const Edge& edge) const { return circulations_.of(edge) != nullptr; }
+  // The same, or its source says so.
+  bool on_ring(const Edge& edge) const;
   // Whether the source marks turns on lanes of any axis.
   bool mark_any() const;
 
  private:
+  const LanesOfAxis* axis_of(const Edge& edge) const;
   void decide(const Edge& edge, OfEdge& found) const;
 
   std::vector<LanesOfAxis> axes_;

@@ -173,7 +173,7 @@ MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& d
 // The line across the lanes that come by an end: `lower` is its importance less than that of the
 // most important edge at the node.
 std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank& rank, int lower,
-                                       bool merges) {
+                                       bool goes_first) {
   const std::optional<JunctionKind> by_hand = control.decided;
   const bool waits_by_hand = by_hand == JunctionKind::stop || by_hand == JunctionKind::priority;
   if (by_hand == JunctionKind::right_before_left) return std::nullopt;
@@ -182,7 +182,7 @@ std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank
     return MarkingKind::yield;
   if (by_hand == JunctionKind::signals) return MarkingKind::stop;
   if (control.at_node == ControlKind::signals && !waits_by_hand) return MarkingKind::stop;
-  if (merges) return std::nullopt;
+  if (goes_first) return std::nullopt;
   if (by_hand == JunctionKind::stop) {
     const bool all = rank.lowest == rank.importance && control.at_node != ControlKind::stop;
     return all || lower > 0 ? std::optional(MarkingKind::stop) : std::nullopt;
@@ -228,7 +228,7 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const LaneStrip& strip,
-                         const std::vector<Lane>& lanes, DrivingSide driving_side,
+                         const std::vector<Lane>& lanes, bool on_ring, DrivingSide driving_side,
                          std::vector<Marking>& out) {
   if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
   const Edge& edge = streets.network.edges[lanes.front().edge];
@@ -238,7 +238,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     const std::optional<MarkingKind> kind =
         end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)], ranks[node],
                     streets.roadways[lanes.front().edge].importance - ranks[node].importance,
-                    ranks[node].merging_link == lanes.front().edge);
+                    on_ring || ranks[node].merging_link == lanes.front().edge);
     if (!kind) continue;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;

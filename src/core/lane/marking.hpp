@@ -23,7 +23,7 @@ std::vector<NodeRank> ranks_of(const Streets& streets);
 // Across each lane that comes to a node of three and more edges: what its control point says, a
 // stop line for signals; a stop line where another end of the node has signals.  Without a control
 // point a yield line where another edge is more important, a stop line where it is so by two;
-// no line on a ramp whose lanes go on as merging lanes.  A kind by hand goes before signals and
+// no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A kind by hand goes before signals and
 // classes, and leaves signs: signals, stop lines; stop, one where another edge is more important,
 // and on all where none is and no end has a stop sign; priority, a yield line there;
 // right_before_left, no line at all.  None on parking and very narrow lanes.  Of
@@ -31,7 +31,7 @@ std::vector<NodeRank> ranks_of(const Streets& streets);
 // end_controls gives them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const LaneStrip& strip,
-                         const std::vector<Lane>& lanes, DrivingSide driving_side,
+                         const std::vector<Lane>& lanes, bool on_ring, DrivingSide driving_side,
                          std::vector<Marking>& out);
 
 // The way that each lane runs, and the turns that it allows: before its end, or in the middle of

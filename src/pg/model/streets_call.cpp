@@ -79,6 +79,7 @@ void take_network(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column_or_null(axes, "turn_forward", TEXTOID),
                 column_or_null(axes, "turn_backward", TEXTOID),
                 column_or_null(axes, "access", TEXTOID),
+                column(axes, "on_ring", BOOLOID),
                 column(axes, "changed", BOOLOID),
                 column(axes, "outer_axis", BOOLOID)};
 }

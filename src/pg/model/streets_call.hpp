@@ -18,7 +18,7 @@ struct StreetsCall {
     Column axis_id, geom, level, width, width_end, roadway_offset, radius, importance, speed;
     Column lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward;
     Column lane_width_forward, lane_width_backward, turn_forward, turn_backward, access;
-    Column changed, outer_axis;
+    Column on_ring, changed, outer_axis;
   } axes;
   struct {
     int count;

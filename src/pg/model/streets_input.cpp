@@ -250,7 +250,8 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given
                           rows.turn_forward, access.forward),
                      read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
                           rows.turn_backward, access.backward),
-                     std::move(both)}});
+                     std::move(both)},
+                    DatumGetBool(rows.on_ring.values[i])});
   }
   return axes;
 }

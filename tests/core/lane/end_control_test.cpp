@@ -54,6 +54,19 @@ TEST(EndControl, APointWithoutADirectionSpeaksTowardsTheNearerJunction) {
   EXPECT_EQ(own_controls(near_start), 1);
 }
 
+TEST(EndControl, WhatComesToARingYields) {
+  std::vector<LanesOfAxis> lanes = two_way();
+  lanes[1].on_ring = lanes[2].on_ring = true;  // axes 2 and 3, at the start of axis 1
+  const Network network = street_between_junctions();
+  const auto ends = end_controls(network, lanes, with_ring_entries(network, lanes, {}), 50);
+  EXPECT_EQ(ends[0].own, ControlKind::yield);
+  EXPECT_EQ(own_controls(ends), 1);
+  // A stop sign before it is stricter.
+  const ControlPoint sign{1, 10, ControlKind::stop, Direction::against};
+  EXPECT_EQ(end_controls(network, lanes, with_ring_entries(network, lanes, {sign}), 50)[0].own,
+            ControlKind::stop);
+}
+
 TEST(EndControl, ADirectionDecidesAgainstNearness) {
   EXPECT_EQ(own_controls(controlled({1, 20, ControlKind::stop, Direction::along})), 0);
   EXPECT_EQ(controlled({1, 20, ControlKind::stop, Direction::against})[0].own, ControlKind::stop);
