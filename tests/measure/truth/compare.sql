@@ -1,9 +1,10 @@
--- Intersection over union per class: psql -v place=MODEL -v believed=MODEL -v truth=TABLE -v shapes=TABLE
--- Inside the truth's extent and within 20 m of an axis each point belongs to its nearest axis; ground of axes off the ground level is left out.
+-- Intersection over union per class: psql -v place=MODEL -v believed=MODEL -v truth=TABLE -v shapes=TABLE -v lines=TABLE
+-- Inside the truth's extent and within 20 m of an axis each point belongs to its nearest axis; ground of axes off the ground level, or covered,
+-- as ways under a building are, is left out: no survey from above sees it.
 CREATE INDEX ON :"truth" USING gist (geom);
 CREATE TEMPORARY TABLE frame AS SELECT ST_SetSRID(ST_Extent(geom)::geometry, (SELECT srid FROM streetgen.model WHERE name = :'place')) AS box FROM :"truth";
 CREATE TEMPORARY TABLE near AS
-SELECT a.axis_id, coalesce(kind, '-') AS class, a.level, ST_Force2D(a.geom) AS geom, NOT 'width' = ANY (estimated) AS known
+SELECT a.axis_id, coalesce(kind, '-') AS class, a.level = 0 AND NOT EXISTS (SELECT FROM :"lines" l WHERE l.way_id::text = a.source_ref AND l.tags ? 'tunnel') AS open_air, ST_Force2D(a.geom) AS geom, NOT 'width' = ANY (estimated) AS known
 FROM :"place".axis a JOIN :"place".axis_used u USING (axis_id), frame WHERE a.geom && ST_Expand(box, 40);
 CREATE TEMPORARY TABLE site AS
 SELECT DISTINCT ON (place) place, axis_id FROM (
@@ -13,7 +14,7 @@ ANALYZE site;
 CREATE TEMPORARY TABLE ground AS
 SELECT axis_id, class, known, geom AS axis, ST_Intersection(ST_Intersection(ST_Union(cell), ST_Buffer(geom, 20)), box) AS cell
 FROM (SELECT (ST_Dump(ST_VoronoiPolygons(ST_Collect(place)))).geom AS cell FROM site) v JOIN site ON ST_Contains(cell, place) JOIN near USING (axis_id), frame
-WHERE level = 0 GROUP BY axis_id, class, known, geom, box;
+WHERE open_air GROUP BY axis_id, class, known, geom, box;
 CREATE TEMPORARY TABLE roadway AS
 SELECT 'ours' AS maker, surface AS geom FROM :"place".section UNION ALL SELECT 'ours', surface FROM :"place".intersection
 UNION ALL SELECT 'believed', surface AS geom FROM :"believed".section UNION ALL SELECT 'believed', surface FROM :"believed".intersection

@@ -5,7 +5,7 @@ known AS (SELECT *, dense_rank() OVER (ORDER BY x, y) AS id FROM vertex),
 reference AS (SELECT way_id, string_agg(format('<nd ref="%s"/>', id), '' ORDER BY i) AS nodes FROM known GROUP BY way_id)
 SELECT '<osm version="0.6">'
 UNION ALL (SELECT DISTINCT format('<node id="%s" lat="%s" lon="%s" version="1"/>', id, y, x) FROM known)
-UNION ALL (SELECT format('<way id="%s" version="1">%s%s</way>', way_id, nodes, (
+UNION ALL (SELECT format('<way id="%s" version="1">%s%s</way>', way_id, reference.nodes, (
     SELECT string_agg(format('<tag k="%s" v="%s"/>', k, replace(replace(replace(v, '&', '&amp;'), '"', '&quot;'), '<', '&lt;')), '')
     FROM (SELECT 'highway' AS k, class AS v UNION ALL SELECT * FROM jsonb_each_text(tags) WHERE key = ANY ('{lanes,lanes:forward,lanes:backward,oneway,junction,layer,bridge,tunnel,maxspeed,width}')) tag))
     FROM taken JOIN reference USING (way_id))
