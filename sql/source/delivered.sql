@@ -66,6 +66,7 @@ BEGIN
         IF TG_OP = 'TRUNCATE' THEN
             DELETE FROM open_conflict WHERE relation = TG_TABLE_NAME;
             DELETE FROM delivered WHERE relation = TG_TABLE_NAME;
+            DELETE FROM axis_route WHERE TG_TABLE_NAME = 'axis';
             RETURN NULL;
         ELSIF NOT EXISTS (SELECT FROM open_conflict) THEN
             RETURN NULL;
@@ -113,9 +114,11 @@ BEGIN
             THEN '{delete,truncate}'::text[] ELSE '{update,delete,truncate}' END, '_settle_conflicts()', 'before',
             'after', 'After an edit: conflicts with a delivery that it settles end');
     END LOOP;
+    PERFORM streetgen._make_route_follower(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_source_functions(name) IS
-    'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it.';
+    'Makes the triggers of a model by which an edit that gives a column the other value of a conflict settles it, and '
+    'those by which routes follow axes.';
 
 CREATE OR REPLACE FUNCTION streetgen._row_delivered(model name, relation name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

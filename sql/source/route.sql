@@ -1,7 +1,8 @@
 -- Routes of buses, trams, bicycles and trucks of OpenStreetMap, to the axes that they lead along.
 
 CREATE OR REPLACE FUNCTION streetgen._routed_axes(model name, lines text)
-    RETURNS TABLE(route text, ordinality integer, axis_id bigint, direction text, kind text, ref text, name text)
+    RETURNS TABLE(route text, ordinality integer, axis_id bigint, direction text, kind text, ref text, name text,
+        uncut geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -11,8 +12,15 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY WITH member AS (
-        SELECT r.*, a.axis_id, ST_Force2D(ST_StartPoint(a.geom)) AS starts, ST_Force2D(ST_EndPoint(a.geom)) AS ends
-        FROM pg_temp._import_route r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, r.way_id)),
+        SELECT r.*, a.axis_id, streetgen._drawn_along(a.geom, coalesce(w.uncut, a.geom)) AS as_drawn, w.uncut,
+            ST_StartPoint(coalesce(w.uncut, ST_Force2D(a.geom))) AS starts,
+            ST_EndPoint(coalesce(w.uncut, ST_Force2D(a.geom))) AS ends
+        FROM pg_temp._import_route r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, r.way_id)
+            LEFT JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', ways, r.way_id),
+            -- What it was before it was cut by hand.
+            LATERAL (SELECT CASE WHEN a.geom::bytea <> said::bytea AND ST_Length2D(a.geom) < ST_Length2D(said) - near
+                AND streetgen._lies_along(a.geom, said, near) THEN ST_Force2D(said) END AS uncut
+                FROM (SELECT coalesce(d.cleaned, d.source_geom) AS said) s) w),
     neighbour AS (
         SELECT *, lead(starts) OVER w AS next_start, lead(ends) OVER w AS next_end, lag(starts) OVER w AS last_start,
             lag(ends) OVER w AS last_end
@@ -23,16 +31,17 @@ BEGIN
             ST_DWithin(starts, last_start, near) OR ST_DWithin(starts, last_end, near) AS comes_on,
             ST_DWithin(ends, last_start, near) OR ST_DWithin(ends, last_end, near) AS comes_back
         FROM neighbour WHERE axis_id IS NOT NULL)
-    SELECT route, ordinality, axis_id, CASE WHEN role = 'forward' THEN 'direct' WHEN role = 'backward' THEN 'reverse'
+    SELECT route, ordinality, axis_id, CASE WHEN as_drawn THEN way ELSE streetgen._turned_way(way) END, kind, ref, name,
+        uncut
+    FROM met, LATERAL (SELECT CASE WHEN role = 'forward' THEN 'direct' WHEN role = 'backward' THEN 'reverse'
             -- Whoever cycles rides either way but where the role says one.
             WHEN kind = 'bicycle' THEN 'both'
             -- A ring begins where it ends: its neighbours do not tell.
             WHEN leads_on AND leads_back IS NOT TRUE OR comes_on AND comes_back IS NOT TRUE
                 THEN CASE WHEN leads_back AND leads_on IS NOT TRUE OR comes_back AND comes_on IS NOT TRUE THEN NULL
                     ELSE 'direct' END
-            WHEN leads_back AND leads_on IS NOT TRUE OR comes_back AND comes_on IS NOT TRUE THEN 'reverse' END,
-        kind, ref, name
-    FROM met;
+            WHEN leads_back AND leads_on IS NOT TRUE OR comes_back AND comes_on IS NOT TRUE THEN 'reverse' END
+            AS way) w;
 END $$;
 COMMENT ON FUNCTION streetgen._routed_axes(name, text) IS
     'The axes of the routes of an import, whose lines are those of a source: their order and the way that each is '
@@ -54,8 +63,10 @@ BEGIN
     PERFORM streetgen._take_points('_import_route', format('SELECT relation_id::text AS route, ordinality, '
         'way_id::text AS way_id, role, kind, ref, name, relation_id::text AS source_ref FROM %s', route));
     DELETE FROM axis_route WHERE source = origin;
-    INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, source)
+    INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, uncut, source)
         SELECT r.*, origin FROM streetgen._routed_axes(model, line::text) r ORDER BY route, ordinality;
+    PERFORM streetgen._add_route_pieces(model, ARRAY(SELECT a.axis_id FROM axis a
+        WHERE a.source_ref IS NULL AND EXISTS (SELECT FROM axis_route r WHERE r.uncut && a.geom)));
     RETURN QUERY SELECT 'routes', r.kind, count(DISTINCT r.route), NULL::text[] FROM axis_route r
         WHERE r.source = origin GROUP BY r.kind ORDER BY r.kind;
     DROP TABLE pg_temp._import_route;

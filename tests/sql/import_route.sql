@@ -21,6 +21,45 @@ UPDATE town_route SET ref = '30' WHERE relation_id = 7;
 DELETE FROM town_route WHERE relation_id = 9;
 SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 SELECT 'a second delivery follows the source and leaves what is by hand', (SELECT string_agg(DISTINCT concat(route, ref), ' ' ORDER BY concat(route, ref)) = '730 8 mine' FROM town.axis_route);
+-- Routes follow their axes: pieces of a cut axis, an axis drawn the other way or elsewhere, a deleted one.
+SELECT FROM streetgen.create_model('line', 2154, subjects => '{}') \g /dev/null
+CREATE TABLE line_line (LIKE town_line);
+INSERT INTO line_line (way_id, class, geom) VALUES (1, 'residential', 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)'), (2, 'residential', 'SRID=2154;LINESTRING(650400 6860000,650300 6860000,650100 6860000)'),
+  (3, 'residential', 'SRID=2154;LINESTRING(650400 6860000,650500 6860000)'), (4, 'residential', 'SRID=2154;LINESTRING(650400 6860000,650400 6860100)');
+CREATE TABLE line_route (LIKE town_route);
+INSERT INTO line_route VALUES (7, 'bus', '29', 'east', 1, '', 1), (7, 'bus', '29', 'east', 2, '', 2), (7, 'bus', '29', 'east', 3, '', 3), (8, 'bicycle', NULL, NULL, 1, '', 4), (8, 'bicycle', NULL, NULL, 2, '', 2);
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+CREATE FUNCTION pg_temp.led() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(format('%s %s.%s %s at %s', route, ordinality, piece, r.direction, round((ST_X(ST_StartPoint(a.geom)) - 650000)::numeric)), ', ' ORDER BY route, ordinality, piece) FROM line.axis_route r LEFT JOIN line.axis a USING (axis_id) $$;
+SELECT 'a route leads from axis to axis', pg_temp.led() = '7 1.1 direct at 0, 7 2.1 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400';
+-- As QGIS splits: what stays first, then the rest, one of them drawn the other way.
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860000)' WHERE source_ref = '2';
+SELECT 'what stays of an axis is on the route', pg_temp.led() LIKE '7 1.1 direct at 0, 7 2.1 reverse at 400, 7 3.1%';
+INSERT INTO line.axis (geom, kind) VALUES ('SRID=2154;LINESTRING(650200 6860000,650300 6860000)', 'residential'), ('SRID=2154;LINESTRING(650200 6860000,650100 6860000)', 'residential'), ('SRID=2154;LINESTRING(650350 6860000,650350 6860080)', 'residential');
+SELECT 'so are the other pieces, in the order in which the route leads along them, each as it is drawn',
+  pg_temp.led() = '7 1.1 direct at 0, 7 2.1 reverse at 200, 7 2.2 direct at 200, 7 2.3 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400, 8 2.2 both at 200, 8 2.3 both at 200';
+CREATE TABLE led AS SELECT pg_temp.led() AS led;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'another delivery gives the pieces the same', pg_temp.led() = led FROM led;
+UPDATE line.axis SET geom = ST_Reverse(geom) WHERE source_ref = '2';
+SELECT 'an axis that is drawn the other way is driven the other way', pg_temp.led() LIKE '%7 2.3 direct at 300, 7 3.1%8 2.1 both at 300%';
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'also after another delivery', pg_temp.led() LIKE '%7 2.3 direct at 300, 7 3.1%8 2.1 both at 300%';
+DELETE FROM line.axis WHERE source_ref = '3';
+SELECT 'a deleted axis is on no route', pg_temp.led() NOT LIKE '% 7 3.%' AND pg_temp.led() LIKE '7 1.1 direct at 0, 7 2.1 %';
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650050 6860030,650100 6860000)' WHERE source_ref = '1';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650010 6860000,650090 6860000)');
+SELECT 'one that is drawn elsewhere takes its routes along, and leaves none behind', pg_temp.led() LIKE '7 1.1 direct at 0, 7 2.1 %';
+SELECT 'all routes are on axes', NOT EXISTS (SELECT FROM line.axis_route WHERE axis_id NOT IN (SELECT axis_id FROM line.axis));
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860200,650050 6860250,650100 6860200,650150 6860200)');
+INSERT INTO line.axis_route (route, ordinality, axis_id, kind, direction) SELECT 'mine', 1, max(axis_id), 'truck', 'direct' FROM line.axis;
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650100 6860200,650150 6860200)' WHERE axis_id = (SELECT axis_id FROM line.axis_route WHERE route = 'mine');
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860200,650100 6860200)');
+SELECT 'a short cut between two vertices of a cut axis is no piece of it', pg_temp.led() LIKE '%, mine 1.1 direct at 100';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860200,650050 6860250,650100 6860200)');
+SELECT 'the piece with the bend is', pg_temp.led() LIKE '%, mine 1.1 direct at 0, mine 1.2 direct at 100';
+TRUNCATE line.axis CASCADE;
+SELECT 'where all axes go, all routes do', NOT EXISTS (SELECT FROM line.axis_route);
+SELECT FROM streetgen.drop_model('line') \g /dev/null
 -- Crossings.
 CREATE TABLE town_control (node_id bigint, class text NOT NULL, direction text, traffic_signals_direction text, geom geometry(Point, 2154));
 INSERT INTO town_control (node_id, class, geom) VALUES (1, 'crossing', 'SRID=2154;POINT(650088 6860000)'), (2, 'crossing', 'SRID=2154;POINT(650150 6860000)');

@@ -35,7 +35,8 @@ ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out
 ALTER TABLE older.edge DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP curve CASCADE;
 ALTER TABLE older.lane DROP both_ways CASCADE;
 ALTER TABLE older.marking DROP along_axis CASCADE, ADD UNIQUE (edge_id, kind, lane_position);
-DROP TABLE older.axis_route;
+ALTER TABLE older.axis_route DROP piece CASCADE, DROP uncut CASCADE, ADD UNIQUE (source, route, ordinality);
+DROP INDEX older.axis_route_place;
 ALTER TABLE older.interconnection DROP traffic CASCADE, DROP along_in CASCADE, DROP along_out CASCADE, ADD UNIQUE (lane_in, lane_out);
 ALTER TABLE older.lane DROP start_abscissa CASCADE, DROP end_abscissa CASCADE, DROP CONSTRAINT lane_kind_check, ADD CHECK (kind IN ('general', 'bus', 'cycle', 'parking'));
 ALTER TABLE older.lane_separator DROP leftwards CASCADE, DROP rightwards CASCADE;

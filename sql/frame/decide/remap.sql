@@ -12,6 +12,11 @@ COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, float8) IS
     'Abscissa (metres) of a line nearest to a place, the former one where it is the same within a micrometre; and the '
     'place, put onto the line where asked.';
 
+CREATE OR REPLACE FUNCTION streetgen._frame_axis_follower() RETURNS TABLE(relation name, follower name)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('override_place'::name, '_remap'::name) $$;
+COMMENT ON FUNCTION streetgen._frame_axis_follower() IS 'Decisions by hand stay where they lie.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_held_decisions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -82,8 +87,10 @@ BEGIN
     PERFORM streetgen._own_function(model, '_remap(bigint[], geometry[], geometry[])',
         'Puts the overrides near changed axes on the axis that they lie on now: axes with their lines before and '
         'after, NULL where there was or is none');
-    PERFORM streetgen._follow_axes(model, 'remap', 'override_place', '_remap',
-        'overrides stay on the piece of road where they lie');
+    PERFORM streetgen._follow_axes(model, 'remap', array_agg(relation), array_agg(follower),
+        'overrides stay on the piece of road where they lie, and routes on their axes')
+        FROM streetgen._axis_follower();
 END $$;
 COMMENT ON FUNCTION streetgen._make_remap(name) IS
-    'Makes the view override_place of a model and the triggers on its axes that keep overrides where they lie.';
+    'Makes the view override_place of a model and the triggers on its axes by which its overrides and what else stays '
+    'with axes follow.';

@@ -272,7 +272,7 @@ BEGIN
         EXECUTE FUNCTION join_objects();
     COMMENT ON TRIGGER join_objects_insert ON street_object IS 'Finds the edges at which objects stand';
     COMMENT ON TRIGGER join_objects_update ON street_object IS 'Finds the edges at which objects stand';
-    PERFORM streetgen._follow_axes(model, 'carry_objects', 'street_object', '_carry_objects',
+    PERFORM streetgen._follow_axes(model, 'carry_objects', '{street_object}', '{_carry_objects}',
         'objects stay at the piece of road where they stand');
     PERFORM streetgen._tie_specialised(model);
     PERFORM streetgen._grant_object_locks(model);
