@@ -1,7 +1,8 @@
 // Lanes of edges, the lines between them, what is painted.  StreetGen paper, 2.5 and 2.7.2.
 //
 // Lanes fill the roadway of an edge from kerb to kerb between its two section limits, as
-// offset curves of the axis.  Where the width of an axis changes, their shares of it stay.  Where
+// offset curves of the axis.  Where the widths of all are stated and the roadway is wider, the rest
+// lies beside them.  Where the width of an axis changes, their shares of it stay.  Where
 // the street goes on with another width past a side street, the lanes that begin or end there take
 // the change, and the others keep their width: on the side that turn marks say, else the outer one.
 // Merging lanes lie outside of the others, whose places do not depend on them.
@@ -142,8 +143,9 @@ struct Lane {
   double width = 0;        // metres, at the start limit, without what begins or ends there
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
   Line line;               // the centre line, in the point order of the axis
-  // The lanes of an edge tile its section; where a ring would not be simple, or a line was drawn
-  // by hand, the buffer of the centre line.  Empty where the limits crossed.
+  // The lanes of an edge tile its section, but for what lies beside lanes of stated widths; where a
+  // ring would not be simple, or a line was drawn by hand, the buffer of the centre line.  Empty
+  // where the limits crossed.
   MultiPolygon surface;
   unsigned turns = 0;
   Method method = Method::hypothesis;  // or crossed_limits, or by_hand

@@ -116,6 +116,11 @@ BEGIN
             FROM painted_bound p JOIN lanelet w ON w.lane_id = p.key LEFT JOIN painted_bound s ON s.source = 3
                 AND (s.edge_id, s.lane_position, s.along_axis) = (p.edge_id, p.lane_position, p.along_axis)
             WHERE p.source = 4 GROUP BY p.key, p.along_axis, p.id) r),
+    -- Edges whose lanes do not reach the kerbs.
+    with_room AS MATERIALIZED (
+        SELECT edge_id FROM lane l JOIN edge e USING (edge_id)
+        WHERE edge_id IN (SELECT edge_id FROM drawn) AND kind <> 'merging'
+        GROUP BY edge_id, e.width, e.width_end HAVING sum(l.width) < least(e.width, e.width_end) - 0.01),
     regulated AS (
         SELECT lanelet AS id, string_agg('<member type="relation" ref="' || r.id || '" role="regulatory_element"/>', ''
             ORDER BY r.id) AS text
@@ -127,7 +132,7 @@ BEGIN
         WHEN 2 THEN streetgen._lanelet2_tags('{type}', '{virtual}')
         WHEN 3 THEN streetgen._lanelet2_tags('{type}', '{stop_line}')
         WHEN 4 THEN streetgen._lanelet2_tags('{type,subtype}', '{traffic_light,red_yellow_green}')
-        ELSE CASE WHEN b.number IN (1, cardinality(d.lanes) + 1)
+        ELSE CASE WHEN b.number IN (1, cardinality(d.lanes) + 1) AND d.edge_id NOT IN (SELECT edge_id FROM with_room)
                 THEN streetgen._lanelet2_tags('{type,subtype}', '{curbstone,high}')
             WHEN m.paint IS NULL THEN streetgen._lanelet2_tags('{type}', '{virtual}')
             ELSE streetgen._lanelet2_tags('{type,subtype}', ARRAY['line_thin', CASE WHEN m.paint <> 'mixed'
@@ -168,7 +173,8 @@ COMMENT ON FUNCTION streetgen.export_lanelet2(name, jsonb) IS
     'A file of Lanelet2, OSM XML, line by line. A lane is a lanelet between two borders, which neighbours share, and '
     'an interconnection that connects is a lanelet whose borders begin and end in the points of those of its lanes. '
     'Borders between lanes are lines, dashed where the model has dashes, which one may cross then, '
-    'solid_dashed or dashed_solid where only one side may; the outer ones are curbstones. Lanelets have '
+    'solid_dashed or dashed_solid where only one side may; the outer ones are curbstones, but where roadway lies '
+    'beside the lanes. Lanelets have '
     'the speed limit of their edge, say who drives there and whether one way only, and '
     'name their edge. A junction with stop or yield lines has a regulatory element right_of_way, and with subject '
     'signal each lane that waits for lights has one of traffic_light. Parking lanes are left out. Coordinates are '

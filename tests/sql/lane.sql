@@ -66,13 +66,30 @@ SELECT 'a lane against the traffic', pg_temp.kinds(31) = 'cycle- parking+ genera
 SELECT 'turns belong to the driving lanes', (SELECT array_agg(coalesce(turn, '-') ORDER BY lane_position) = '{-,through,left,through;right,-,-}' FROM lanes.lane JOIN lanes.edge USING (edge_id) WHERE axis_id = 30);
 SELECT 'lists of another number of lanes are left out and named', pg_temp.widths(32) = '{2.667,2.667,2.667}' AND pg_temp.rules(32) LIKE '%turns are not those%widths are not those%'
     AND NOT EXISTS (SELECT FROM lanes.lane JOIN lanes.edge USING (edge_id) WHERE axis_id = 32 AND turn IS NOT NULL);
-SELECT 'widths that do not sum to the roadway are proportions', pg_temp.widths(33) = '{2,4}';
+SELECT 'widths that sum to more than the roadway are proportions', pg_temp.widths(33) = '{2,4}';
 SELECT format('a list such as %s is refused', value), test.state(format('UPDATE lanes.axis SET %s = %L', name, value)) = '23514'
     FROM (VALUES ('kind_forward', 'tram'), ('kind_forward', ''), ('kind_backward', 'general|'), ('lane_width_forward', '3m'), ('lane_width_forward', '-1'), ('lane_width_backward', 'NaN'),
         ('turn_forward', 'up'), ('turn_backward', repeat('|', 40)), ('turn_forward', repeat('left;', 200))) v(name, value);
 
 SELECT 'the lanes of a section tile it', bool_and(abs(area - ST_Area(s.surface)) < 1e-6 * area)
     FROM (SELECT edge_id, sum(ST_Area(surface)) AS area FROM lanes.lane GROUP BY edge_id) l JOIN lanes.section s USING (edge_id);
+CREATE FUNCTION pg_temp.middles(axis bigint) RETURNS numeric[] LANGUAGE sql AS $$
+  SELECT array_agg(round(l.axis_offset::numeric, 3) ORDER BY lane_position) FROM lanes.lane l JOIN lanes.edge USING (edge_id) WHERE axis_id = axis $$;
+UPDATE lanes.axis SET width = 15 WHERE axis_id = 33;
+SELECT FROM streetgen.generate('lanes') \g /dev/null
+SELECT 'where the roadway is wider the rest lies beside them', pg_temp.widths(33) = '{4,8}' AND pg_temp.middles(33) = '{4,-2}' AND pg_temp.rules(33) IS NULL
+    AND (SELECT array_agg(round(axis_offset::numeric, 3)) = '{2}' FROM lanes.lane_separator JOIN lanes.edge USING (edge_id) WHERE axis_id = 33);
+UPDATE lanes.axis SET direction = 'reverse', kind_backward = kind_forward, lane_width_backward = lane_width_forward, kind_forward = NULL, lane_width_forward = NULL WHERE axis_id = 33;
+SELECT FROM streetgen.generate('lanes') \g /dev/null
+SELECT 'also against the line', pg_temp.widths(33) = '{8,4}' AND pg_temp.middles(33) = '{2,-4}';
+UPDATE lanes.axis SET kind_backward = 'general|cycle', lane_width_backward = '3|' WHERE axis_id = 33;
+SELECT FROM streetgen.generate('lanes') \g /dev/null
+SELECT 'a cycle lane without a width has its usual one', pg_temp.widths(33) = '{1.5,3}';
+UPDATE lanes.axis SET lane_width_backward = '|2' WHERE axis_id = 33;
+SELECT FROM streetgen.generate('lanes') \g /dev/null
+SELECT 'a lane of unknown width takes what is left', pg_temp.widths(33) = '{2,13}';
+UPDATE lanes.axis SET width = 6, direction = 'direct', kind_forward = 'general|general', lane_width_forward = '4|8', kind_backward = NULL, lane_width_backward = NULL WHERE axis_id = 33;
+SELECT FROM streetgen.generate('lanes') \g /dev/null
 SELECT 'lanes stay inside a street that widens', (SELECT bool_and(ST_CoveredBy(l.geom, ST_Buffer(s.surface, 1e-6))) FROM lanes.lane l JOIN lanes.section s USING (edge_id) JOIN lanes.edge USING (edge_id) WHERE axis_id = 40)
     AND (SELECT abs(ST_Distance(ST_StartPoint(l.geom), ST_StartPoint(e.geom)) - 2.25) < 1e-6 AND abs(ST_Distance(ST_EndPoint(l.geom), ST_EndPoint(e.geom)) - 5.25) < 1e-6 FROM lanes.lane l JOIN lanes.edge e USING (edge_id) WHERE axis_id = 40 AND ordinality = 4);
 SELECT 'between n lanes there are n - 1 lines', bool_and(separators = lanes - 1)

@@ -179,9 +179,10 @@ LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneW
   LanesOfEdge out;
   std::vector<Line> borders;
   for (const LaneShares& border : shares) borders.push_back(line_at_shares(strip, border));
-  for (Line* kerb : {&borders.front(), &borders.back()})
-    *kerb =
-        with_round_kinks(*kerb, settings.kerb_radius_minimal, {strip.from_border, strip.to_border});
+  for (const std::size_t outer : {std::size_t{0}, borders.size() - 1})
+    if (is_kerb(shares[outer]))
+      borders[outer] = with_round_kinks(borders[outer], settings.kerb_radius_minimal,
+                                        {strip.from_border, strip.to_border});
   for (int p = 1, ordinary = 0; p <= count; ++p) {
     const auto& [wish, ordinality, side, stretch] = placed[p - 1];
     LaneShares middle;

@@ -72,14 +72,18 @@ std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double widt
     if (wish.width <= 0) ++open;
   }
   const double rest = open > 0 ? std::max((width - given) / open, narrowest) : 0;
-  const double total = given + rest * open;
-  std::vector<double> shares{0};
-  double sum = 0;
+  const bool driven = std::any_of(wishes.begin(), wishes.end(),
+                                  [](const LaneWish& wish) { return drives(wish.kind); });
+  const bool keep = open == 0 && driven && width > given + same_place;
+  const double surplus = keep ? width - given : 0;
+  const double total = given + rest * open + surplus;
+  std::vector<double> shares{surplus / 2 / total};
+  double sum = surplus / 2;
   for (const LaneWish& wish : wishes) {
     sum += wish.width > 0 ? wish.width : rest;
     shares.push_back(sum / total);
   }
-  shares.back() = 1;
+  shares.back() = 1 - shares.front();
   return shares;
 }
 
@@ -117,6 +121,11 @@ Line along(const LaneStrip& strip, const LaneShares& shares) {
 
 }  // namespace
 
+bool is_kerb(const LaneShares& shares) {
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  return *most <= 0 || *least >= 1;
+}
+
 Line line_at_shares(const LaneStrip& strip, const LaneShares& shares) {
   Line line = along(strip, shares);
   if (line.size() < 2) line.push_back(line.front());
@@ -125,8 +134,7 @@ Line line_at_shares(const LaneStrip& strip, const LaneShares& shares) {
   };
   line.front() = on(strip.from_border, strip.from);
   line.back() = on(strip.to_border, strip.to);
-  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-  if (*most <= 0 || *least >= 1) return line;  // a kerb is that of the section
+  if (is_kerb(shares)) return line;  // that of the section
   const double reach = strip.half_at(strip.from) + std::abs(strip.roadway_offset);
   drop_behind(line, strip.from_border, reach);
   line = reversed(std::move(line));

@@ -34,9 +34,15 @@ std::vector<LaneWish> across(const AxisLanes& lanes, DrivingSide side);
 int ordinality_of(int position, int count, LaneOrder order);
 LaneSide side_of(int position, int count);
 
-// The shares of the roadway, from the left kerb, where each lane begins: 0, ..., 1.
+// The shares of the roadway, from the left kerb, where each lane begins, and where the last one
+// ends.  Lanes fill the roadway, unless the widths of all are stated and leave some of it: that
+// lies beside the lanes, half of it at either kerb.  Of cycle and parking lanes alone nothing is
+// left.
 std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double width,
                                 double narrowest);
+
+// Of the roadway; one between lanes and what lies beside them is none.
+bool is_kerb(const LaneShares& shares);
 
 // Along the strip; ends on the borders.
 Line line_at_shares(const LaneStrip& strip, const LaneShares& shares);

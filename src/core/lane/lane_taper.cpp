@@ -72,6 +72,14 @@ std::vector<double> widths_at(const std::vector<double>& own, double width) {
   return widths;
 }
 
+// Ground beside the lanes takes what it can of a change, and leaves the rest of it.
+void take(double& beside, double& change) {
+  if (beside <= same_share) return;
+  const double wider = std::max(0.0, beside + change);
+  change -= wider - beside;
+  beside = wider;
+}
+
 // In proportion to their widths.
 void add(std::vector<double>& widths, const std::vector<int>& lanes, double change) {
   double total = 0;
@@ -139,8 +147,11 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
     const auto sum_of = [](const std::vector<double>& some) {
       return std::accumulate(some.begin(), some.end(), 0.0);
     };
-    const double left = place.left - sum_of(first) - half - strip.roadway_offset;
-    const double right = place.right - sum_of(last) - half + strip.roadway_offset;
+    double left = place.left - sum_of(first) - half - strip.roadway_offset;
+    double right = place.right - sum_of(last) - half + strip.roadway_offset;
+    double beside_left = own.front() * 2 * half, beside_right = (1 - own.back()) * 2 * half;
+    take(beside_left, left);
+    take(beside_right, right);
     const ChangingLanes& end = place.abscissa < middle ? tapered.start : tapered.end;
     const std::vector<int>& lanes = left + right < 0 ? end.ending : end.beside;
     std::vector<double> widths = widths_at(own, 2 * half);
@@ -157,10 +168,10 @@ std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector
     }
     widths.insert(widths.begin(), first.begin(), first.end());
     widths.insert(widths.end(), last.begin(), last.end());
-    const double total = sum_of(widths);
-    double sum = 0;
+    const double total = beside_left + sum_of(widths) + beside_right;
+    double sum = beside_left;
     for (std::size_t p = 0; p < borders.size(); ++p) {
-      borders[p].push_back(p + 1 == borders.size() ? 1 : sum / total);
+      borders[p].push_back(p + 1 == borders.size() ? 1 - beside_right / total : sum / total);
       if (p < widths.size()) sum += widths[p];
     }
   }

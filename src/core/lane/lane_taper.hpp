@@ -30,9 +30,9 @@ ChangingLanes changing_lanes(const LanesAtNode& here, const LanesAtNode& there, 
 
 // The lines between lanes, kerbs included. What a kerb departs from the edge's own width goes to
 // the lanes that change on its side of the middle, or where one side has none to all that change;
-// without any, all lanes share it. `own` are the shares of the lanes of the edge's own width.
-// Merging lanes come first and last, those of the left kerb and those of the right one in the order
-// of strip.merging.
+// without any, all lanes share it. Ground beside the lanes takes it before them. `own` are the
+// shares of the lanes of the edge's own width. Merging lanes come first and last, those of the left
+// kerb and those of the right one in the order of strip.merging.
 std::vector<LaneShares> tapered_shares(const LaneStrip& strip, const std::vector<double>& own,
                                        const TaperedLanes& tapered);
 

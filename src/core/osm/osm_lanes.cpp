@@ -132,9 +132,8 @@ void name_lists_of_both(const OsmTags& said, WayTags& tags) {
       tags.name(key, "it says no direction of a street of both");
 }
 
-// Widths of all lanes that are not the width of the street: its lanes become wider or narrower
-// alike.
-void name_widths_beside_street(const WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
+// Widths of all lanes that the street has no room for: its lanes become narrower alike.
+void name_widths_beyond_street(const WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
   double sum = 0, rounded = 0;
   for (const HeadingLanes* of_heading : {&lanes.along, &lanes.against})
     for (const OsmLane& lane : of_heading->lanes) {
@@ -142,12 +141,9 @@ void name_widths_beside_street(const WayLanes& lanes, const OsmLaneUse& use, Way
       sum += *lane.width;
       rounded += width_rounded;
     }
-  if (lanes.middle > 0 || !use.roadway_width || std::abs(sum - *use.roadway_width) <= rounded)
-    return;
+  if (lanes.middle > 0 || !use.roadway_width || sum <= *use.roadway_width + rounded) return;
   tags.name_first_of({"width:lanes", "width:lanes:forward", "width:lanes:backward"},
-                     sum < *use.roadway_width
-                         ? "the lanes are narrower together than the street, and become wider"
-                         : "the lanes are wider together than the street, and become narrower");
+                     "the lanes are wider together than the street, and become narrower");
 }
 
 }  // namespace
@@ -166,7 +162,7 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
     if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);
   }
   name_lists_of_both(said, tags);
-  name_widths_beside_street(lanes, use, tags);
+  name_widths_beyond_street(lanes, use, tags);
 
   OsmLanes read;
   read.direction = tags.direction();

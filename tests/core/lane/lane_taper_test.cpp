@@ -88,6 +88,26 @@ TEST(LaneTaper, LeavesTheOthersTheirWidth) {
   }
 }
 
+TEST(LaneTaper, IsTakenByGroundBesideTheLanesFirst) {
+  LaneStrip strip = narrowing();
+  const std::vector<double> own{1. / 9, 4. / 9, 8. / 9};
+  const auto offsets_at = [&](double at) {
+    std::vector<double> offsets;
+    for (const LaneShares& border : tapered_shares(strip, own, {}))
+      offsets.push_back(strip.offset_at(at, border));
+    return offsets;
+  };
+  const auto are = [&](double at, const std::vector<double>& wanted) {
+    const std::vector<double> offsets = offsets_at(at);
+    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(offsets[i], wanted[i], 1e-9) << at;
+  };
+  are(40, {3.5, 0.5, -3.5});
+  are(95, {3.5, 0.5, -3.5});
+  strip.profile.places[2] = {95, 4, 3};
+  // At the right kerb 1.5 m are lost, of which 1 m lay beside the lanes: all share the rest.
+  are(95, {4 - 0.5 * 7 / 7.5, 4 - 3.5 * 7 / 7.5, -3});
+}
+
 TEST(LaneTaper, TakesNoMoreThanALaneHas) {
   LaneStrip strip = narrowing();
   strip.profile.places[2] = {95, 1, 1};

@@ -95,12 +95,33 @@ TEST(Lane, KeepsItsOwnWidthAndLeavesTheRestToTheOthers) {
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(lanes[i].width, 3.5, 1e-12);
 }
 
-TEST(Lane, FillsTheRoadwayInProportionWhereWidthsDoNotSumToIt) {
+TEST(Lane, LeavesWhatStatedWidthsDoNotTakeAtBothKerbs) {
+  AxisLanes wanted = general(2, 0);
+  wanted.forward[0].width = 4;
+  wanted.forward[1].width = 2;
+  std::vector<Lane> lanes = on_straight(wanted, {}, 12);
+  EXPECT_NEAR(lanes[0].width, 4, 1e-12);
+  EXPECT_NEAR(lanes[0].axis_offset, 1, 1e-12)
+      << "3 m lie left of it, to the kerb 6 m from the axis";
+  EXPECT_NEAR(area(lanes[0].surface), 400, 1e-9);
+  EXPECT_NEAR(lanes[1].width, 2, 1e-12);
+  EXPECT_NEAR(lanes[1].axis_offset, -2, 1e-12);
+  EXPECT_NEAR(area(lanes[1].surface), 200, 1e-9);
+  wanted.forward[1].kind = LaneKind::cycle;
+  EXPECT_NEAR(on_straight(wanted, {}, 12)[0].width, 4, 1e-12);
+  wanted.forward[0].kind = LaneKind::parking;
+  EXPECT_NEAR(on_straight(wanted, {}, 12)[0].width, 8, 1e-12)
+      << "a way of cycle and parking lanes alone has no other ground";
+  lanes = axis_lanes(straight, 12, 24, {{LaneWish{LaneKind::general, true, false, 4}}, {}}, {});
+  EXPECT_NEAR(lanes[0].width, 4, 1e-12);
+  EXPECT_NEAR(area(lanes[0].surface), 600, 1e-9) << "its share of the roadway stays";
+}
+
+TEST(Lane, FillsTheRoadwayInProportionWhereWidthsSumToMore) {
   AxisLanes wanted = general(2, 0);
   wanted.forward[0].width = 4;
   wanted.forward[1].width = 2;
   EXPECT_NEAR(on_straight(wanted, {}, 3)[0].width, 2, 1e-12);
-  EXPECT_NEAR(on_straight(wanted, {}, 12)[0].width, 8, 1e-12);
   wanted.forward[1].width = 0;  // nothing left: as if it were as narrow as may be
   const std::vector<Lane> lanes = on_straight(wanted, {}, 3);
   EXPECT_NEAR(lanes[0].width, 2, 1e-12);

@@ -131,17 +131,15 @@ TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
         << strange;
 }
 
-TEST(OsmLanes, WidthsOfLanesThatAreNotThatOfTheStreetAreNamed) {
+TEST(OsmLanes, WidthsOfLanesThatTheStreetHasNoRoomForAreNamed) {
   OsmLaneUse use;
   const OsmTags tags = {{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", "3|3"}};
-  for (const double wide : {6.0, 6.2}) {
+  for (const double wide : {5.6, 6.0, 6.2, 9.0}) {
     use.roadway_width = wide;
     EXPECT_EQ(read(tags, use), "general=3.00 general=3.00 | ") << wide;
   }
-  for (const double wide : {5.0, 9.0}) {
-    use.roadway_width = wide;
-    EXPECT_EQ(read(tags, use), "general=3.00 general=3.00 |  ?width:lanes") << wide;
-  }
+  use.roadway_width = 5;
+  EXPECT_EQ(read(tags, use), "general=3.00 general=3.00 |  ?width:lanes");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", "3|"}}, use),
             "general=3.00 general | ")
       << "a lane without a width takes what is left";
