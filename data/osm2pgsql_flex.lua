@@ -29,10 +29,13 @@ for key in pairs(street_keys) do
     end
 end
 
--- Does a key begin as one of a street does, or with a misspelt word, which the import names?
+-- Does a key begin as one of a street does, or with a misspelt word, or list lanes?  The import names what it does not
+-- know.
 local speaks_of_street = setmetatable({}, { __index = function(known, key)
-    local word = key:lower():gsub('^source:', ''):match('^[^:]*')
-    local speaks = street_keys[word] or false
+    local small = key:lower():gsub('^source:', '')
+    local word = small:match('^[^:]*')
+    local speaks = street_keys[word] or street_keys[word:match('^[^_]*')] or (small .. ':'):find(':lanes:', 1, true)
+        and true or false
     if #word >= 4 then
         each_worn(word, function(worn) speaks = speaks or worn_keys[worn] or false end)
     end
@@ -82,7 +85,8 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
-local controls = { traffic_signals = true, stop = true, give_way = true, mini_roundabout = true, crossing = true }
+local controls = { traffic_signals = true, stop = true, give_way = true, mini_roundabout = true, crossing = true,
+                   turning_circle = true, turning_loop = true, passing_place = true }
 
 local standing = osm2pgsql.define_node_table(prefix .. '_object', {
     { column = 'class', type = 'text', not_null = true },
@@ -124,7 +128,9 @@ end
 local restriction = osm2pgsql.define_relation_table(prefix .. '_restriction', {
     { column = 'restriction', type = 'text' },
     { column = 'excepted', type = 'text' }, -- traffic that it does not hold for
-    { column = 'held_for', type = 'text' }, -- the traffic that alone it holds for; conditional, hours: times; empty: all
+    -- The traffic that alone it holds for, and that of further keys, parted by commas; conditional, hours: times;
+    -- empty: all.
+    { column = 'held_for', type = 'text' },
     { column = 'from_way', type = 'bigint' },
     { column = 'to_way', type = 'bigint' },
     { column = 'via_ways', type = 'text' }, -- in their order, parted by commas
@@ -156,19 +162,21 @@ local function insert_route(object)
     end
 end
 
--- Whom a turn restriction holds for, by its type, a key such as restriction:hgv, or tags of its times.
+-- Whom a turn restriction holds for, by its type, keys such as restriction:hgv, or tags of its times.
 local function held_for(tags)
-    local traffic = tags.type:match('^restriction:(.*)$')
-    if traffic then
-        return traffic
-    end
-    if tags.restriction then
-        return (tags.day_on or tags.day_off or tags.hour_on or tags.hour_off) and 'hours' or ''
-    end
+    local traffic = {}
     for key in pairs(tags) do
-        traffic = key:match('^restriction:(.*)$') or traffic
+        traffic[#traffic + 1] = key:match('^restriction:(.*)$')
     end
-    return traffic or ''
+    table.sort(traffic)
+    local by_type = tags.type:match('^restriction:(.*)$')
+    if by_type then
+        table.insert(traffic, 1, by_type)
+    elseif tags.restriction then
+        local at_hours = tags.day_on or tags.day_off or tags.hour_on or tags.hour_off
+        table.insert(traffic, 1, at_hours and 'hours' or '')
+    end
+    return table.concat(traffic, ',')
 end
 
 function osm2pgsql.process_relation(object)

@@ -122,6 +122,12 @@ BEGIN
         RETURN QUERY SELECT 'no table of control points, those of the model stay', NULL::text, 0::bigint, NULL::text[];
         RETURN;
     END IF;
+    PERFORM streetgen._take_points('_import_node', format('SELECT node_id::text AS source_ref, class FROM %s',
+        control));
+    RETURN QUERY SELECT 'wider place of a street, not made', n.class, count(*),
+        array_agg(n.source_ref ORDER BY n.source_ref) FROM pg_temp._import_node n
+        WHERE n.class IN ('turning_circle', 'turning_loop', 'passing_place') GROUP BY n.class ORDER BY n.class;
+    DROP TABLE pg_temp._import_node;
     -- A crossing with lights is two: a crossing, and signals for both ways.
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format('SELECT geom, kind, '
         'streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
@@ -132,4 +138,5 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes, of a crossing with lights the '
-    'signals too; importing again follows the table. A NULL table leaves all as it was.';
+    'signals too; importing again follows the table. Turning circles and passing places are reported. A NULL table '
+    'leaves all as it was.';

@@ -8,6 +8,12 @@ COMMENT ON FUNCTION streetgen._osm_sidewalk(text, text, text, text) IS
     'Width in metres of the sidewalk on one side (left or right) of a way, from what its tags say of this side, of '
     'the way and of the width; 0: none; NULL: unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen._means_sidewalk(VARIADIC words text[]) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_remove(words, NULL) <@ '{both,left,right,yes,no,none,separate,shared,lane,crossing,mapped}' $$;
+COMMENT ON FUNCTION streetgen._means_sidewalk(text[]) IS
+    'Do all words, of tag sidewalk and those of its sides, say something of sidewalks? NULL says nothing.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_layer(tags jsonb) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN tags ->> 'layer' ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, (tags ->> 'layer')::integer)) END;
@@ -97,6 +103,7 @@ BEGIN
         streetgen._osm_sidewalk(walk_right, tags ->> 'sidewalk', said_walk_right, 'right') AS sidewalk_right,
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
             CASE WHEN tags ->> 'layer' !~ '^[-+]?\d{1,2}$' THEN 'level' END,
+            CASE WHEN NOT streetgen._means_sidewalk(tags ->> 'sidewalk', walk_left, walk_right) THEN 'sidewalk' END,
             CASE WHEN said_walk_left IS NOT NULL
                 AND streetgen._within(streetgen._metres(said_walk_left), 0, 50) IS NULL
                 OR said_walk_right IS NOT NULL

@@ -47,8 +47,8 @@ BEGIN
         CASE WHEN v.follow THEN (SELECT ST_Multi(ST_Collect(ST_LineInterpolatePoint(line, 0.5) ORDER BY i))
             FROM unnest(v.lines) WITH ORDINALITY l(line, i)) END AS via_geom,
         CASE WHEN v.follow THEN ST_ClosestPoint(v.lines[cardinality(v.lines)], ST_Force2D(b.geom)) END AS to_geom,
-        CASE WHEN held_for = 'conditional' THEN 'at times only'
-            WHEN held_for NOT IN ('', 'hours') OR restriction IS NULL AND held_for IS NULL THEN 'not for all traffic'
+        CASE WHEN of = 'conditional' THEN 'at times only'
+            WHEN of NOT IN ('', 'hours') OR restriction IS NULL AND of IS NULL THEN 'not for all traffic'
             WHEN restriction IS NULL THEN 'without a word on its turn'
             WHEN restriction !~ '^(no|only)_(left_turn|right_turn|straight_on|u_turn)$|^no_(entry|exit)$'
                 THEN 'not understood'
@@ -58,8 +58,11 @@ BEGIN
             WHEN a.axis_id IS NULL OR b.axis_id IS NULL OR array_position(v.axes, NULL) IS NOT NULL
                 THEN 'of ways that are no axes'
             WHEN NOT v.follow THEN 'via ways that do not follow each other' END AS left_out,
-        except_kinds, except_others, held_for = 'hours' AS at_hours
-    FROM pg_temp._import_relation r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, from_way::text)
+        except_kinds, except_others, of = 'hours' AS at_hours,
+        further
+    FROM pg_temp._import_relation r CROSS JOIN LATERAL (SELECT split_part(held_for, ',', 1) AS of,
+            (string_to_array(held_for, ','))[2:] AS further) k
+        LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, from_way::text)
         LEFT JOIN axis b ON (b.source, b.source_ref) = (ways, to_way::text)
     CROSS JOIN LATERAL (
         -- A relation may have its members from the last to the first.
@@ -82,9 +85,12 @@ BEGIN
         CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus'
             WHEN 'bicycle' THEN 'cycle' WHEN 'hov' THEN 'carpool' END AS kind) k
         WHERE btrim(word) NOT IN ('', 'no', 'none')) excepted;
-    RETURN QUERY SELECT 'turn restriction ' || r.left_out || ', left out', r.class, count(*),
-        array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
-        WHERE r.left_out IS NOT NULL GROUP BY r.left_out, r.class ORDER BY 1, 2;
+    RETURN QUERY SELECT 'turn restriction ' || v.left_out || ', left out', r.class, count(*),
+        array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r, LATERAL (
+            SELECT r.left_out UNION ALL
+            SELECT CASE traffic WHEN 'conditional' THEN 'at times only' ELSE 'not for all traffic' END
+            FROM unnest(r.further) traffic) v(left_out)
+        WHERE v.left_out IS NOT NULL GROUP BY v.left_out, r.class ORDER BY 1, 2;
     DELETE FROM pg_temp._import_restriction r WHERE r.left_out IS NOT NULL;
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT DISTINCT ON (r.source_ref) r.source_ref, r.geom AS source_geom, NULL::geometry AS cleaned, r.from_axis,

@@ -44,6 +44,11 @@ CREATE TABLE limited AS SELECT * FROM streetgen.import_osm('restricted', 'town')
 SELECT 'a limited restriction is told: ' || what, (SELECT array_agg(ref) = ARRAY[e.ref] FROM limited l, unnest(source_refs) ref WHERE l.what LIKE 'turn restriction ' || e.what || ',%')
     FROM (VALUES ('not for all traffic', '11'), ('at times only', '12'), ('without a word on its turn', '14'), ('at hours of a day', '13')) e(what, ref);
 SELECT 'and holds at all times, or not at all', (SELECT array_agg(DISTINCT split_part(source_ref, '/', 1)) && '{13}' AND NOT array_agg(split_part(source_ref, '/', 1)) && '{11,12}' FROM restricted.turn_restriction);
+UPDATE town_restriction SET held_for = CASE relation_id WHEN 10 THEN ',conditional,hgv' WHEN 11 THEN 'conditional,hgv' ELSE '' END;
+CREATE TABLE further AS SELECT * FROM streetgen.import_osm('restricted', 'town') WHERE what LIKE 'turn restriction %';
+SELECT 'of several keys each is told: ' || what, (SELECT array_agg(ref ORDER BY ref) = refs FROM further f, unnest(source_refs) ref WHERE f.what = 'turn restriction ' || e.what || ', left out')
+    FROM (VALUES ('not for all traffic', '{10,11}'::text[]), ('at times only', '{10,11}')) e(what, refs);
+SELECT 'and the one for all holds', (SELECT array_agg(split_part(source_ref, '/', 1)) @> '{10}' AND NOT array_agg(split_part(source_ref, '/', 1)) && '{11}' FROM restricted.turn_restriction);
 ALTER TABLE town_restriction DROP held_for;
 SELECT FROM streetgen.import_osm('restricted', 'town') \g /dev/null
 SELECT 'also one that lacks a way', (SELECT array_agg(ref ORDER BY ref) = '{18,19}' FROM import_report, unnest(source_refs) ref WHERE what = 'turn restriction without the way that it leads from or to, left out');

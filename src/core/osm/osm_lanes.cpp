@@ -22,20 +22,22 @@ bool is_one_of(const std::string& word, std::initializer_list<const char*> words
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// One mark or more, parted by ;, or nothing.
-bool is_turn(const std::string& words) {
-  if (words.empty()) return true;
-  std::size_t marks = 0;
-  for (std::size_t from = 0;;) {
-    const std::size_t to = words.find(';', from);
-    if (++marks > most_marks ||
-        !is_one_of(words.substr(from, to - from),
-                   {"none", "reverse", "sharp_left", "left", "slight_left", "merge_to_left",
-                    "through", "merge_to_right", "slight_right", "right", "sharp_right"}))
-      return false;
-    if (to == std::string::npos) return true;
+// The marks of a lane, parted by ;, without empty ones between them; none where a word is no mark.
+std::optional<std::string> marks_of(const std::string& words) {
+  std::string marks;
+  std::size_t count = 0;
+  for (std::size_t from = 0; from <= words.size();) {
+    const std::size_t to = std::min(words.find(';', from), words.size());
+    const std::string word = words.substr(from, to - from);
     from = to + 1;
+    if (word.empty()) continue;
+    if (++count > most_marks ||
+        !is_one_of(word, {"none", "reverse", "sharp_left", "left", "slight_left", "merge_to_left",
+                          "through", "merge_to_right", "slight_right", "right", "sharp_right"}))
+      return std::nullopt;
+    marks += (marks.empty() ? "" : ";") + word;
   }
+  return marks;
 }
 
 bool is_change(const std::string& word) {
@@ -76,7 +78,7 @@ void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
     }
     if (of_who) continue;
     const auto known = [&](const std::string& word) {
-      return name == "turn"     ? is_turn(word)
+      return name == "turn"     ? marks_of(word).has_value()
              : name == "change" ? is_change(word)
                                 : word.empty() || lane_width_of(word).has_value();
     };
@@ -85,7 +87,7 @@ void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
       if (!known(list.words[i]))
         tags.name(list.key, means_nothing(list.words[i]));
       else if (name == "turn")
-        named[i]->turn = list.words[i];
+        named[i]->turn = *marks_of(list.words[i]);
       else if (name == "change")
         named[i]->change = list.words[i];
       else if (!list.words[i].empty())

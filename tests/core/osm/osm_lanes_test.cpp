@@ -113,10 +113,12 @@ TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
     return read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", list}});
   };
   EXPECT_EQ(turns("left|next_lane"), "general:left general |  ?turn:lanes");
-  for (const char* strange : {"left;", ";left", "left;;right", "left,right",
+  for (const char* strange : {"left;next_lane", "left,right",
                               "left;left;left;left;left;left;left;left;left;left;left"})
     EXPECT_EQ(turns(strange + std::string("|through")), "general general:through |  ?turn:lanes")
         << strange;
+  for (const char* empty : {"left;right;", ";left;right", "left;;right"})
+    EXPECT_EQ(turns(empty + std::string("|;")), "general:left;right general | ") << empty;
   const auto widths = [](const std::string& list) {
     return read({{"oneway", "yes"}, {"lanes", "2"}, {"width:lanes", list}});
   };
