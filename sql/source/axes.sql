@@ -231,6 +231,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._write_axes(model, source, clean);
     RETURN QUERY SELECT * FROM streetgen._tell_by_hand(model, 'axis', source);
     PERFORM streetgen._look_at_axes(model, source);
+    RETURN QUERY SELECT * FROM streetgen._settle_class_lanes(model);
     RETURN QUERY SELECT * FROM streetgen._tell_usual_widths(model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
@@ -249,7 +250,8 @@ CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken, width, speed, lanes_by_width
+    CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken, width, speed, lanes_by_width,
+        lanes_one_way
         FROM axis_class;
 END $$;
 COMMENT ON FUNCTION streetgen._copy_classes(name) IS

@@ -110,13 +110,14 @@ BEGIN
                 AND streetgen._within(streetgen._metres(said_walk_right), 0, 50) IS NULL
                 THEN 'sidewalk width' END], NULL) AS unread, lanes.unread_tags, lanes.unread_reasons
     FROM (SELECT DISTINCT class, tags FROM pg_temp._import_line) tagged
-    LEFT JOIN (SELECT c.class, c.width AS class_width, c.speed AS class_speed, c.lanes_by_width
+    LEFT JOIN (SELECT c.class, c.width AS class_width, c.speed AS class_speed, c.lanes_by_width,
+        c.lanes_one_way
         FROM pg_temp._import_class c) usual USING (class),
     streetgen._osm_width(tags) across(metres, width_unread), streetgen._osm_speed(tags) pace(kmh, speed_unread),
     -- Lanes of a street that says none.
-    LATERAL (SELECT CASE WHEN lanes_by_width THEN streetgen.estimated_lane_count(
-        coalesce(nullif(metres, 0), class_width, width_default), coalesce(kmh, class_speed), lane_width) ELSE 1 END
-        AS usual_lanes) u,
+    LATERAL (SELECT CASE WHEN lanes_by_width THEN least(CASE WHEN tags ->> 'oneway' IN ('yes', 'true', '1', '-1',
+            'reverse') THEN lanes_one_way END, streetgen.estimated_lane_count(coalesce(nullif(metres, 0), class_width,
+            width_default), coalesce(kmh, class_speed), lane_width)) ELSE 1 END AS usual_lanes) u,
     LATERAL (SELECT array_agg(key) AS keys, array_agg(value) AS words
         FROM jsonb_each_text(tags || jsonb_build_object('highway', coalesce(class, '')))) said,
     LATERAL streetgen._osm_lanes(keys, words, driving_side, lane_width, cycle_lane_width, parking_lane_width,

@@ -6,6 +6,9 @@ CREATE OR REPLACE FUNCTION streetgen._source_setting()
     AS $$ VALUES
     ('clean_epsilon', '0.3', 'm', 'importers remove points nearer to each other', 0, 10, NULL::text[]),
     ('clean_r_min', '3', 'm', 'importers remove points that turn more sharply than this radius', 0, 100, NULL),
+    ('class_lines_minimal', '50', NULL,
+        'from so many one-way lines of a class with stated lanes on, an import takes the number of most for the others',
+        1, 1000000, NULL),
     ('curve_tolerance', '0.01', 'm', 'importers make chords of curves, which leave them by at most this', 0.0001, 1,
         NULL),
     ('delivery_wins', 'hand', NULL,
@@ -15,5 +18,5 @@ COMMENT ON FUNCTION streetgen._source_setting() IS 'The settings of deliveries, 
 
 CREATE OR REPLACE FUNCTION streetgen._source_setting_beside() RETURNS TABLE(name text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES ('delivery_wins') $$;
+    AS $$ VALUES ('delivery_wins'), ('class_lines_minimal') $$;
 COMMENT ON FUNCTION streetgen._source_setting_beside() IS 'The settings of deliveries that streets do not depend on.';

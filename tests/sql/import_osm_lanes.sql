@@ -28,7 +28,7 @@ SELECT streetgen.import_osm('left_hand', 'osm') \g /dev/null
 CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coalesce(a.kind_forward, '-'), coalesce(a.kind_backward, '-')) AS kinds, u.lanes_forward AS forward, u.lanes_backward AS backward,
   u.lanes_both AS both_ways, u.width AS across, a.* FROM town.axis a JOIN town.axis_used u USING (axis_id);
 SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (VALUES (1, 'bus|general / bus'), (2, 'bus / bus'), (3, 'general|general|cycle|general / -'), (4, 'general|cycle / general|cycle'), (5, '- / cycle'),
-  (6, '- / -'), (7, '- / general|general|general|cycle'), (8, 'general|general|general|cycle / -'), (13, 'general|general|general|cycle / -'), (14, '- / -'), (15, 'general|cycle / -'), (18, 'bus|general|general / -'),
+  (6, '- / -'), (7, '- / general|general|general|cycle'), (8, 'general|general|general|cycle / -'), (13, 'general|general|cycle / -'), (14, '- / -'), (15, 'general|cycle / -'), (18, 'bus|general|general / -'),
   (19, '- / -')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'lists speak of lanes one by one', (turn_forward, lane_width_forward) = ('left|through|through|right', '3|3|1.5|3.5') FROM seen WHERE way = 3;
 SELECT 'a width of the cycle lane alone', lane_width_forward = '||2.25' FROM seen WHERE way = 22;

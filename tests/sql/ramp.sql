@@ -243,7 +243,7 @@ DO $$ BEGIN PERFORM streetgen.create_model('loop', srid => 2154, subjects => '{r
 INSERT INTO loop.axis (geom, width, lane_count, direction, kind, speed) VALUES
     ('SRID=2154;LINESTRING(649900 6860040, 650000 6860000)', 10.5, 3, 'direct', 'motorway', 100),
     ('SRID=2154;LINESTRING(650000 6860000, 650020 6859990, 650100 6859950)', 10.5, 3, 'direct', 'motorway', 100),
-    ('SRID=2154;LINESTRING(650000 6860000, 650012 6859994, 650021 6859985, 650024 6859974, 650022 6859940)', 6, NULL, 'direct', 'motorway_link', 50);
+    ('SRID=2154;LINESTRING(650000 6860000, 650012 6859994, 650021 6859985, 650024 6859974, 650022 6859940)', 6, 2, 'direct', 'motorway_link', 50);
 CREATE TEMPORARY TABLE chord AS
 SELECT interconnection_id, ST_Azimuth(lag(d.geom) OVER w, d.geom) AS before, ST_Azimuth(d.geom, lead(d.geom) OVER w) AS behind
     FROM loop.ramp_path p JOIN loop.interconnection c USING (interconnection_id), ST_DumpPoints(p.geom) d WINDOW w AS (PARTITION BY interconnection_id ORDER BY d.path);

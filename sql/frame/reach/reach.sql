@@ -77,7 +77,9 @@ BEGIN
                greatest(max(value::float8) FILTER (WHERE name = 'width_default'),
                    (SELECT max(greatest(e.width, e.width_end) + 2 * abs(e.roadway_offset)) FROM edge e),
                    (SELECT max(a.width) FROM axis a),
-                   (SELECT max(k.width) FROM kerb_point_override k), (SELECT max(c.width) FROM axis_class c))
+                   (SELECT max(k.width) FROM kerb_point_override k), (SELECT max(greatest(c.width, c.width_one_way,
+                       c.lanes_one_way * lane.width) + c.parking_left + c.parking_right) FROM axis_class c,
+                       (SELECT value::float8 AS width FROM setting WHERE name = 'lane_width') lane))
                    + coalesce((SELECT 2 * greatest(max(roadway_offset), -min(roadway_offset)) FROM axis
                        WHERE roadway_offset <> 0), 0)
             INTO size, tolerance, widest FROM setting WHERE name IN ('cell_size', 'tolerance', 'width_default');

@@ -96,6 +96,24 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS
     'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
 
+CREATE OR REPLACE FUNCTION streetgen._kinds_beside_parking(driving integer, parking_left float8, parking_right float8)
+    RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN nullif(concat_ws('|', CASE WHEN parking_left > 0 THEN 'parking' END,
+        CASE WHEN driving > 0 THEN 'general' || repeat('|general', driving - 1) END,
+        CASE WHEN parking_right > 0 THEN 'parking' END), '');
+COMMENT ON FUNCTION streetgen._kinds_beside_parking(integer, float8, float8) IS
+    'Kinds of so many general lanes from left to right, between parking lanes of these widths, 0: none.';
+
+CREATE OR REPLACE FUNCTION streetgen._widths_beside_parking(driving integer, parking_left float8, parking_right float8)
+    RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN nullif(concat_ws('|', CASE WHEN parking_left > 0 THEN round(parking_left::numeric, 6)::text END,
+        CASE WHEN driving > 0 THEN repeat('|', driving - 1) END,
+        CASE WHEN parking_right > 0 THEN round(parking_right::numeric, 6)::text END), '');
+COMMENT ON FUNCTION streetgen._widths_beside_parking(integer, float8, float8) IS
+    'Widths of the lanes of streetgen._kinds_beside_parking: general lanes share what the others leave.';
+
 CREATE OR REPLACE FUNCTION streetgen._lanes_width(driving integer, kinds text, widths text, lane_width float8,
     cycle_lane_width float8, parking_lane_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

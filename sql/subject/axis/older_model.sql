@@ -40,6 +40,24 @@ COMMENT ON FUNCTION streetgen._add_class_meanings(name) IS
     'Adds the columns of axis_class that say what a class means for ramps, people on foot and lanes, where a model was '
     'made before them.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_class_lanes(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF NOT streetgen._lacks_column(model, 'axis_class', 'lanes_one_way') THEN
+        RETURN;
+    END IF;
+    ALTER TABLE axis_class ADD lanes_one_way integer CHECK (lanes_one_way BETWEEN 1 AND 15),
+        ADD width_one_way float8 CHECK (width_one_way BETWEEN 0.001 AND 200),
+        ADD lanes_each_way integer CHECK (lanes_each_way BETWEEN 1 AND 15),
+        ADD parking_left float8 NOT NULL DEFAULT 0 CHECK (parking_left BETWEEN 0 AND 10),
+        ADD parking_right float8 NOT NULL DEFAULT 0 CHECK (parking_right BETWEEN 0 AND 10);
+END $$;
+COMMENT ON FUNCTION streetgen._add_class_lanes(name) IS
+    'Adds the columns of axis_class that say what lanes of one direction a class has, where a model was made before '
+    'them. They stay empty: its streets are as they were.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_later_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -80,6 +98,7 @@ BEGIN
     END IF;
     PERFORM streetgen._add_roundabout_tag(model), streetgen._add_width_by_hand(model),
         streetgen._add_roadway_offset(model), streetgen._add_class_meanings(model),
+        streetgen._add_class_lanes(model),
         streetgen._add_later_classes(model);
 END $$;
 COMMENT ON FUNCTION streetgen._mend_axis_tables(name) IS

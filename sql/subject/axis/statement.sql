@@ -6,7 +6,14 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
     width_used) AS width_end,
        forward_used + backward_used + both_used AS lane_count, forward_used AS lanes_forward,
            backward_used AS lanes_backward, both_used AS lanes_both, direction_used AS direction,
-       kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward,
+       CASE WHEN parks THEN streetgen._kinds_beside_parking(forward_used, left_of_forward, right_of_forward)
+           ELSE kind_forward END AS kind_forward,
+       CASE WHEN parks THEN streetgen._kinds_beside_parking(backward_used, left_of_backward, right_of_backward)
+           ELSE kind_backward END AS kind_backward,
+       CASE WHEN parks THEN streetgen._widths_beside_parking(forward_used, left_of_forward, right_of_forward)
+           ELSE lane_width_forward END AS lane_width_forward,
+       CASE WHEN parks THEN streetgen._widths_beside_parking(backward_used, left_of_backward, right_of_backward)
+           ELSE lane_width_backward END AS lane_width_backward, turn_forward, turn_backward,
        speed_used AS speed, coalesce(importance_known, importance_default) AS importance,
        streetgen._wanted_radius(
            coalesce(radius, CASE WHEN predictor IS NOT NULL THEN streetgen._predicted_radius(predictor, axis_id,
@@ -38,7 +45,10 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
            # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
                THEN 0
-               ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END)
+               ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END
+           # CASE WHEN num_nonnulls(lanes_one_way, width_one_way, lanes_each_way) = 0 AND NOT parks THEN 0
+               ELSE hash_record_extended(ROW(lanes_one_way, width_one_way, lanes_each_way, parks, class_parking_left,
+                   class_parking_right), 7) END)
            AS input_hash,
        setting_hash,
        coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
@@ -48,7 +58,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        access, {on_ring} AS on_ring
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
-    highway_role, walked_along, crossed_on_foot, lanes_by_width FROM axis_class) c USING (kind)
+    highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,
+    parking_left AS class_parking_left, parking_right AS class_parking_right FROM axis_class) c USING (kind)
 LEFT JOIN setting_used ON true
 LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
@@ -81,6 +92,15 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id)
         FROM kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
+-- What a street has by its class alone: lanes of a direction, width without parking, and parking.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN direction_used = 'both' THEN lanes_each_way
+            WHEN NOT tags_count OR roundabout_tag IS NULL THEN lanes_one_way END AS lanes_a_way,
+        CASE WHEN direction_used = 'both' OR tags_count AND roundabout_tag IS NOT NULL THEN class_width
+            ELSE coalesce(width_one_way, lanes_one_way * lane_width, class_width) END AS width_usual,
+        coalesce(class_parking_left + class_parking_right > 0 AND num_nonnulls(width, lane_count,
+            nullif(lanes_forward, 0), nullif(lanes_backward, 0), nullif(lanes_both, 0), kind_forward, kind_backward)
+            = 0, false) AND kerb_width IS NULL AS parks HAVING true) usual ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward,
         coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
@@ -93,7 +113,7 @@ CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward
         AS lanes_stated,
     coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
         + coalesce(streetgen.kerbside_width(kind_backward, cycle_lane_width, parking_lane_width), 0)
-        AS kerbside) stated
+        AS kerbside, CASE WHEN parks THEN class_parking_left + class_parking_right ELSE 0 END AS parking) stated
 -- Lanes of the kerbs lie beside those that lane_count counts.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN streetgen.believed_width(width - kerbside, lane_count, most_per_lane) IS NOT NULL THEN width END
@@ -102,8 +122,8 @@ LEFT JOIN LATERAL (
             THEN width_end END AS believed_end HAVING true) b ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed,
-        least(200, streetgen.estimated_width(CASE WHEN lanes_by_width IS NOT FALSE THEN lanes_stated END, class_width,
-            lane_width, width_default) + CASE WHEN lanes_stated IS NULL THEN 0 ELSE kerbside END)) AS width_first
+        least(200, streetgen.estimated_width(CASE WHEN lanes_by_width IS NOT FALSE THEN lanes_stated END, width_usual,
+            lane_width, width_default) + CASE WHEN lanes_stated IS NULL THEN parking ELSE kerbside END)) AS width_first
             HAVING true) w ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_first, speeds,
@@ -122,9 +142,11 @@ LEFT JOIN LATERAL (
         THEN 0
                 WHEN NOT lanes_by_width THEN CASE direction_used WHEN 'both' THEN 2 ELSE 1 END
                 -- Both directions have as many.
-                WHEN direction_used = 'both' THEN 2 * least(streetgen.estimated_lane_count(
-                    greatest(width_first - kerbside - both_used * lane_width, 0) / 2, speed_used, lane_width), 15)
-                ELSE streetgen.estimated_lane_count(greatest(width_first - kerbside, 0), speed_used, lane_width)
+                WHEN direction_used = 'both' THEN 2 * least(lanes_a_way, streetgen.estimated_lane_count(
+                    greatest(width_first - kerbside - parking - both_used * lane_width, 0) / 2, speed_used,
+                    lane_width), 15)
+                ELSE least(lanes_a_way, streetgen.estimated_lane_count(
+                    greatest(width_first - kerbside - parking, 0), speed_used, lane_width))
                 END AS count_used,
            CASE WHEN both_used > 0 THEN 0 ELSE 1 END AS fewest HAVING true) n ON true
 LEFT JOIN LATERAL (
@@ -140,12 +162,24 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT CASE WHEN coalesce(kerb_width, believed) IS NOT NULL OR NOT lanes_by_width THEN width_first
         WHEN num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) = 0
-        THEN least(width_first, (forward_used + backward_used + both_used) * greatest(4.5, lane_width))
+        THEN least(width_first, (forward_used + backward_used + both_used) * greatest(4.5, lane_width) + parking)
         ELSE least(200, both_used * lane_width
             + streetgen._lanes_width(forward_used, kind_forward, lane_width_forward, lane_width, cycle_lane_width,
                 parking_lane_width)
             + streetgen._lanes_width(backward_used, kind_backward, lane_width_backward, lane_width, cycle_lane_width,
                 parking_lane_width)) END AS width_used HAVING true) f ON true
+-- Each direction lists its lanes from its left to its right.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN direction_used = 'direct' OR direction_used = 'both' AND driving_side = 'left'
+            THEN class_parking_left ELSE 0 END AS left_of_forward,
+        CASE WHEN direction_used = 'direct' OR direction_used = 'both' AND driving_side <> 'left'
+            THEN class_parking_right ELSE 0 END AS right_of_forward,
+        CASE direction_used WHEN 'reverse' THEN class_parking_left
+            WHEN 'both' THEN CASE driving_side WHEN 'left' THEN class_parking_right ELSE 0 END ELSE 0 END
+            AS left_of_backward,
+        CASE direction_used WHEN 'reverse' THEN class_parking_right
+            WHEN 'both' THEN CASE driving_side WHEN 'left' THEN 0 ELSE class_parking_left END ELSE 0 END
+            AS right_of_backward HAVING true) beside ON true
 
 --{setting_used
 CREATE OR REPLACE VIEW setting_used WITH (security_invoker = true) AS
