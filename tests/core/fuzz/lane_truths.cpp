@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
@@ -78,8 +79,25 @@ double width_at_start(const Streets& town, int e) {
   return roadway.width + (roadway.width_end - roadway.width) * town.limits[2 * e].abscissa / total;
 }
 
+// Axes on which the widths of all lanes may be stated, which then need not fill the roadway.
+std::set<std::int64_t> stated_axes(const LanesAsked& asked) {
+  const auto stated = [](const std::vector<LaneWish>& wishes) {
+    return std::all_of(wishes.begin(), wishes.end(),
+                       [](const LaneWish& wish) { return wish.width > 0; });
+  };
+  std::set<std::int64_t> axes;
+  for (const LanesOfAxis& axis : asked.axes)
+    if (stated(axis.lanes.forward) && stated(axis.lanes.backward) && stated(axis.lanes.both_ways))
+      axes.insert(axis.axis_id);
+  for (const LaneOverride& by_hand : asked.overrides)
+    if (by_hand.width > 0) axes.insert(by_hand.axis_id);
+  return axes;
+}
+
 // Numbers, widths and places of the lanes of each edge.
-void find_misplaced(const Streets& town, const Lanes& lanes, Faults& faults) {
+void find_misplaced(const Streets& town, const LanesAsked& asked, const Lanes& lanes,
+                    Faults& faults) {
+  const std::set<std::int64_t> stated = stated_axes(asked);
   auto lane = lanes.lanes.begin();
   for (int e = 0; e < static_cast<int>(town.network.edges.size()); ++e) {
     std::vector<int> ordinalities;
@@ -96,7 +114,8 @@ void find_misplaced(const Streets& town, const Lanes& lanes, Faults& faults) {
       if (ordinalities[i] != static_cast<int>(i) + 1)
         faults.push_back("ordinalities are not 1 to n" + of_edge(e));
     if (ordinalities.empty()) faults.push_back("no lane" + of_edge(e));
-    if (!crossed && std::abs(sum - roadway) > 1e-5)
+    const bool short_of = stated.count(town.network.edges[e].axis_id) > 0 && sum < roadway;
+    if (!crossed && !short_of && std::abs(sum - roadway) > 1e-5)
       faults.push_back("widths sum to " + std::to_string(sum) + " on " + std::to_string(roadway) +
                        " m" + of_edge(e));
   }
@@ -155,7 +174,7 @@ Faults lane_faults(const Made& made) {
   const Lanes first = lanes(made.streets, asked.axes, asked.overrides, asked.settings);
   Faults faults;
   find_unsound(first, faults);
-  find_misplaced(made.streets, first, faults);
+  find_misplaced(made.streets, asked, first, faults);
   if (!faults.empty()) return faults;
   find_astray(made.streets, first, faults);
   std::mt19937_64 shuffled(made.seed);
