@@ -99,6 +99,12 @@ SELECT 'a gap beside it is one', array_agg(round(measure)) = '{2}' FROM streetge
 SELECT streetgen.record_check('part') AS recorded \gset
 SELECT 'a check is recorded row by row', :recorded = count(*) AND count(*) = (SELECT count(*) FROM streetgen.check_model('part') f JOIN part.check_result r ON (r.rule, r.severity, r.relation, r.measure) = (f.rule, f.severity, f.relation, f.measure) AND r.id IS NOT DISTINCT FROM f.id) AND count(*) FILTER (WHERE severity = 'error') = 1 FROM part.check_result;
 SELECT 'with the way out and a point on what was found', hint = 'look at the widths around the edge' AND ST_Intersects(place, ST_MakeEnvelope(650010, 6859990, 650012, 6860010, 2154)) AND ST_SRID(place) = 2154 FROM part.check_result WHERE rule LIKE 'edge outside%';
+-- The command shows the worst first: the narrowest lane, where it is the widest of other rules.
+SELECT streetgen.create_model('narrow', 2154, subjects => '{lane}') \g /dev/null
+INSERT INTO narrow.axis (geom, width, lane_count) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000, 6860000 + 50 * i), ST_MakePoint(650100, 6860000 + 50 * i)), 2154), 4.6 - 0.2 * i, 2 FROM generate_series(1, 8) i;
+\setenv PGDATABASE :DBNAME
+\! psql -qXAt -v model=narrow -v errors=/dev/null -f ../../data/check.sql | grep -qE '^notice[|]narrow lane, m[|]lane[|]10[|]1.5[|]15, 16, 13, 14, 11, …[|]' && holds=t || holds=f; printf 'the worst of many findings stands first\t%s\n' $holds
+SELECT streetgen.drop_model('narrow') \g /dev/null
 SELECT 'each rule and issue has a way out', count(*) > 100 AND bool_and(hint <> '' AND meaning <> '') FROM streetgen.check_rule;
 SELECT streetgen.generate('part', wait => true), streetgen.record_check('part') \g /dev/null
 SELECT 'the next check takes the place of the one before', NOT EXISTS (SELECT FROM part.check_result WHERE severity = 'error') AND count(*) = (SELECT count(*) FROM streetgen.check_model('part')) FROM part.check_result;

@@ -22,3 +22,4 @@ SELECT 'over: it makes no node', (SELECT count(*) = 4 FROM crossing.node);
 SELECT 'over: it breaks nothing', NOT EXISTS (SELECT FROM streetgen.check_model('crossing') WHERE severity = 'error');
 DO $$ BEGIN PERFORM streetgen.set('crossing', 'crossing', 'split'); PERFORM streetgen.generate('crossing'); END $$;
 SELECT 'split: it makes a node', (SELECT count(*) = 5 FROM crossing.node) AND (SELECT count(*) = 4 FROM crossing.corner);
+SELECT 'and nothing is told of it any more', NOT EXISTS (SELECT FROM crossing.report) AND NOT EXISTS (SELECT FROM streetgen.check_model('crossing') WHERE rule = 'crossing');

@@ -83,8 +83,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('road goes through a node of other degree than two', 'a row was changed by hand', '`generate` over all'),
     ('road ends at a node of degree two', 'a row was changed by hand', '`generate` over all'),
     ('length of a road is not that of its edges, m', 'a row was changed by hand', '`generate` over all'),
-    ('gap of tangent, degrees', 'an arc of the road does not touch what it joins', '`generate` over all'),
+    ('gap of tangent, degrees', 'an arc of the road does not touch what it joins', '`generate` over all');
+INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
     ('road with a bend tighter than 5 m, m', 'the axis turns sharply, or setting smoothing_shift allows no more',
-        'draw the bend wider, raise smoothing_shift, or give it a radius in road_arc_editing'),
+        'draw the bend wider, raise smoothing_shift, or give it a radius in road_arc_editing', true),
     ('road with a bend slower than its speed, km/h', 'the radius of the bend is small for the speed of the axis',
-        'as above, or lower the speed');
+        'as above, or lower the speed', true);

@@ -27,18 +27,17 @@ BEGIN
                 schema => TG_TABLE_SCHEMA, relation => 'axis', attribute => 'axis_id');
         END IF;
     END IF;
-    IF TG_OP = 'INSERT' AND NEW.axis_id IS NULL THEN
-        INSERT INTO axis (geom, width, lane_count, direction, speed, importance, name, level, ref)
-            VALUES (NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance, NEW.name, NEW.level,
-            NEW.ref)
-            RETURNING axis_id INTO NEW.axis_id;
-    ELSIF TG_OP = 'INSERT' THEN
-        INSERT INTO axis (axis_id, geom, width, lane_count, direction, speed, importance, name, level,
-            ref) VALUES (NEW.axis_id, NEW.geom, NEW.width, NEW.lane_count, NEW.direction, NEW.speed, NEW.importance,
-            NEW.name, NEW.level, NEW.ref);
+    -- Loops: what is refused does not show the statement whole.
+    IF TG_OP = 'INSERT' THEN
+        FOR written IN EXECUTE (SELECT format('INSERT INTO %I.axis (%s) SELECT %s RETURNING axis_id', TG_TABLE_SCHEMA,
+                string_agg(quote_ident(attname), ', ' ORDER BY attnum),
+                string_agg(format('($1).%I', attname), ', ' ORDER BY attnum))
+            FROM pg_attribute WHERE attrelid = TG_RELID AND attnum > 0
+                AND (attname <> 'axis_id' OR NEW.axis_id IS NOT NULL)) USING NEW LOOP
+            NEW.axis_id := written;
+        END LOOP;
     ELSE
-        -- What this edit leaves alone another session may be changing. A loop: what is refused does not show the
-        -- statement whole.
+        -- What this edit leaves alone another session may be changing.
         FOR written IN EXECUTE format('UPDATE %I.axis a SET %s WHERE axis_id = ($2).axis_id RETURNING 1',
             TG_TABLE_SCHEMA,
             (SELECT string_agg(format('%1$I = CASE WHEN ($1).%1$I IS DISTINCT FROM ($2).%1$I THEN ($1).%1$I ELSE '
@@ -190,9 +189,16 @@ CREATE OR REPLACE FUNCTION streetgen._axis_edit_view()
         ARRAY['key; NULL for a new axis', 'the axis of the road', 'width kerb to kerb, metres; NULL: estimated',
             'number of lanes of both directions; NULL: estimated', 'both, direct or reverse',
               'km/h; NULL: estimated', 'importance, 1 the highest; NULL: that of the class', 'name of the street',
-                  'level above the ground', 'number of the route'],
-        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level, ref
-            FROM {model}.axis$sql$, 'network'),
+                  'level above the ground', 'number of the route',
+            'general, bus and carpool lanes along the axis; NULL: from lane_count', 'the same against it',
+            'general lanes in the middle that both directions use',
+            'kinds of all lanes along the axis, such as general|bus, from left to right', 'the same against it',
+            'widths of the lanes along the axis, such as 3.5||1.5, metres', 'the same against it',
+            'turn marks of the lanes along the axis, such as left|through', 'the same against it',
+            'who may change lanes along the axis, such as not_left|yes', 'the same against it'],
+        $sql$SELECT axis_id, geom, width, lane_count, direction, speed, importance, name, level, ref, lanes_forward,
+            lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward,
+            turn_forward, turn_backward, change_forward, change_backward FROM {model}.axis$sql$, 'network'),
     ('node_editing', 'Edit layer: drag a node, and all axes that meet there follow',
         ARRAY['key', 'place'],
         $sql$SELECT node_id, geom FROM {model}.node$sql$, 'network'),

@@ -11,7 +11,7 @@ BEGIN
     DECLARE
         changed bigint[];
         elsewhere bigint[];
-        -- Axes of a source whose width is new, or what it is judged by, and not put by hand.
+        -- Axes whose width is new, or what it is judged by.
         judged bigint[];
         labelled constant text :=
             'SELECT ''axis '' || axis_id AS label, geom FROM %I.axis WHERE axis_id = ANY (%L)';
@@ -31,8 +31,8 @@ BEGIN
             RETURN NULL;
         ELSIF TG_OP = 'INSERT' THEN
             changed := ARRAY(SELECT axis_id FROM new_axis);
-            judged := ARRAY(SELECT axis_id FROM new_axis WHERE source IS NOT NULL AND lane_count IS NOT NULL
-                AND NOT width_by_hand AND coalesce(width, width_end) IS NOT NULL);
+            judged := ARRAY(SELECT axis_id FROM new_axis WHERE lane_count IS NOT NULL
+                AND coalesce(width, width_end) IS NOT NULL);
         ELSIF TG_OP = 'DELETE' THEN
             changed := ARRAY(SELECT axis_id FROM old_axis);
         ELSE
@@ -41,8 +41,7 @@ BEGIN
                                                   UNION SELECT n.axis_id FROM new_axis n
                                                       LEFT JOIN old_axis o USING (axis_id) WHERE o.axis_id IS NULL) c);
             judged := ARRAY(SELECT axis_id FROM new_axis n LEFT JOIN old_axis o USING (axis_id)
-                WHERE n.source IS NOT NULL AND n.lane_count IS NOT NULL AND NOT n.width_by_hand
-                    AND coalesce(n.width, n.width_end) IS NOT NULL
+                WHERE n.lane_count IS NOT NULL AND coalesce(n.width, n.width_end) IS NOT NULL
                     AND (n.width, n.width_end, n.lane_count, n.kind, n.width_by_hand)
                         IS DISTINCT FROM (o.width, o.width_end, o.lane_count, o.kind, o.width_by_hand));
         END IF;

@@ -72,7 +72,8 @@ BEGIN
     -- To plan the values used costs more than to see that there is nothing to doubt.
     IF axes IS NOT NULL THEN
         SELECT array_agg(a.axis_id) FROM axis a WHERE a.axis_id = ANY (axes) AND NOT a.width_by_hand
-            AND a.lane_count IS NOT NULL AND (a.width IS NOT NULL OR a.width_end IS NOT NULL) INTO doubted;
+            AND a.source IS NOT NULL AND a.lane_count IS NOT NULL
+            AND (a.width IS NOT NULL OR a.width_end IS NOT NULL) INTO doubted;
         IF doubted IS NULL THEN
             RETURN;
         END IF;
@@ -87,6 +88,33 @@ END $$;
 COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
     'The widths (metres, in column width or width_end) that sources give the axes of a model, or some of them, and '
     'that are not believed.';
+
+CREATE OR REPLACE FUNCTION streetgen._wide_by_hand(model name, axes bigint[])
+    RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    bound float8;
+    cycle_lane float8;
+    parking_lane float8;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8,
+        (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8,
+        (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 FROM setting
+        INTO bound, cycle_lane, parking_lane;
+    RETURN QUERY SELECT a.axis_id, w.attribute, w.width, a.lane_count
+        FROM axis a LEFT JOIN axis_class c ON c.class = a.kind,
+            LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
+        WHERE a.axis_id = ANY (axes) AND (a.width_by_hand OR a.source IS NULL) AND c.lanes_by_width IS NOT FALSE
+            AND streetgen.believed_width(w.width
+                - coalesce(streetgen.kerbside_width(a.kind_forward, cycle_lane, parking_lane), 0)
+                - coalesce(streetgen.kerbside_width(a.kind_backward, cycle_lane, parking_lane), 0), a.lane_count, bound)
+                IS NULL AND w.width IS NOT NULL ORDER BY 1, 2;
+END $$;
+COMMENT ON FUNCTION streetgen._wide_by_hand(name, bigint[]) IS
+    'The widths (metres) of some axes of a model that would not be believed of a source, and are by hand.';
 
 CREATE OR REPLACE FUNCTION streetgen._tell_later(model name, axes bigint[]) RETURNS boolean
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
@@ -147,19 +175,26 @@ BEGIN
     IF axes IS NULL OR axes = '{}' THEN
         RETURN;
     END IF;
-    SELECT *, count(*) OVER () - 1 AS others, array_agg(axis_id) OVER () AS all_axes INTO first
-        FROM streetgen._unbelieved(model, axes) LIMIT 1;
+    SELECT *, count(*) OVER (PARTITION BY by_hand) - 1 AS others, array_agg(axis_id) OVER () AS all_axes INTO first
+        FROM (SELECT axis_id, attribute, width, lane_count, false AS by_hand
+                FROM streetgen._unbelieved(model, axes)
+            UNION ALL SELECT *, true FROM streetgen._wide_by_hand(model, axes)) w ORDER BY by_hand, axis_id LIMIT 1;
     IF FOUND AND NOT streetgen._tell_later(model, first.all_axes)
         AND streetgen._first_in_statement('widths', model) THEN
         SELECT value FROM setting WHERE name = 'max_width_per_lane' INTO bound;
-        RAISE NOTICE '% % m of axis % is not believed, with lane_count %: setting max_width_per_lane is % m%',
-            first.attribute, first.width, first.axis_id, first.lane_count, bound,
-            CASE first.others WHEN 0 THEN '' ELSE format('; nor are %s others', first.others) END
-            USING DETAIL = 'It is estimated.',
-                HINT = format('A width put by hand is believed. SELECT * FROM streetgen.check_model(%L) lists '
-                'all that are not; SELECT streetgen.set(%1$L, ''max_width_per_lane'', NULL) believes all.', model);
+        RAISE NOTICE '% % m of axis % is %, with lane_count %: setting max_width_per_lane is % m%',
+            first.attribute, first.width, first.axis_id,
+            CASE WHEN first.by_hand THEN 'taken, since it is by hand' ELSE 'not believed' END, first.lane_count, bound,
+            CASE WHEN first.others = 0 THEN '' WHEN first.by_hand THEN format('; so are %s others', first.others)
+                ELSE format('; nor are %s others', first.others) END
+            USING DETAIL = CASE WHEN first.by_hand THEN 'That of a source would not be believed.'
+                    ELSE 'It is estimated.' END,
+                HINT = CASE WHEN first.by_hand THEN 'Correct width or lane_count where one is a slip.'
+                    ELSE format('A width put by hand is believed. SELECT * FROM streetgen.check_model(%L) lists '
+                    'all that are not; SELECT streetgen.set(%1$L, ''max_width_per_lane'', NULL) believes all.', model)
+                    END;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._tell_unbelieved(name, bigint[]) IS
-    'A notice where a source gives some of the axes a width that is not believed: the first with its axis and the '
-    'setting, and how many others there are.';
+    'A notice where a source gives some of the axes a width that is not believed, or somebody by hand one that would '
+    'not be: the first with its axis and the setting, and how many others there are.';

@@ -70,7 +70,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('lane override without its lane', 'no lane of that number is there', 'delete the override'),
     ('lane adjacency override without its lanes',
         'no two lanes of these numbers and of one direction lie beside each other there',
-        'delete the override, or give the axis its lanes again'),
+        'delete the override, or give the axis its lanes again');
+INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
     ('narrow lane, m',
         'a general, bus or carpool lane is narrower than setting `lane_width_minimal`',
-        'correct width or lanes');
+        'correct width or lanes', true);

@@ -33,12 +33,14 @@ CREATE OR REPLACE FUNCTION streetgen._ramp_summary()
     (SELECT 'ramps, ' || kind, count(*), NULL FROM %1$I.ramp GROUP BY kind ORDER BY kind)$part$) $$;
 COMMENT ON FUNCTION streetgen._ramp_summary() IS 'What streetgen.summary counts of ramps.';
 
-INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
     ('merging lane cut by the next junction, m',
         'less room than `merging_length` and its taper want; the measure is what keeps its width',
-        'a shorter `merging_length`, or `ramp_editing`'),
+        'a shorter `merging_length`, or `ramp_editing`', true),
     ('link shorter than the tangent of its ramp, m',
         'its bend into the lane of the highway is tighter, or begins beside it',
-        'draw the link longer, or lower the tangent in `ramp_editing`'),
+        'draw the link longer, or lower the tangent in `ramp_editing`', true);
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('ramp override without its ramp', 'no link meets a highway at the nearer end of its edge',
         'delete the row, or move its place');

@@ -290,9 +290,12 @@ class NetworkBuilder {
       }
     }
     for (const Found& f : found) {
-      out_.reports.push_back(
-          {NetworkIssue::crossing, axes_[f.a]->axis_id, axes_[f.b]->axis_id, f.point, 0});
-      if (crossing_ == Crossing::over || meet_near(f.a, f.at_a, f.b, f.at_b)) continue;
+      if (crossing_ == Crossing::over) {
+        out_.reports.push_back(
+            {NetworkIssue::crossing, axes_[f.a]->axis_id, axes_[f.b]->axis_id, f.point, 0});
+        continue;
+      }
+      if (meet_near(f.a, f.at_a, f.b, f.at_b)) continue;
       // A node that one of the two already has there is the node of the crossing; other crossings
       // are joined with it later.
       int group = -1;
