@@ -74,6 +74,7 @@ END $$;
 CREATE FUNCTION ring_lines() RETURNS text LANGUAGE sql AS
   $$ SELECT string_agg(format('%s:%s', axis_id, m.kind), ' ' ORDER BY axis_id, m.kind) FROM ring.marking m JOIN ring.edge USING (edge_id) WHERE m.kind <> 'arrow' $$;
 SELECT 'each arm of a tagged ring yields, whatever its class, and the ring does not', ring_lines() = '2:yield 3:yield 4:yield 5:yield';
+SELECT 'these lines lie at the ring, not on it', min(off) BETWEEN 0.2 AND 0.3 AND max(off) < 1.5 FROM (SELECT ST_Distance(m.surface, 'SRID=2154;POINT(660000 6860000)') - 23 AS off FROM ring.marking m WHERE kind = 'yield') m;
 INSERT INTO ring.control_point (geom, kind) VALUES ('SRID=2154;POINT(659970 6860000)', 'stop');
 SELECT 'a stop sign at an arm holds', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
 SELECT 'a ring is the same from scratch', test.followed('ring', 'ring_anew');
@@ -84,6 +85,17 @@ SELECT 'without the word of the source the classes decide, where no subject look
 SELECT 'and again it is the same from scratch', test.followed('ring', 'ring_anew');
 UPDATE ring.axis SET roundabout_tag = 'roundabout' WHERE axis_id = 1;
 SELECT 'the word put back puts the lines back', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
+-- An arm that parts before its ring, whose entry has no section of its own.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('split', 2154, driving_side => 'right');
+  INSERT INTO split.axis (geom, width, importance, lane_count, direction, roundabout_tag) SELECT ST_SetSRID(geom, 2154), width, 4, lanes, way, tag FROM (VALUES
+    ((SELECT ST_MakeLine(ST_MakePoint(660000 + 15 * cos(radians(5 * n)), 6860000 + 15 * sin(radians(5 * n))) ORDER BY n) FROM generate_series(0, 72) n), 6, 1, 'direct', 'roundabout'),
+    ('LINESTRING(660100 6860000, 660025 6860000)', 7, 2, 'both', NULL),
+    (ST_MakeLine('POINT(660025 6860000)', ST_MakePoint(660000 + 15 * cos(radians(20)), 6860000 + 15 * sin(radians(20)))), 4, 1, 'direct', NULL),
+    (ST_MakeLine('POINT(660025 6860000)', ST_MakePoint(660000 + 15 * cos(radians(20)), 6860000 - 15 * sin(radians(20)))), 4, 1, 'reverse', NULL)) v(geom, width, lanes, way, tag);
+END $$;
+SELECT 'an entry without a section of its own yields at the ring', count(*) = 1 AND bool_and(e.axis_id = 3 AND ST_Distance(m.surface, 'SRID=2154;POINT(660000 6860000)') - 18 BETWEEN 0.1 AND 1.5) AND NOT EXISTS (SELECT FROM split.section s JOIN split.edge USING (edge_id) WHERE axis_id = 3 AND ST_Area(surface) > 0)
+  FROM split.marking m JOIN split.edge e USING (edge_id) WHERE kind IN ('yield', 'stop');
 
 -- A layer of anybody.
 CREATE TABLE sign (id integer, place geometry, what text);

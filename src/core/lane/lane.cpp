@@ -269,6 +269,7 @@ class LaneBuilder {
 
   Lanes run() {
     const std::vector<NodeRank> ranks = ranks_of(streets_);
+    const RingEntries rings(streets_, wishes_);
     Lanes out;
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
       if (!meets_affected(e)) continue;
@@ -292,12 +293,9 @@ class LaneBuilder {
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
-      if (!crossed) {
-        append_end_markings(streets_, ranks, controls_, strip, made.lanes,
-                            wishes_.on_ring(streets_.network.edges[e]), settings_.driving_side,
-                            out.markings);
-        append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
-      }
+      append_end_markings(streets_, ranks, controls_, rings, strip, crossed, made.lanes,
+                          settings_.driving_side, out.markings);
+      if (!crossed) append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
       std::move(made.separators.begin(), made.separators.end(), std::back_inserter(out.separators));
     }

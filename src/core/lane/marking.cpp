@@ -191,6 +191,15 @@ std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank
   return lower > 0 ? std::optional(MarkingKind::yield) : std::nullopt;
 }
 
+// Across a lane where it ends.
+RingEntries::Place at_limit(const LaneStrip& strip, const Lane& lane, bool at_start) {
+  const Line end = at_start
+                       ? substring(lane.line, 0, stop_width)
+                       : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
+  const Line& border = at_start ? strip.from_border : strip.to_border;
+  return {end.front() + (end.back() - end.front()) * 0.5, unit(border[1] - border[0])};
+}
+
 }  // namespace
 
 std::vector<NodeRank> ranks_of(const Streets& streets) {
@@ -227,30 +236,31 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 }
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
-                         const std::vector<EndControl>& controls, const LaneStrip& strip,
-                         const std::vector<Lane>& lanes, bool on_ring, DrivingSide driving_side,
+                         const std::vector<EndControl>& controls, const RingEntries& rings,
+                         const LaneStrip& strip, bool limits_crossed,
+                         const std::vector<Lane>& lanes, DrivingSide driving_side,
                          std::vector<Marking>& out) {
-  if (lanes.empty() || strip.to - strip.from < 2 * stop_room) return;
-  const Edge& edge = streets.network.edges[lanes.front().edge];
+  if (lanes.empty()) return;
+  const int e = lanes.front().edge;
+  const Edge& edge = streets.network.edges[e];
+  const double room = limits_crossed ? 0 : strip.to - strip.from;
   for (const bool at_start : {true, false}) {
     const int node = at_start ? edge.from_node : edge.to_node;
     if (ranks[node].degree < 3) continue;
     const std::optional<MarkingKind> kind =
-        end_marking(controls[2 * lanes.front().edge + (at_start ? 0 : 1)], ranks[node],
-                    streets.roadways[lanes.front().edge].importance - ranks[node].importance,
-                    on_ring || ranks[node].merging_link == lanes.front().edge);
+        end_marking(controls[2 * e + (at_start ? 0 : 1)], ranks[node],
+                    streets.roadways[e].importance - ranks[node].importance,
+                    rings.on_ring(e) || ranks[node].merging_link == e);
     if (!kind) continue;
+    const bool at_ring = rings.enters(e, at_start);
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;
       if (!comes || !lane.reaches(at_start) || !painted(lane)) continue;
-      const Line end =
-          at_start ? substring(lane.line, 0, stop_width)
-                   : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
-      const Point inwards = end.back() - end.front();
-      const Point across = unit((at_start ? strip.from_border : strip.to_border)[1] -
-                                (at_start ? strip.from_border : strip.to_border)[0]) *
-                           (lane.width / 2);
-      const Point middle = end.front() + inwards * 0.5;
+      std::optional<RingEntries::Place> place;
+      if (at_ring) place = rings.before_ring(strip, lane, at_start, limits_crossed);
+      if (!place && room >= (at_ring ? 1 : 2) * stop_room) place = at_limit(strip, lane, at_start);
+      if (!place) continue;
+      const Point across = place->rightwards * (lane.width / 2), middle = place->middle;
       // Against the axis one drives on its other side.
       const bool right_half = at_start != (driving_side == DrivingSide::right);
       const double width = lane.both_ways ? lane.width / 2 : lane.width;

@@ -7,6 +7,7 @@
 #include "geometry/geos.hpp"
 #include "lane/end_control.hpp"
 #include "lane/lane_layout.hpp"
+#include "lane/ring_entry.hpp"
 #include "streetgen/lane.hpp"
 
 namespace streetgen {
@@ -27,11 +28,13 @@ std::vector<NodeRank> ranks_of(const Streets& streets);
 // classes, and leaves signs: signals, stop lines; stop, one where another edge is more important,
 // and on all where none is and no end has a stop sign; priority, a yield line there;
 // right_before_left, no line at all.  None on parking and very narrow lanes.  Of
-// a lane for both directions, across the half on which one comes.  `controls` by slot, as
+// a lane for both directions, across the half on which one comes.  The line lies where the lane
+// ends, and at a roundabout where the ring begins; only such a line lies where limits crossed.  `controls` by slot, as
 // end_controls gives them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
-                         const std::vector<EndControl>& controls, const LaneStrip& strip,
-                         const std::vector<Lane>& lanes, bool on_ring, DrivingSide driving_side,
+                         const std::vector<EndControl>& controls, const RingEntries& rings,
+                         const LaneStrip& strip, bool limits_crossed,
+                         const std::vector<Lane>& lanes, DrivingSide driving_side,
                          std::vector<Marking>& out);
 
 // The way that each lane runs, and the turns that it allows: before its end, or in the middle of
