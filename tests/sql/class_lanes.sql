@@ -9,7 +9,7 @@ INSERT INTO town.axis (axis_id, geom, kind, direction, width, lane_count, rounda
   (1, street(1), 'residential', 'direct', NULL, NULL, NULL), (2, street(2), 'residential', 'reverse', NULL, NULL, NULL), (3, street(3), 'residential', 'both', NULL, NULL, NULL),
   (4, street(4), 'residential', 'direct', 9, NULL, NULL), (5, street(5), 'residential', 'direct', NULL, 2, NULL), (6, street(6), 'primary', 'direct', NULL, NULL, NULL),
   (7, street(7), 'primary', 'direct', 4, NULL, NULL), (8, street(8), 'residential', 'direct', NULL, NULL, 'circular'), (9, street(9), NULL, 'direct', NULL, NULL, NULL),
-  (10, street(10), 'tertiary', 'both', 15, NULL, NULL);
+  (10, street(10), 'tertiary', 'both', 15, NULL, NULL), (11, street(11), 'primary', 'direct', NULL, NULL, 'roundabout');
 -- axis: width, lanes from the left kerb to the right one, those against the axis with a minus.
 CREATE FUNCTION told(axis bigint, model text DEFAULT 'town') RETURNS text LANGUAGE plpgsql AS $$
 DECLARE found text;
@@ -26,6 +26,7 @@ SELECT 'stated lanes hold', told(5) = '7.00: general3.50 general3.50';
 SELECT 'a one-way primary street has two', told(6) = '7.00: general3.50 general3.50';
 SELECT 'but no more than its width holds', told(7) = '4.00: general4.00';
 SELECT 'a roundabout is as wide as its class, and has what that holds', told(8) = '6.00: general3.00 general3.00';
+SELECT 'but two at most', told(11) = '9.00: general4.50 general4.50';
 SELECT 'a street without a class has what its width holds', told(9) = '6.00: general3.00 general3.00';
 SELECT 'a two-way street has what its width holds', told(10) LIKE '15.00: -general3.75 -general3.75 general3.75 general3.75';
 

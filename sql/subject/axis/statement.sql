@@ -95,7 +95,7 @@ LEFT JOIN LATERAL (
 -- What a street has by its class alone: lanes of a direction, width without parking, and parking.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN direction_used = 'both' THEN lanes_each_way
-            WHEN NOT tags_count OR roundabout_tag IS NULL THEN lanes_one_way END AS lanes_a_way,
+            WHEN tags_count AND roundabout_tag IS NOT NULL THEN 2 ELSE lanes_one_way END AS lanes_a_way,
         CASE WHEN direction_used = 'both' OR tags_count AND roundabout_tag IS NOT NULL THEN class_width
             ELSE coalesce(width_one_way, lanes_one_way * lane_width, class_width) END AS width_usual,
         coalesce(class_parking_left + class_parking_right > 0 AND num_nonnulls(width, lane_count,

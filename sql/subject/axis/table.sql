@@ -38,8 +38,8 @@ COMMENT ON COLUMN :"model".axis_class.crossed_on_foot IS
 COMMENT ON COLUMN :"model".axis_class.lanes_by_width IS
     'does the width tell the lanes; else it is one lane however wide, as a runway is';
 COMMENT ON COLUMN :"model".axis_class.lanes_one_way IS
-    'lanes of a one-way street of which none are stated, at most as many as its width holds; roundabouts have what '
-    'their width holds, and so has a class without a number';
+    'lanes of a one-way street of which none are stated, at most as many as its width holds; roundabouts have two '
+    'at most, and a class without a number has what its width holds';
 COMMENT ON CONSTRAINT axis_class_lanes_one_way_check ON :"model".axis_class IS
     '1 to 15 lanes. Leave it empty to have as many as the width holds.';
 COMMENT ON COLUMN :"model".axis_class.width_one_way IS
