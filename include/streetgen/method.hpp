@@ -10,7 +10,8 @@ enum class Method {
   radius_minimal,   // the arc's centre lay beyond max_arc_distance
   followed,         // an axis is too short: the arc touches the next one in its direction
   nose,             // of a median or an island: the largest radius that paves no more than it may
-  no_arc,           // no candidate (one axis within the other, nearly straight)
+  no_arc,           // no candidate (one axis within the other, nearly straight), or the ground
+                    // between is the middle of dual carriageways that cross
   crossed_limits,   // the limits of the edge would cross: both at their meeting
   transition,       // a change of width
   contested,        // part of the ground belongs to another surface

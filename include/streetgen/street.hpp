@@ -82,8 +82,8 @@ struct StreetSettings {
   double follow_area = 20;            // square metres; may be infinite
   double median_width_minimal = 0.5;  // metres, positive
   // The ground in a face between axes that is smaller than this stays ground where it has room for
-  // a disc of 1 m: the face's corners are noses where their fillets would take that. 0: nowhere, as
-  // the paper has it.
+  // a disc of 1 m: the face's corners are noses where their fillets would take that. The middle of
+  // two dual carriageways that cross is roadway. 0: neither, as the paper has it.
   double island_area = 1000;         // square metres
   double island_nose_radius = 0.75;  // metres
   // Kinks of kerbs become arcs of this radius, where no limit lies and no corner is wanted without

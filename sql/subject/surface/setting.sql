@@ -28,7 +28,8 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
     ('island_area', '1000', 'm2',
         'in a face smaller than this between axes of one level, no longer about than twice the reach, ground with '
         'room for a disc of 1 m stays: its corners become noses where their arcs would leave none, or close over '
-        '15 % of the ground between the kerbs; 0: nowhere, as the paper has it', 0, 100000, NULL),
+        '15 % of the ground between the kerbs. The middle of two dual carriageways that cross is roadway; 0: neither, '
+        'as the paper has it', 0, 100000, NULL),
     ('island_nose_radius', '0.75', 'm', 'radius of those noses', 0.05, 15, NULL),
     ('kerb_radius_minimal', '0.5', 'm',
         'kinks of kerbs of more than 30 degrees become arcs of this radius, where no limit lies and a radius of 0 is '

@@ -9,6 +9,7 @@
 #include "layout/width_transition.hpp"
 #include "ramp/find_ramps.hpp"
 #include "roadway/continued_course.hpp"
+#include "roadway/crossing_middle.hpp"
 #include "roadway/island.hpp"
 #include "roadway/nose.hpp"
 #include "streetgen/cancel.hpp"
@@ -84,9 +85,9 @@ SolvedCorners solve_all(Layout& layout) {
 }
 
 // On an island that its fillets would swallow each corner is a nose.
-void keep_islands(Layout& layout, SolvedCorners& solved) {
+void keep_island(Layout& layout, const StreetFace& face, SolvedCorners& solved) {
   const double radius = layout.settings.island_nose_radius;
-  for (const CornerPlace& at : swallowed_islands(layout, solved)) {
+  for (const auto& [end, at] : face) {
     Junction& junction = layout.junctions[at.node];
     if (junction.dead_end()) continue;
     SolvedCorner& corner = solved[at.node][at.gap];
@@ -96,6 +97,31 @@ void keep_islands(Layout& layout, SolvedCorners& solved) {
     corner = nose;
     corner.method = Method::nose;
   }
+}
+
+// The middle of two dual carriageways that cross is roadway, which has no corners.
+void pave_middle(Layout& layout, const StreetFace& face, SolvedCorners& solved) {
+  const std::vector<MiddlePart> parts = parts_of_middle(layout, face);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto& [node, gap] = face[i].corner;
+    SolvedCorner& corner = solved[node][gap];
+    corner = solve(layout, layout.junctions[node], gap, 0, false);
+    corner.method = Method::no_arc;
+    corner.gap.beyond = parts[i].ground;
+    corner.limit_a = parts[i].limit_a;
+    corner.limit_b = parts[i].limit_b;
+  }
+}
+
+void settle_small_faces(Layout& layout, SolvedCorners& solved) {
+  std::vector<StreetFace> islands, middles;
+  for (StreetFace& face : small_faces(layout))
+    if (is_middle_of_crossing(layout, face))
+      middles.push_back(std::move(face));
+    else if (swallowed_island(layout, solved, face))
+      islands.push_back(std::move(face));
+  for (const StreetFace& face : islands) keep_island(layout, face, solved);
+  for (const StreetFace& face : middles) pave_middle(layout, face, solved);
 }
 
 // Whether a kerb goes on nearly straight farther from or nearer to the axis, where none leaves.
@@ -331,7 +357,7 @@ void solve_joints(Layout& layout, const RadiiByHand& by_hand) {
 void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   choose_transitions(layout);
   SolvedCorners solved = solve_all(layout);
-  if (layout.settings.island_area > 0) keep_islands(layout, solved);
+  if (layout.settings.island_area > 0) settle_small_faces(layout, solved);
   if (!layout.settings.transition.length) make_tapers(layout, solved);
   bend_ramps(layout, solved);
   solve_by_hand(layout, by_hand, solved);

@@ -1,0 +1,47 @@
+// Ground that edges of one level enclose, seen from its corners.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "layout/layout.hpp"
+
+namespace streetgen {
+
+struct CornerPlace {
+  int node = 0;
+  std::size_t gap = 0;  // index in Junction::ends of its first arm
+  bool operator==(const CornerPlace& o) const { return node == o.node && gap == o.gap; }
+};
+
+// An edge along a face, on its left, and the corner that it leads away from.
+struct FaceSide {
+  EdgeEnd end;
+  CornerPlace corner;
+};
+
+// Counter-clockwise about its ground.
+using StreetFace = std::vector<FaceSide>;
+
+// The faces smaller than island_area and no longer about than twice the reach. Each corner adds the
+// nodes that it looked at to Junction::followed: its face may once have been small, or become so.
+std::vector<StreetFace> small_faces(Layout& layout);
+
+// The node at the other end.
+int far_node(const Layout& layout, const EdgeEnd& end);
+// The line of the edges about a face.
+Ring ring_of(const Layout& layout, const StreetFace& face);
+
+// Where the flat kerbs cross, by corner of the face.
+using KerbCrossings = std::vector<std::optional<CornerArc>>;
+KerbCrossings kerb_crossings(const Layout& layout, const StreetFace& face);
+// A stretch of a side's left kerb, by abscissas from its corner.
+struct KerbStretch {
+  double from = 0, until = 0;
+};
+// From crossing to crossing, by side; none where kerbs leave no ground between.
+std::vector<KerbStretch> kerbs_about(const Layout& layout, const StreetFace& face,
+                                     const KerbCrossings& crossings);
+
+}  // namespace streetgen
