@@ -228,5 +228,22 @@ SELECT 'both leave nothing for the next edit', streetgen._remapped('town') IS NU
 COMMIT;
 SELECT 'and both are up to date', streetgen.live('town', true) = 0 AND streetgen.live('sketch', true) = 0;
 SELECT streetgen.drop_model('sketch') \g /dev/null
+
+-- A client that edits in place deletes rows and draws them again with their numbers, one by one, in any order.
+CREATE FUNCTION pg_temp.redrawn(orders integer[]) RETURNS text LANGUAGE plpgsql AS $$
+BEGIN
+  CALL pg_temp.decide();
+  CREATE TEMP TABLE was ON COMMIT DROP AS SELECT * FROM town.axis_editing;
+  DELETE FROM town.axis_editing;
+  INSERT INTO town.axis_editing SELECT * FROM was ORDER BY array_position(orders, axis_id::integer);
+  DROP TABLE was;
+  RETURN pg_temp.decisions();
+END $$;
+CALL pg_temp.decide();
+CREATE TABLE as_decided AS SELECT pg_temp.decisions() AS decisions;
+SELECT 'rows drawn again keep what was decided, in whatever order: ' || array_to_string(o, ' '), pg_temp.redrawn(o) = decisions
+  FROM as_decided, (VALUES ('{1,2,3,4}'::integer[]), ('{1,3,2,4}'), ('{2,1,3,4}'), ('{2,3,1,4}'), ('{3,1,2,4}'), ('{3,2,1,4}'), ('{4,3,2,1}')) v(o);
+SELECT 'none of it waits for its axis', NOT EXISTS (SELECT FROM town.lost_place);
+SELECT 'the streets have it', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 SELECT test.as_administrator('RESET track_functions') \g /dev/null
 SELECT streetgen.drop_model('town') \g /dev/null

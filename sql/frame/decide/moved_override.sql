@@ -20,6 +20,7 @@ BEGIN
             FROM unnest(axes, lines_before, lines_after) c(axis_id, line_before, line_after)),
         place AS MATERIALIZED (
             SELECT p.*, c.before, c.after, c.axis_id IS NOT NULL AS named, l.heading AS lost,
+                l.leaves,
                 CASE WHEN p.ordinality = 2 AND p.next_axis IS NOT NULL THEN 'to_geom' ELSE 'geom' END AS node,
                 (SELECT ST_Force2D(a.geom) FROM axis a WHERE a.axis_id = p.axis_id) AS line
             FROM override_place p LEFT JOIN changed c USING (axis_id)
@@ -50,14 +51,17 @@ BEGIN
             ORDER BY relation, override_id, node, role, axis_id),
         -- Each is now on its own axis, if that still lies there (1); on one that came by and is not farther (2); on its
         -- own, redrawn and neither cut back nor, for an end, made longer (3); on one that lies along the line that its
-        -- own left (4); on its own, which ends just short of it (5).
+        -- own left (4); on its own, which ends just short of it (5). At a node an axis that leaves it otherwise than
+        -- the one that is gone, by more than half of a right angle, is another arm, and its own may still come.
         heir AS (
             SELECT p.*, a.axis_id AS heir, ST_Force2D(a.geom) AS heir_line,
                 CASE WHEN a.axis_id = p.axis_id THEN CASE WHEN ST_DWithin(p.line, p.geom, 3 * tolerance)
                         OR streetgen._metres_beyond(p.line, p.geom) <= tolerance THEN 1 ELSE 5 END
                     WHEN c.axis_id IS NOT NULL AND (p.line IS NULL
                             OR ST_Distance(a.geom, p.geom) <= ST_Distance(p.line, p.geom))
-                        AND streetgen._remap_comes_by(p.anchor, c.before, c.after, p.geom, p.reach) THEN 2
+                        AND streetgen._remap_comes_by(p.anchor, c.before, c.after, p.geom, p.reach)
+                        AND NOT (p.anchor IN ('node', 'end') AND coalesce(cos(p.leaves
+                            - streetgen._remap_leaves(ST_Force2D(a.geom), p.geom, p.reach)) < sqrt(0.5), false)) THEN 2
                     -- A place on the ground at a node stands on all the axes that meet there.
                     WHEN p.before IS NOT NULL AND (p.line IS NULL AND p.anchor = 'ground'
                         OR streetgen._remap_lies_along(p.before, ST_Force2D(a.geom), p.geom, tolerance)) THEN 4
@@ -96,13 +100,15 @@ BEGIN
                     OR v.vertex IS NOT NULL, f.abscissa) at),
         -- One that lies on no axis any more keeps the heading of the road there, until an axis comes by.
         lost AS (
-            INSERT INTO lost_place (relation, override_id, role, axis_id, abscissa, geom, heading)
-            SELECT relation, override_id, role, axis_id, abscissa, ST_Force2D(geom), streetgen._heading(before, geom)
+            INSERT INTO lost_place (relation, override_id, role, axis_id, abscissa, geom, heading, leaves)
+            SELECT relation, override_id, role, axis_id, abscissa, ST_Force2D(geom), streetgen._heading(before, geom),
+                streetgen._remap_leaves(before, geom, reach)
             FROM place p WHERE before IS NOT NULL AND lost IS NULL
                 AND NOT EXISTS (SELECT FROM found f
                     WHERE (f.relation, f.override_id, f.role) = (p.relation, p.override_id, p.role))
             ON CONFLICT (relation, override_id, role) DO UPDATE SET axis_id = excluded.axis_id,
-                abscissa = excluded.abscissa, geom = excluded.geom, heading = excluded.heading, lanes = NULL),
+                abscissa = excluded.abscissa, geom = excluded.geom, heading = excluded.heading,
+                leaves = excluded.leaves, lanes = NULL),
         -- A decision at a node goes with the node: its axes, and how far the node moved, metres.
         at_node AS MATERIALIZED (
             SELECT relation, override_id,

@@ -73,6 +73,15 @@ CREATE OR REPLACE FUNCTION streetgen._remap_point_beside(line geometry, place ge
 COMMENT ON FUNCTION streetgen._remap_point_beside(geometry, geometry) IS
     'The place on a line 5 m along it from another, towards its farther end.';
 
+CREATE OR REPLACE FUNCTION streetgen._remap_leaves(line geometry, place geometry, reach float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    SELECT CASE WHEN ST_DWithin(ST_StartPoint(line), place, reach) OR ST_DWithin(ST_EndPoint(line), place, reach)
+        THEN ST_Azimuth(ST_ClosestPoint(line, place), streetgen._remap_point_beside(line, place)) END
+    $$;
+COMMENT ON FUNCTION streetgen._remap_leaves(geometry, geometry, float8) IS
+    'Azimuth (radians) in which a line leads away from a place at its end, over 5 m; NULL: it goes on there.';
+
 CREATE OR REPLACE FUNCTION streetgen._remap_part_of_axis(anchor text, line geometry) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$ SELECT CASE anchor WHEN 'end' THEN ST_Collect(ST_StartPoint(line), ST_EndPoint(line))

@@ -55,6 +55,7 @@ CREATE TABLE :"model".lost_place (
     relation text NOT NULL, override_id bigint NOT NULL, role text NOT NULL, axis_id bigint NOT NULL,
     abscissa float8, geom geometry(Point, :srid) NOT NULL, heading float8, lanes bigint,
     PRIMARY KEY (relation, override_id, role));
+ALTER TABLE :"model".lost_place ADD COLUMN IF NOT EXISTS leaves float8;
 CREATE INDEX lost_place_axis ON :"model".lost_place (axis_id);
 CREATE INDEX lost_place_geom ON :"model".lost_place USING gist (geom);
 COMMENT ON TABLE :"model".lost_place IS
@@ -67,6 +68,8 @@ COMMENT ON COLUMN :"model".lost_place.axis_id IS 'the axis that went';
 COMMENT ON COLUMN :"model".lost_place.abscissa IS 'metres along that axis; NULL for what lies at an end or a node';
 COMMENT ON COLUMN :"model".lost_place.geom IS 'place of the decision';
 COMMENT ON COLUMN :"model".lost_place.heading IS 'azimuth of that axis beside the place, radians';
+COMMENT ON COLUMN :"model".lost_place.leaves IS
+    'azimuth in which that axis led away from the place, where it ended there, radians; NULL: it went on';
 COMMENT ON COLUMN :"model".lost_place.lanes IS 'number of lanes there, as generated last; NULL: lanes are not computed';
 
 CREATE TABLE :"model".symbol_rule (
