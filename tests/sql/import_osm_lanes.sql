@@ -22,7 +22,9 @@ SELECT n, class, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), S
   (20, 'secondary', '{"lanes": "3"}'), (21, 'footway', '{"lanes": "many"}'),
   (22, 'secondary', '{"oneway": "yes", "lanes": "2", "cycleway:right": "lane", "cycleway:right:width": "2.25"}'),
   (23, 'secondary', '{"width": "14", "cycleway:right": "lane"}'), (24, 'secondary', NULL), (25, NULL, '{"lanes": "2"}'), (26, 'secondary', '{"lanes": null, "oneway": "yes"}'), (27, 'secondary', '[1]'),
-  (28, 'secondary', '{"oneway": "yes", "lanes": "2", "parking:both": "lane", "width": "13.5"}'), (29, 'busway', '{"lanes": "1"}')) v(n, class, tags);
+  (28, 'secondary', '{"oneway": "yes", "lanes": "2", "parking:both": "lane", "width": "13.5"}'), (29, 'busway', '{"lanes": "1"}'),
+  (40, 'secondary', '{"oneway": "yes", "width": "4.9"}'), (41, 'secondary', '{"oneway": "-1", "width": "6", "cycleway:right": "lane"}'),
+  (42, 'secondary', '{"oneway": "yes", "width": "7", "busway": "lane"}'), (43, 'residential', '{"junction": "roundabout", "lanes": "1", "width": "7"}')) v(n, class, tags);
 CREATE TABLE report AS SELECT * FROM streetgen.import_osm('town', 'osm');
 SELECT streetgen.import_osm('left_hand', 'osm') \g /dev/null
 CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coalesce(a.kind_forward, '-'), coalesce(a.kind_backward, '-')) AS kinds, u.lanes_forward AS forward, u.lanes_backward AS backward,
@@ -33,7 +35,10 @@ SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (V
 SELECT 'lists speak of lanes one by one', (turn_forward, lane_width_forward) = ('left|through|through|right', '3|3|1.5|3.5') FROM seen WHERE way = 3;
 SELECT 'a width of the cycle lane alone', lane_width_forward = '||2.25' FROM seen WHERE way = 22;
 SELECT 'a lane for cycling against the traffic leaves lanes of cars no narrower than they are', (forward, backward) = (1, 0) AND across - 1.5 BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 5;
-SELECT 'cycling without a lane adds none', backward = 0 AND across / forward BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 6;
+SELECT 'cycling without a lane adds none', (forward, backward) = (1, 0) AND across BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 6;
+SELECT 'lanes of unknown number have room beside those of the kerbs: way ' || way, s.kinds = v.kinds AND forward + backward = 1 + (way = 42)::integer
+  FROM seen s JOIN (VALUES (40, '- / -'), (41, '- / cycle|general'), (42, 'general|bus / -')) v(way, kinds) USING (way) ORDER BY way;
+SELECT 'the lane of a roundabout may be wide', across = 7 AND forward + backward = 1 FROM seen WHERE way = 43;
 SELECT 'drawn the other way round, the same lanes lie on the same ground', (f.turn_forward, f.kind_forward, f.roadway_offset) = (b.turn_backward, b.kind_backward, -b.roadway_offset) FROM seen f, seen b WHERE f.way = 8 AND b.way = 7;
 SELECT 'two-way streets of unknown lanes have as many each way: way ' || way, forward = backward AND forward = CASE way WHEN 12 THEN 2 ELSE 1 END FROM seen WHERE way BETWEEN 9 AND 12 ORDER BY way;
 SELECT 'their lanes are 2.4 to 4.5 m wide', bool_and(across / (forward + backward) BETWEEN 2.4 AND 4.5) FROM seen WHERE way BETWEEN 9 AND 12;

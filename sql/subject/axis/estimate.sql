@@ -74,11 +74,12 @@ COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN width BETWEEN 0 AND 1e6 AND lane_width BETWEEN 1e-3 AND 1e6
-        THEN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END)))::integer)
-        END;
+        THEN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END)),
+            floor(width / (0.75 * lane_width))))::integer END;
 COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
-    'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower; 1 to 30, NULL for a width '
-    'below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An argument that is NULL is unknown.';
+    'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower, none of several is narrower '
+    'than three quarters of lane_width; 1 to 30, NULL for a width below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An '
+    'argument that is NULL is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen.driving_lanes(kinds text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -107,8 +107,9 @@ LEFT JOIN LATERAL (
            coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand
                HAVING true) known ON true
 LEFT JOIN LATERAL (
-    SELECT CASE WHEN by_hand OR NOT lanes_by_width THEN NULL ELSE max_width_per_lane END AS most_per_lane
-        HAVING true) m ON true
+    -- A lane of a roundabout is as wide as long vehicles need that turn.
+    SELECT CASE WHEN by_hand OR NOT lanes_by_width OR roundabout_tag IN ('roundabout', 'circular', 'Rond-point')
+        THEN NULL ELSE max_width_per_lane END AS most_per_lane HAVING true) m ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,
     coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)

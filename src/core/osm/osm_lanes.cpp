@@ -13,10 +13,11 @@ namespace streetgen {
 
 namespace {
 
-constexpr std::size_t most_lanes = 30;  // of all directions, with those of the kerbs
-constexpr double width_rounded = 0.25;  // metres, within which widths of a lane are alike
-constexpr int most_each_way = 10;       // that a width alone makes
-constexpr std::size_t most_marks = 10;  // on one lane
+constexpr std::size_t most_lanes = 30;      // of all directions, with those of the kerbs
+constexpr double width_rounded = 0.25;      // metres, within which widths of a lane are alike
+constexpr int most_each_way = 10;           // that a width alone makes
+constexpr double narrowest_counted = 0.75;  // of a usual lane, where a width alone makes several
+constexpr std::size_t most_marks = 10;      // on one lane
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -102,26 +103,41 @@ double usual_width(const OsmLane& lane, const OsmLaneUse& use) {
                                                               : use.lane_width);
 }
 
-// Of a two-way street of unknown lanes both directions have as many: what its width has room for
-// beside the lanes of the kerbs.
+// Lanes of motor traffic that have room in so many metres, as the street has in its width.
+int lanes_in(double room, const OsmLaneUse& use) {
+  const int usual = static_cast<int>(std::lround(room * use.usual_lanes / *use.roadway_width));
+  const int most = static_cast<int>(room / (narrowest_counted * use.lane_width));
+  return std::max(std::min({usual, most, most_each_way}), 1);
+}
+
+// Takes general lanes away, or adds some, but for the last.
+void make_driving(int count, HeadingLanes& lanes) {
+  const auto is_general = [](const OsmLane& lane) { return lane.kind == LaneKind::general; };
+  while (lanes.driving() != count) {
+    const auto general = std::find_if(lanes.lanes.begin(), lanes.lanes.end(), is_general);
+    if (general == lanes.lanes.end()) return;
+    if (lanes.driving() < count)
+      lanes.lanes.insert(general, OsmLane{});
+    else if (std::count_if(lanes.lanes.begin(), lanes.lanes.end(), is_general) > 1)
+      lanes.lanes.erase(general);
+    else
+      return;
+  }
+}
+
+// Unknown lanes are as many as the width of the street has room for beside the lanes of the kerbs,
+// and those against the traffic of a one-way street.  Of two directions both have as many.
 void fill_width(WayLanes& lanes, const OsmLaneUse& use, const WayTags& tags) {
-  if (tags.one_way() || tags.takes_turns() || lanes.along.known || lanes.against.known ||
-      !use.roadway_width)
-    return;
+  const bool known = lanes.along.known || (!tags.one_way() && lanes.against.known);
+  if (tags.takes_turns() || known || !use.roadway_width) return;
   double room = *use.roadway_width;
   for (const HeadingLanes* of_heading : {&lanes.along, &lanes.against})
     for (const OsmLane& lane : of_heading->lanes)
-      if (!drives(lane.kind)) room -= usual_width(lane, use);
-  const int each_way =
-      static_cast<int>(std::lround(room / 2 * use.usual_lanes / *use.roadway_width));
-  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) {
-    const auto general =
-        std::find_if(of_heading->lanes.begin(), of_heading->lanes.end(),
-                     [](const OsmLane& lane) { return lane.kind == LaneKind::general; });
-    const int more = std::min(each_way, most_each_way) - of_heading->driving();
-    if (general != of_heading->lanes.end() && more > 0)
-      of_heading->lanes.insert(general, more, OsmLane{});
-  }
+      if (!drives(lane.kind) || (tags.one_way() && of_heading == &lanes.against))
+        room -= usual_width(lane, use);
+  if (tags.one_way()) return make_driving(lanes_in(room, use), lanes.along);
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    make_driving(std::max(lanes_in(room / 2, use), of_heading->driving()), *of_heading);
 }
 
 // Of a two-way street a list without a direction speaks of no lane.

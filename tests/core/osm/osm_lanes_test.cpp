@@ -113,8 +113,8 @@ TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
     return read({{"oneway", "yes"}, {"lanes", "2"}, {"turn:lanes", list}});
   };
   EXPECT_EQ(turns("left|next_lane"), "general:left general |  ?turn:lanes");
-  for (const char* strange : {"left;next_lane", "left,right",
-                              "left;left;left;left;left;left;left;left;left;left;left"})
+  for (const char* strange :
+       {"left;next_lane", "left,right", "left;left;left;left;left;left;left;left;left;left;left"})
     EXPECT_EQ(turns(strange + std::string("|through")), "general general:through |  ?turn:lanes")
         << strange;
   for (const char* empty : {"left;right;", ";left;right", "left;;right"})
@@ -159,6 +159,24 @@ TEST(OsmLanes, UnknownLanesBesideACycleLaneAreTheSameForBothDirections) {
   use.usual_lanes = 2;
   EXPECT_EQ(read({{"cycleway:right", "lane"}}, use), "general cycle | general");
   EXPECT_EQ(read({{"cycleway:right", "lane"}, {"lanes", "2"}}, use), "general cycle | general");
+}
+
+TEST(OsmLanes, UnknownLanesOfAOneWayStreetHaveRoomBesideThoseOfTheKerbs) {
+  OsmLaneUse use;
+  use.roadway_width = 7;
+  use.usual_lanes = 2;
+  EXPECT_EQ(read({{"oneway", "yes"}}, use), "general general | ");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"busway", "lane"}}, use), "general bus | ");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"parking:right", "lane"}}, use), "general parking | ");
+  EXPECT_EQ(read({{"oneway", "-1"}, {"cycleway", "opposite_lane"}}, use), "cycle | general general")
+      << "2.75 m each";
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"parking:right", "lane"}}, use),
+            "general general parking | ")
+      << "stated lanes stay";
+  use.roadway_width = 3;
+  use.usual_lanes = 1;
+  EXPECT_EQ(read({{"oneway", "yes"}, {"parking:both", "lane"}}, use), "parking general parking | ")
+      << "one is left where there is no room";
 }
 
 TEST(OsmLanes, MisspeltKeysAreNamed) {
