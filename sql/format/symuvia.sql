@@ -59,15 +59,16 @@ BEGIN
     step AS MATERIALIZED (
         SELECT a.to_place AS place_id, k.way_id, a.name AS name_in, a.i AS lane_in, b.name AS name_out, b.i AS lane_out,
             ST_Simplify(k.geom, tolerance, true) AS line,
-            coalesce(m.kind, '') AS sign
+            coalesce(m.kind, '') AS sign,
+            -- A movement is for all whom its lanes let in, but for those whom it bars.
+            CASE WHEN k.traffic IS NOT NULL AND 'general' IN (a.kind, b.kind) THEN (SELECT string_agg(v.vehicle, ' ')
+                FROM streetgen._symuvia_vehicle() v WHERE v.kind <> ALL (string_to_array(k.traffic, '|'))) END AS barred
         FROM origin, way k JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in)
             JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out)
             LEFT JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis)
                 = (a.edge_id, a.lane_position, a.along_axis) AND m.kind IN ('stop', 'yield')
                 -- Lights say who goes first.
-                AND a.to_place NOT IN (SELECT place_id FROM place WHERE kind = 'signals')
-        -- A movement is for all whom its lanes let in: one for some of these alone is left out.
-        WHERE k.traffic IS NULL OR 'general' NOT IN (a.kind, b.kind)),
+                AND a.to_place NOT IN (SELECT place_id FROM place WHERE kind = 'signals')),
     -- In the order of traffic; the table runs counter-clockwise.
     ring_edge AS MATERIALIZED (
         SELECT r.roundabout_id AS ring, r.centre, g.name, g.from_node, g.to_node, g.line, g.lane_count, g.lane_width,
@@ -107,18 +108,18 @@ BEGIN
             FROM (SELECT e.*, place_id, EXISTS (SELECT FROM ring_end a WHERE (a.ring, a.node_id)
                     = (e.ring, e.from_node))::integer AS begins FROM ring_edge e JOIN whole_ring USING (ring)) e) e),
     ring_node AS MATERIALIZED (SELECT from_node AS node_id, place_id FROM ring_troncon),
-    -- From the lanes that come in, round the ring, to those that leave it.
+    -- From the lanes that come in, round the ring, to those that leave it; by movements that bar nobody.
     ring_movement AS MATERIALIZED (
         WITH RECURSIVE round AS (
             SELECT r.place_id, s.name_in, s.lane_in, s.name_out, s.lane_out, s.sign FROM step s
                 JOIN ring_node r ON r.node_id = s.place_id
-            WHERE s.name_in NOT IN (SELECT name FROM ring_troncon)
+            WHERE s.name_in NOT IN (SELECT name FROM ring_troncon) AND s.barred IS NULL
             UNION SELECT r.place_id, r.name_in, r.lane_in, s.name_out, s.lane_out, r.sign
             FROM round r JOIN ring_troncon t ON t.name = r.name_out
-                JOIN step s ON (s.name_in, s.lane_in) = (r.name_out, r.lane_out))
+                JOIN step s ON (s.name_in, s.lane_in) = (r.name_out, r.lane_out) AND s.barred IS NULL)
         SELECT place_id,
             row_number() OVER (ORDER BY name_in COLLATE "C", lane_in, name_out COLLATE "C", lane_out) AS way_id,
-            name_in, lane_in, name_out, lane_out, NULL::geometry AS line, sign
+            name_in, lane_in, name_out, lane_out, NULL::geometry AS line, sign, NULL::text AS barred
         FROM round WHERE name_out NOT IN (SELECT name FROM ring_troncon)),
     ring_piece AS (
         SELECT ring, piece, (array_agg(name ORDER BY step))[1] AS name,
@@ -252,9 +253,10 @@ BEGIN
             || '</MOUVEMENT_SORTIES></MOUVEMENT_AUTORISE>', '' ORDER BY name_in COLLATE "C", lane_in)
             || '</MOUVEMENTS_AUTORISES>' AS text
         FROM (SELECT place_id, name_in, lane_in, string_agg('<MOUVEMENT_SORTIE id_troncon_aval="' || name_out
-                || '" num_voie_aval="' || lane_out || '" taux_utilisation="' || round(1.0 / ways, 4) || '"/>', ''
+                || '" num_voie_aval="' || lane_out || '" taux_utilisation="' || round(1.0 / ways, 4)
+                || coalesce('" exclusion_types_vehicules="' || barred, '') || '"/>', ''
                 ORDER BY way_id) AS ways
-            FROM (SELECT *, count(*) OVER (PARTITION BY place_id, name_in, lane_in, name_out) AS ways FROM movement) m
+            FROM (SELECT *, count(*) OVER (PARTITION BY place_id, name_in, lane_in, name_out, barred) AS ways FROM movement) m
             GROUP BY place_id, name_in, lane_in) m GROUP BY place_id),
     entered AS (
         SELECT place_id, '<ENTREES_CAF>' || string_agg('<ENTREE_CAF id_troncon_amont="' || name_in
@@ -328,7 +330,8 @@ COMMENT ON FUNCTION streetgen.export_symuvia(name, jsonb) IS
     '-edge_id against it, with lane 1 at the right; lanes of buses, carpools and bicycles are reserved, parking lanes '
     'closed. '
     'Interconnections that connect are its movements: at a REPARTITEUR between two edges, at a CARREFOURAFEUX among '
-    'more, with priority by stop and yield lines where no signals are, and the points of the path. With subject '
+    'more, with priority by stop and yield lines where no signals are, and the points of the path. One for a part of '
+    'the traffic of a general lane says whom it bars. With subject '
     'roundabout, an accepted ring is a GIRATOIRE with its edges inside, and what goes in and out are its movements; '
     'with subject signal, places of '
     'a controller name it, and its program is one of whole seconds. A troncon without movements at an end has '

@@ -33,6 +33,12 @@ SELECT 'opposed troncons name each other', pg_temp.texts('//TRONCON[@id="1"]/@id
 SELECT 'a bend has internal points, as far as the tolerance asks', pg_temp.found('//TRONCON[@id="1"]//POINT_INTERNE', pg_temp.file('town')) > 0 AND pg_temp.found('//TRONCON[@id="1"]//POINT_INTERNE', pg_temp.file('town', '{"tolerance": 10}')) = 0;
 SELECT 'a part of the town ends where its edges end', pg_temp.texts('//EXTREMITE/@id', pg_temp.file('town', '{"extent": [650240, 6860000, 650300, 6860050]}')) = '{E_-4,E_4,S_-4,S_4}';
 SELECT 'the same bytes again', (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_symuvia('town')) = (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_symuvia('town'));
+-- Buses may do what others are forbidden.
+BEGIN;
+INSERT INTO town.turn_restriction (from_axis, to_axis, geom, kind, except_kinds) VALUES (3, 2, 'SRID=2154;POINT(650100 6860000)', 'no', 'bus');
+SELECT 'a movement of buses bars all others', pg_temp.texts('//MOUVEMENT_AUTORISE[@id_troncon_amont="3"]//MOUVEMENT_SORTIE[@id_troncon_aval="2"]/@exclusion_types_vehicules', pg_temp.file('town')) = '{"VL COVOITURAGE VELO"}';
+SELECT 'and no other movement bars anybody', pg_temp.found('//MOUVEMENT_SORTIE[@exclusion_types_vehicules]', pg_temp.file('town')) = 1;
+ROLLBACK;
 SELECT 'an unknown option is refused', test.state($$SELECT FROM streetgen.export_symuvia('town', '{"colour": 1}')$$) = '22023';
 -- Rings and signals.
 CREATE FUNCTION pg_temp.round(driven text) RETURNS void LANGUAGE sql AS $$
