@@ -1,79 +1,74 @@
--- Whether turn marks of lanes hold at the junction ahead, for one model: psql -v model=NAME -f tests/measure/turn_marks.sql
--- prints model, marks, those that hold, are lost on their way, lead elsewhere although a way answers them, are answered by no way, are replaced by
--- others that the source states before a way answers them, and lanes that lead elsewhere than they are marked although they could. A mark that no way of a junction answers is followed to the next one. With -v named=1 it names
--- those that do not hold.
+-- Whether turn marks of lanes hold at the junction ahead, from what the source states and from where arms lie: psql -v model=NAME -f tests/measure/turn_marks.sql
+-- Nothing of it is read from the marks that lanes got, or from the angles of interconnections. A word of a lane is followed along the movements of that lane,
+-- over nodes of two edges and over nodes no arm of which answers it. Where an arm answers, the lane must lead into an arm of the word's sector.
+-- Prints model, words of lanes, those that are served, unserved, that no arm answers and the report names, that no arm answers unnamed, that end with the network,
+-- ways whose list fits no lanes and those of them that the report names. With -v named=1 it prints each word that is not served.
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
 \if :{?named} \else \set named 0 \endif
--- Directions that a mark may mean, degrees to the left.
-CREATE TEMPORARY TABLE meaning (mark text, least float8, most float8);
-INSERT INTO meaning VALUES ('sharp_left', 60, 180), ('left', 15, 165), ('slight_left', -15, 85), ('through', -50, 50), ('slight_right', -85, 15), ('right', -165, -15),
-    ('sharp_right', -180, -60);
--- Each edge as traffic drives on it, with what its source marks and what lies on its lanes.
+-- Degrees to the left: an arm between clear_from and clear_to surely answers, one between least and most may. The sectors of words overlap, as their use does.
+CREATE TEMPORARY TABLE sector (word text, clear_from float8, clear_to float8, least float8, most float8);
+INSERT INTO sector VALUES ('sharp_left', 110, 170, 75, 180), ('left', 50, 130, 15, 165), ('slight_left', 15, 60, 2, 90), ('through', -25, 25, -55, 55),
+    ('slight_right', -60, -15, -90, -2), ('right', -130, -50, -165, -15), ('sharp_right', -170, -110, -180, -75);
+CREATE TEMPORARY TABLE degree AS SELECT node_id, count(*) AS degree
+    FROM (SELECT from_node AS node_id FROM :"model".edge UNION ALL SELECT to_node FROM :"model".edge) e GROUP BY node_id;
+-- Lanes as traffic drives on them; where they come from and go to, and how they lie there: over the 15 metres next to the node.
 CREATE TEMPORARY TABLE driven AS
-    SELECT e.edge_id, e.axis_id, along, CASE WHEN along THEN e.from_node ELSE e.to_node END AS comes_from, CASE WHEN along THEN e.to_node ELSE e.from_node END AS goes_to,
-        CASE WHEN along THEN a.turn_forward ELSE a.turn_backward END AS stated, marks
-    FROM :"model".edge e JOIN :"model".axis a USING (axis_id) CROSS JOIN (VALUES (true), (false)) v(along)
-        JOIN LATERAL (SELECT array_agg(coalesce(turn, '') ORDER BY CASE WHEN along THEN lane_position ELSE -lane_position END) AS marks FROM :"model".lane l
-            WHERE l.edge_id = e.edge_id AND l.along_axis = along AND NOT l.both_ways AND l.kind IN ('general', 'bus', 'carpool')) l ON marks IS NOT NULL;
-CREATE INDEX ON driven (comes_from);
-CREATE TEMPORARY TABLE degree AS SELECT node_id, count(*) AS degree FROM (SELECT from_node AS node_id FROM :"model".edge UNION ALL SELECT to_node FROM :"model".edge) e GROUP BY node_id;
-ANALYZE driven; ANALYZE degree;
-CREATE TEMPORARY TABLE passing AS
-    SELECT i.lane_in, i.along_in, l.edge_id, string_to_array(l.turn, ';') AS marks, i.node_id, i.angle, i.plausible, i.reason, o.edge_id AS edge_out, i.along_out
-    FROM :"model".interconnection i JOIN :"model".lane l ON l.lane_id = i.lane_in JOIN :"model".lane o ON o.lane_id = i.lane_out
-    WHERE NOT l.both_ways AND l.kind IN ('general', 'bus', 'carpool') AND l.turn IS NOT NULL;
-CREATE INDEX ON passing (edge_id, node_id);
--- Marks on their way: from the edge on which a source states them, and they fit its lanes, over nodes of two edges and over nodes at which no way answers them.
+    SELECT l.lane_id, v.along, l.edge_id, e.axis_id, CASE WHEN v.along THEN e.to_node ELSE e.from_node END AS goes_to,
+        degrees(ST_Azimuth(ST_LineInterpolatePoint(d.geom, greatest(0, 1 - 15 / d.long)), ST_EndPoint(d.geom))) AS heads,
+        degrees(ST_Azimuth(ST_StartPoint(d.geom), ST_LineInterpolatePoint(d.geom, least(1, 15 / d.long)))) AS leaves,
+        row_number() OVER (PARTITION BY l.edge_id, v.along ORDER BY CASE WHEN v.along THEN l.lane_position ELSE -l.lane_position END) AS number,
+        count(*) OVER (PARTITION BY l.edge_id, v.along) AS lanes
+    FROM :"model".lane l JOIN :"model".edge e USING (edge_id) CROSS JOIN (VALUES (true), (false)) v(along)
+        CROSS JOIN LATERAL (SELECT g AS geom, greatest(ST_Length(g), 0.1) AS long FROM (SELECT CASE WHEN v.along THEN e.geom ELSE ST_Reverse(e.geom) END AS g) t) d
+    WHERE l.along_axis = v.along AND NOT l.both_ways AND l.kind IN ('general', 'bus', 'carpool');
+CREATE INDEX ON driven (lane_id, along);
+CREATE TEMPORARY TABLE path AS
+    SELECT i.lane_in, i.along_in, i.lane_out, i.along_out, i.node_id, i.plausible, i.reason IN ('restriction', 'u_turn', 'ring', 'not_drivable') AS barred,
+        (a.heads - b.leaves + 540)::numeric % 360 - 180 AS angle
+    FROM :"model".interconnection i JOIN driven a ON (a.lane_id, a.along) = (i.lane_in, i.along_in) JOIN driven b ON (b.lane_id, b.along) = (i.lane_out, i.along_out)
+    WHERE a.edge_id <> b.edge_id;
+CREATE INDEX ON path (lane_in, along_in);
+ANALYZE driven; ANALYZE path; ANALYZE degree; ANALYZE sector;
+CREATE TEMPORARY TABLE listed AS
+    SELECT a.axis_id, a.source_ref, d.along, string_to_array(CASE WHEN d.along THEN a.turn_forward ELSE a.turn_backward END, '|') AS list, max(d.lanes) AS lanes,
+        EXISTS (SELECT FROM :"model".unread_tag u WHERE u.source_ref = a.source_ref AND u.tag ~ '^turn:lanes') AS named
+    FROM :"model".axis a JOIN driven d USING (axis_id) WHERE CASE WHEN d.along THEN a.turn_forward ELSE a.turn_backward END IS NOT NULL
+    GROUP BY a.axis_id, a.source_ref, d.along, a.turn_forward, a.turn_backward;
+-- The words of each lane on which its own source states them, on the last edge of its way.
+CREATE TEMPORARY TABLE word AS
+    SELECT d.lane_id, d.along, d.axis_id, d.edge_id, t.source_ref, t.named, w.word FROM listed t JOIN driven d USING (axis_id, along)
+        CROSS JOIN LATERAL unnest(string_to_array(t.list[d.number], ';')) w(word)
+    WHERE cardinality(t.list) = d.lanes AND w.word IN (SELECT word FROM sector)
+        AND NOT EXISTS (SELECT FROM driven n WHERE (n.axis_id, n.along) = (d.axis_id, d.along) AND n.edge_id <> d.edge_id
+            AND EXISTS (SELECT FROM path p WHERE (p.lane_in, p.along_in, p.lane_out, p.along_out) = (d.lane_id, d.along, n.lane_id, n.along) AND p.plausible));
 CREATE TEMPORARY TABLE walk AS
-    SELECT DISTINCT d.edge_id AS stated_on, d.along AS stated_along, 0 AS step, d.edge_id, d.along, d.goes_to, d.marks, m.mark, ''::text AS what
-    FROM driven d, LATERAL unnest(string_to_array(stated, '|')) lane, LATERAL unnest(string_to_array(lane, ';')) m(mark)
-    WHERE cardinality(string_to_array(stated, '|')) = cardinality(marks) AND m.mark IN (SELECT mark FROM meaning);
-CREATE INDEX ON walk (step);
-ANALYZE passing; ANALYZE walk;
-CREATE FUNCTION pg_temp.go(steps integer) RETURNS void LANGUAGE plpgsql AS $$
-BEGIN
-    FOR k IN 0 .. steps LOOP
-        UPDATE walk w SET what = CASE
-            WHEN NOT EXISTS (SELECT FROM unnest(marks) l WHERE mark = ANY (string_to_array(l, ';'))) THEN CASE WHEN k = 0 THEN 'no lane' ELSE 'lost' END
-            WHEN (SELECT degree FROM degree WHERE node_id = goes_to) < 3 THEN 'on'
-            WHEN EXISTS (SELECT FROM passing p WHERE (p.edge_id, p.node_id, p.along_in) = (w.edge_id, w.goes_to, w.along) AND p.plausible AND w.mark = ANY (p.marks) AND p.angle BETWEEN least AND greatest_angle)
-                THEN 'holds'
-            WHEN EXISTS (SELECT FROM passing p WHERE (p.edge_id, p.node_id, p.along_in) = (w.edge_id, w.goes_to, w.along) AND p.angle BETWEEN least AND greatest_angle
-                AND p.reason NOT IN ('restriction', 'u_turn', 'ring')) THEN 'elsewhere' ELSE 'on' END
-        FROM (SELECT mark AS meant, least, most AS greatest_angle FROM meaning) m WHERE step = k AND meant = w.mark;
-        INSERT INTO walk SELECT DISTINCT w.stated_on, w.stated_along, k + 1, n.edge_id, n.along, n.goes_to, n.marks, w.mark, ''
-            FROM walk w JOIN passing p ON (p.edge_id, p.node_id, p.along_in) = (w.edge_id, w.goes_to, w.along) AND p.plausible AND w.mark = ANY (p.marks) AND p.edge_out <> p.edge_id
-                JOIN driven n ON (n.edge_id, n.along) = (p.edge_out, p.along_out)
-            WHERE w.step = k AND w.what = 'on'
-                -- What the source says farther on replaces it.
-                AND (n.stated IS NULL OR EXISTS (SELECT FROM unnest(n.marks) l WHERE w.mark = ANY (string_to_array(l, ';'))))
-                AND NOT EXISTS (SELECT FROM walk o WHERE (o.stated_on, o.stated_along, o.mark, o.edge_id, o.along) = (w.stated_on, w.stated_along, w.mark, n.edge_id, n.along));
-    END LOOP;
-END $$;
-SELECT pg_temp.go(8) \g /dev/null
--- Marks have no junction ahead where the network ends, and may be replaced by what the source says farther on.
-UPDATE walk w SET what = CASE WHEN NOT EXISTS (SELECT FROM :"model".edge e WHERE w.goes_to IN (e.from_node, e.to_node) AND e.edge_id <> w.edge_id) THEN 'end'
-        WHEN EXISTS (SELECT FROM passing p JOIN driven n ON (n.edge_id, n.along) = (p.edge_out, p.along_out) WHERE (p.edge_id, p.node_id, p.along_in) = (w.edge_id, w.goes_to, w.along)
-            AND p.plausible AND w.mark = ANY (p.marks) AND n.stated IS NOT NULL AND NOT EXISTS (SELECT FROM unnest(n.marks) l WHERE w.mark = ANY (string_to_array(l, ';')))) THEN 'replaced'
-        ELSE 'no way' END
-    WHERE what = 'on' AND NOT EXISTS (SELECT FROM walk o WHERE (o.stated_on, o.stated_along, o.mark) = (w.stated_on, w.stated_along, w.mark) AND o.step > w.step);
--- A mark has one fate: the best of those that its ways meet.
+    WITH RECURSIVE on_way AS (
+        SELECT w.lane_id AS start, w.along AS start_along, w.word, w.lane_id, w.along FROM word w
+        UNION
+        SELECT o.start, o.start_along, o.word, p.lane_out, p.along_out
+        FROM on_way o JOIN sector s USING (word) JOIN driven d ON (d.lane_id, d.along) = (o.lane_id, o.along) JOIN degree g ON g.node_id = d.goes_to
+            JOIN path p ON (p.lane_in, p.along_in) = (o.lane_id, o.along) AND p.plausible
+        WHERE (g.degree = 2 OR p.angle BETWEEN -55 AND 55 AND NOT EXISTS (SELECT FROM path q
+            WHERE (q.lane_in, q.along_in) = (o.lane_id, o.along) AND NOT q.barred AND (q.angle BETWEEN s.clear_from AND s.clear_to
+                OR q.plausible AND q.angle BETWEEN s.least AND s.most))))
+    SELECT o.*, d.edge_id, d.goes_to, g.degree, CASE WHEN NOT EXISTS (SELECT FROM path q WHERE (q.lane_in, q.along_in) = (o.lane_id, o.along)) THEN 'end'
+        WHEN g.degree = 2 THEN 'on'
+        WHEN EXISTS (SELECT FROM path q WHERE (q.lane_in, q.along_in) = (o.lane_id, o.along) AND q.plausible AND q.angle BETWEEN s.least AND s.most) THEN 'served'
+        WHEN EXISTS (SELECT FROM path q WHERE (q.lane_in, q.along_in) = (o.lane_id, o.along) AND NOT q.barred AND q.angle BETWEEN s.clear_from AND s.clear_to)
+            THEN 'unserved' ELSE 'on' END AS what
+    FROM on_way o JOIN sector s USING (word) JOIN driven d ON (d.lane_id, d.along) = (o.lane_id, o.along) JOIN degree g ON g.node_id = d.goes_to;
+-- The best of what a word meets on the ways of its lane.
 CREATE TEMPORARY TABLE fate AS
-    SELECT DISTINCT ON (stated_on, stated_along, mark) *, (SELECT max(o.step) FROM walk o WHERE (o.stated_on, o.stated_along, o.mark) = (w.stated_on, w.stated_along, w.mark)) AS steps
-    FROM walk w WHERE what <> 'no lane'
-    ORDER BY stated_on, stated_along, mark, array_position('{holds,elsewhere,lost,end,replaced,no way,on}', what), step DESC;
--- Lanes that lead another way than they are marked, and not for want of one.
-CREATE TEMPORARY TABLE against AS
-    SELECT DISTINCT p.edge_id, p.lane_in, p.node_id FROM passing p WHERE p.plausible AND p.reason <> 'only_way' AND marks && (SELECT array_agg(mark) FROM meaning)
-        AND (SELECT degree FROM degree d WHERE d.node_id = p.node_id) > 2
-        AND NOT EXISTS (SELECT FROM meaning m WHERE m.mark = ANY (p.marks) AND p.angle BETWEEN least AND most)
-        AND EXISTS (SELECT FROM passing o JOIN meaning m ON m.mark = ANY (p.marks) AND o.angle BETWEEN least AND most WHERE (o.lane_in, o.node_id) = (p.lane_in, p.node_id)
-            AND o.reason NOT IN ('restriction', 'u_turn', 'ring'));
-SELECT :'model', count(*), count(*) FILTER (WHERE what = 'holds'), count(*) FILTER (WHERE what = 'lost'), count(*) FILTER (WHERE what = 'elsewhere'),
-    count(*) FILTER (WHERE what IN ('no way', 'on')), count(*) FILTER (WHERE what = 'replaced'), (SELECT count(*) FROM against) FROM fate WHERE what <> 'end';
+    SELECT DISTINCT ON (w.lane_id, w.along, w.word) w.*, k.edge_id AS at_edge, k.goes_to, k.lane_id AS at_lane, k.along AS at_along, k.what
+    FROM word w JOIN walk k ON (k.start, k.start_along, k.word) = (w.lane_id, w.along, w.word)
+    ORDER BY w.lane_id, w.along, w.word, array_position('{served,unserved,end,on}', k.what), k.degree DESC, k.goes_to;
+SELECT :'model', count(*), count(*) FILTER (WHERE what = 'served'), count(*) FILTER (WHERE what = 'unserved'), count(*) FILTER (WHERE what = 'on' AND named),
+    count(*) FILTER (WHERE what = 'on' AND NOT named), count(*) FILTER (WHERE what = 'end'), (SELECT count(*) FROM listed WHERE cardinality(list) <> lanes),
+    (SELECT count(*) FROM listed WHERE cardinality(list) <> lanes AND named) FROM fate;
 \if :named
-SELECT what, mark, stated_on, edge_id, goes_to, array_to_string(marks, '|'), (SELECT string_agg(DISTINCT round(angle) || CASE WHEN plausible THEN '+' ELSE '' END, ' ') FROM passing p
-    WHERE (p.edge_id, p.node_id, p.along_in) = (j.edge_id, j.goes_to, j.along)) FROM fate j WHERE what <> 'holds' ORDER BY what, edge_id, mark;
+SELECT f.what, f.word, f.source_ref, f.lane_id, f.at_lane, f.goes_to, (SELECT array_to_string(list, '|') FROM listed t WHERE (t.axis_id, t.along) = (f.axis_id, f.along)) AS list,
+    (SELECT string_agg(DISTINCT round(q.angle) || CASE WHEN q.plausible THEN '+' WHEN q.barred THEN '-' ELSE '' END, ' ') FROM path q
+        WHERE (q.lane_in, q.along_in) = (f.at_lane, f.at_along)) FROM fate f WHERE what <> 'served' ORDER BY what, source_ref, word;
 \endif
