@@ -64,6 +64,22 @@ SELECT * FROM pg_temp.edited('and put back', $$UPDATE avenue.axis SET geom = pg_
 SELECT * FROM pg_temp.edited('the first piece deleted', $$DELETE FROM avenue.axis WHERE axis_id = 1$$);
 SELECT 'its marks go with it', NOT EXISTS (SELECT FROM avenue.lane WHERE turn IS NOT NULL);
 
+-- Side streets on the right alone, and lanes that are marked to turn left.
+SELECT streetgen.create_model('unanswered', 2154) \g /dev/null
+INSERT INTO unanswered.axis (axis_id, geom, width, direction, lane_count, turn_forward) VALUES (1, pg_temp.line(-150, 0, 0, 0), 6, 'direct', 2, 'left|through'),
+    (2, pg_temp.line(0, 0, 90, 0), 6, 'direct', 2, NULL), (3, pg_temp.line(0, 0, 0, -100), 6, 'both', 2, NULL), (4, pg_temp.line(90, 0, 180, 0), 6, 'direct', 2, NULL), (5, pg_temp.line(90, 0, 90, -100), 6, 'both', 2, NULL);
+CREATE FUNCTION pg_temp.unanswered() RETURNS text LANGUAGE sql AS $$
+  SELECT string_agg(axis_id || ' ' || turn, ', ' ORDER BY axis_id) FROM streetgen.check_model('unanswered') f JOIN unanswered.lane ON lane_id = id JOIN unanswered.edge USING (edge_id) WHERE rule = 'lane marked for a turn that no way answers' $$;
+INSERT INTO unanswered.axis (axis_id, geom, width) VALUES (6, pg_temp.line(180, 0, 180, -100), 6), (7, pg_temp.line(180, 0, 330, 0), 6);
+SELECT 'a mark that no way answers is told where it ends: ' || coalesce(pg_temp.unanswered(), ''), pg_temp.unanswered() = '4 left';
+UPDATE unanswered.axis SET turn_forward = 'through|right' WHERE axis_id = 2;
+SELECT 'not where the street states others', pg_temp.unanswered() IS NULL;
+UPDATE unanswered.axis SET turn_forward = NULL WHERE axis_id = 2;
+INSERT INTO unanswered.axis (axis_id, geom, width) VALUES (8, pg_temp.line(90, 0, 90, 100), 6);
+SELECT 'nor where a way answers it farther on', pg_temp.unanswered() IS NULL;
+DELETE FROM unanswered.axis WHERE axis_id = 8;
+SELECT 'it is told again without that way', pg_temp.unanswered() = '4 left';
+
 -- A lane in the middle, for those who turn left.
 SELECT streetgen.create_model('middle', 2154) \g /dev/null
 INSERT INTO middle.axis (axis_id, geom, width, lanes_forward, lanes_backward, lanes_both) VALUES (1, pg_temp.line(-150, 0, 0, 0), 10.5, 1, 1, 1), (2, pg_temp.line(0, 0, 150, 0), 10.5, 1, 1, 1),

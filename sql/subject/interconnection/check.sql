@@ -69,6 +69,22 @@ BEGIN
             WHERE (c.lane_out, c.along_out) = (l.lane_id, l.along) AND c.plausible)
             AND l.lane_id NOT IN (SELECT lane_id FROM middle) AND d.node_id NOT IN (SELECT node_id FROM busy_node)
     UNION ALL
+    -- A mark that the street farther on repeats, or replaces by its own, is answered there.
+    SELECT 'notice', 'lane marked for a turn that no way answers', 'lane', l.lane_id, count(*), l.geom
+        FROM lane_node l JOIN lane k USING (lane_id) JOIN degree d ON d.node_id = l.enters
+            CROSS JOIN LATERAL unnest(string_to_array(k.turn, ';')) word
+            JOIN LATERAL (SELECT regexp_replace(word, '^(slight|sharp)_', '') AS meant) s
+                ON meant IN ('left', 'through', 'right')
+        WHERE d.degree > 1 AND (SELECT bool_or(c.plausible) AND bool_and(NOT coalesce(
+                c.reason NOT IN ('restriction', 'u_turn') AND (c.turn = meant OR c.turn <> 'u_turn'
+                    AND abs(c.angle) < 50 AND word IN ('through', 'slight_left', 'slight_right'))
+                OR c.plausible AND (word = ANY (string_to_array(o.turn, ';'))
+                    OR CASE WHEN c.along_out THEN a.turn_forward ELSE a.turn_backward END IS NOT NULL), false))
+            FROM interconnection c JOIN lane o ON o.lane_id = c.lane_out JOIN edge e USING (edge_id)
+                JOIN axis a USING (axis_id)
+            WHERE (c.lane_in, c.along_in) = (l.lane_id, l.along))
+        GROUP BY l.lane_id, l.geom
+    UNION ALL
     SELECT 'warning', 'pairs of lanes over interconnections_maximal, none made', 'node', node_id, pairs, n.geom
         FROM busy_node JOIN node n USING (node_id)
     UNION ALL
@@ -115,6 +131,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('interconnection off its lanes, m', 'the path does not start or end where its lanes do', '`generate`'),
     ('lane for cars that leads only where they may not drive',
         'all ways on are for buses, carpools or bicycles alone', 'correct `access`, kinds of lanes or directions'),
+    ('lane marked for a turn that no way answers',
+        'no street lies in that direction at the node where the mark ends, or one may not turn there',
+        'correct the marks, directions or turn restrictions'),
     ('lane without a plausible way on', 'traffic of the lane can go nowhere',
         'correct directions, lanes or turn restrictions'),
     ('lane that no plausible way reaches', 'no traffic comes to the lane',
