@@ -46,8 +46,9 @@ struct StreetAxis {
   double speed = 50;          // km/h
   double roadway_offset = 0;  // metres from the axis to the middle of the roadway, left positive
   bool leads_forward = true, leads_backward = true;  // whether traffic runs along it, against it
-  bool changed = true;  // false: as it was when the streets about it were computed
-  bool outer = false;   // beyond reach of the change: the others are computed with it
+  bool on_ring = false;  // its source says that it is part of a roundabout
+  bool changed = true;   // false: as it was when the streets about it were computed
+  bool outer = false;    // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -67,7 +68,10 @@ struct Smoothing {
 struct StreetSettings {
   double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
-  std::optional<Smoothing> smoothing{};  // none: edges are polylines
+  std::optional<Smoothing> smoothing{};  // none: edges are polylines, but round roundabouts
+  // Round a roundabout, where no smoothing is wanted, an edge is an arc of a circle if that leaves
+  // none of its points by more.  0: nowhere.
+  double ring_shift = 0;  // metres
   double max_arc_distance = 60;          // metres from the node to an arc's centre
   double radius_minimal = 0.15;          // metres, the kerb stone's radius
   double reach = 60;  // metres along the network: how far a corner follows its axes

@@ -55,7 +55,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,
-       access, {on_ring} AS on_ring
+       access,
+       coalesce(tags_count AND roundabout_tag IN ('roundabout', 'circular', 'Rond-point'), false) AS on_ring
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,

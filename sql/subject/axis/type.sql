@@ -35,7 +35,7 @@ COMMENT ON COLUMN streetgen.street_axis.turn_backward IS
 COMMENT ON COLUMN streetgen.street_axis.access IS
     'who may drive, as in axis.access: the kind that general lanes become; NULL: all';
 COMMENT ON COLUMN streetgen.street_axis.on_ring IS
-    'does its source say that traffic goes round a roundabout on it, where the model looks for none?';
+    'does its source say that it is part of a roundabout?';
 COMMENT ON COLUMN streetgen.street_axis.changed IS 'was it changed? What that can change is asked for';
 COMMENT ON COLUMN streetgen.street_axis.outer_axis IS 'is it there for the others only, its rows not to be written?';
 

@@ -26,8 +26,6 @@ BEGIN
         FROM streetgen._decisions_of(model) WHERE hash IS NOT NULL INTO decided;
     EXECUTE streetgen._fill_template(streetgen._part('axis_used'), jsonb_build_object('model', quote_literal(model),
         'rings', CASE WHEN with_rings THEN ', name, roundabout_tag' END, 'any', decided.any, 'says', decided.says,
-        'on_ring', CASE WHEN with_rings THEN 'false' ELSE
-            'coalesce(tags_count AND roundabout_tag IN (''roundabout'', ''circular'', ''Rond-point''), false)' END,
         'flags', decided.flags,
         'more', array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n')));
     COMMENT ON VIEW axis_used
@@ -50,7 +48,7 @@ BEGIN
     COMMENT ON COLUMN axis_used.turn_backward IS 'movements of the lanes against the axis';
     COMMENT ON COLUMN axis_used.access IS 'who may drive, as in axis; NULL: all';
     COMMENT ON COLUMN axis_used.on_ring IS
-        'does the source say that it is part of a roundabout, in a model that looks for none?';
+        'does the source say that it is part of a roundabout, where setting roundabout_tags is true?';
     COMMENT ON COLUMN axis_used.speed IS 'speed of the traffic, km/h';
     COMMENT ON COLUMN axis_used.importance IS 'importance, 1 the highest';
     COMMENT ON COLUMN axis_used.radius IS 'wanted radius of its corners, metres, 0: none';

@@ -11,6 +11,9 @@ CREATE OR REPLACE FUNCTION streetgen._network_setting()
         'line of an edge: none (the polyline of its axis) or arcs (straight pieces and arcs that touch them)', NULL,
         NULL, ARRAY['none', 'arcs']),
     ('smoothing_shift', '0.5', 'm', 'such a line leaves the points of the axis by at most this', 0.001, 100, NULL),
+    ('ring_shift', '1', 'm',
+        'round a roundabout by its tag, edges are arcs of one circle that leave none of their points by more; 0: none',
+        0, 10, NULL),
     ('smoothing_tolerance', '0.01', 'm', 'chords of such a line leave its arcs by at most this', 0.0001, 1, NULL) $$;
 COMMENT ON FUNCTION streetgen._network_setting() IS
     'The settings of nodes, edges and reports, with their defaults and ranges.';

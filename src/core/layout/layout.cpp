@@ -7,6 +7,7 @@
 
 #include "geometry/polyline.hpp"
 #include "layout/node_corner.hpp"
+#include "layout/round_rings.hpp"
 #include "layout/smooth_edges.hpp"
 #include "streetgen/street_network.hpp"
 
@@ -26,7 +27,10 @@ Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted,
   std::unordered_map<std::int64_t, const StreetAxis*> by_id;
   for (const StreetAxis& axis : all) by_id.emplace(axis.axis_id, &axis);
   streets.network = street_network(all, settings.tolerance, settings.crossing);
-  if (settings.smoothing) smooth_edges(streets.network, *settings.smoothing, overrides);
+  if (settings.smoothing)
+    smooth_edges(streets.network, *settings.smoothing, overrides);
+  else
+    round_rings(streets.network, all, settings.ring_shift);
   for (const Edge& edge : streets.network.edges) axes.push_back(by_id.at(edge.axis_id));
   streets.roadways.reserve(axes.size());
   arms.reserve(2 * axes.size());

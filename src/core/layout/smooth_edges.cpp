@@ -8,22 +8,17 @@
 
 namespace streetgen {
 
-namespace {
-
-// With the heights of the line that it was made of, at the same share of the length.
-Line with_heights(Line smooth, const Line& line) {
-  const double share = length(line) / length(smooth);
+Line with_heights(Line drawn, const Line& line) {
+  const double share = length(line) / length(drawn);
   double abscissa = 0;
-  for (std::size_t i = 0; i < smooth.size(); ++i) {
-    if (i > 0) abscissa += distance(smooth[i - 1], smooth[i]);
-    smooth[i].z = position_at(line, abscissa * share).point.z;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (i > 0) abscissa += distance(drawn[i - 1], drawn[i]);
+    drawn[i].z = position_at(line, abscissa * share).point.z;
   }
-  smooth.front() = line.front();
-  smooth.back() = line.back();
-  return smooth;
+  drawn.front() = line.front();
+  drawn.back() = line.back();
+  return drawn;
 }
-
-}  // namespace
 
 void smooth_edges(Network& network, const Smoothing& smoothing,
                   const std::vector<RoadOverride>& overrides) {

@@ -95,6 +95,7 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     };
     axis.leads_forward = leads(rows.lanes_forward);
     axis.leads_backward = leads(rows.lanes_backward);
+    axis.on_ring = DatumGetBool(rows.on_ring.values[i]);
     axis.changed = DatumGetBool(rows.changed.values[i]);
     axis.outer = DatumGetBool(rows.outer_axis.values[i]);
     axis.transition_start = own(axis.axis_id, true);
@@ -187,6 +188,7 @@ StreetSettings street_settings_of(const Settings& given) {
   if (given.choice<bool>("smoothing", {{"none", false}, {"arcs", true}}))
     settings.smoothing = Smoothing{given.measure("smoothing_shift", 1e-6),
                                    given.measure("smoothing_tolerance", 1e-6)};
+  settings.ring_shift = given.measure("ring_shift");
   settings.max_arc_distance = given.measure("max_arc_distance");
   settings.radius_minimal = given.measure("radius_minimal");
   settings.transition = {transition_kind_of(given.word("transition_kind"))};
@@ -226,7 +228,9 @@ Access access_of(const std::string& text) {
   return {lanes_for(text.substr(0, mark)), lanes_for(text.substr(mark + 1))};
 }
 
-std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given) {
+// Where the model looks for rings itself, it says what yields to them.
+std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given,
+                                  bool looks_for_rings) {
   const KindWidths defaults{given.measure("cycle_lane_width"), given.measure("parking_lane_width")};
   std::vector<LanesOfAxis> axes;
   const auto& rows = call.axes;
@@ -251,7 +255,7 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given
                      read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
                           rows.turn_backward, access.backward),
                      std::move(both)},
-                    DatumGetBool(rows.on_ring.values[i])});
+                    !looks_for_rings && DatumGetBool(rows.on_ring.values[i])});
   }
   return axes;
 }
@@ -481,7 +485,7 @@ StreetsInput read_input(const StreetsCall& call) {
   input.model.axes = axes_of(call, &input.has_z);
   input.model.settings = street_settings_of(settings);
   input.model.former = former_of(call);
-  input.model.lanes = lanes_of(call, settings);
+  input.model.lanes = lanes_of(call, settings, input.model.subjects.count("roundabout") > 0);
   input.model.overrides = street_overrides_of(call);
   for (int i = 0; i < call.marked_before.count; ++i)
     input.model.marked_before.insert(DatumGetInt64(call.marked_before.axis_id.values[i]));
