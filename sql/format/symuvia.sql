@@ -256,7 +256,8 @@ BEGIN
                 || '" num_voie_aval="' || lane_out || '" taux_utilisation="' || round(1.0 / ways, 4)
                 || coalesce('" exclusion_types_vehicules="' || barred, '') || '"/>', ''
                 ORDER BY way_id) AS ways
-            FROM (SELECT *, count(*) OVER (PARTITION BY place_id, name_in, lane_in, name_out, barred) AS ways FROM movement) m
+            FROM (SELECT *, count(*) OVER (PARTITION BY place_id, name_in, lane_in, name_out, barred) AS ways
+                FROM movement) m
             GROUP BY place_id, name_in, lane_in) m GROUP BY place_id),
     entered AS (
         SELECT place_id, '<ENTREES_CAF>' || string_agg('<ENTREE_CAF id_troncon_amont="' || name_in
