@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,7 @@ enum class Reason {
   only_way,      // plausible: else the lane in would lead nowhere or the lane out not be reached
   restriction,   // not: a turn restriction
   lane_kind,     // not: a lane of another kind
+  look_ahead,    // plausible: the lane out leads where one turns at a junction just behind
   traffic,       // plausible for some traffic alone: it is excepted, or a street is its own
   u_turn,        // not: it turns back where there are other ways on
   radius,        // not: too tight for the speed where other ways do
@@ -56,6 +58,7 @@ struct InterconnectionSettings {
   double node_tolerance = 0.5;  // metres, of the network
   std::size_t most = 10000;     // at a node of more pairs of lanes none are made
   DrivingSide driving_side = DrivingSide::right;
+  double look_ahead = 25;  // metres of lane, on less of which nobody changes lanes
 };
 
 struct Interconnection {
@@ -74,15 +77,20 @@ struct Interconnection {
   Line line;
 };
 
+// The lanes that an edge wants, from the left kerb in the direction of its axis.
+using WishedLanes = std::function<std::vector<LaneWish>(const Edge&)>;
+
+// Whether lanes leave traffic of a direction a choice that it looks ahead for.
+bool leave_choice(const std::vector<LaneWish>& lanes, bool along_axis);
+
 // At affected nodes, by (node, lane_in, lane_out, along_in, along_out).  `lanes` as
 // streetgen::lanes gives them, of the same streets; `axes` as the streets were made from.  Onto a
-// roundabout, round and off it nobody turns back, however sharp the turn.
-std::vector<Interconnection> interconnections(const Streets& streets,
-                                              const std::vector<StreetAxis>& axes,
-                                              const std::vector<Lane>& lanes,
-                                              const std::vector<TurnRestriction>& restrictions,
-                                              const InterconnectionSettings& settings,
-                                              const std::vector<Circulation>& circulations = {});
+// roundabout, round and off it nobody turns back, however sharp the turn.  Without `wished` nobody
+// looks ahead.
+std::vector<Interconnection> interconnections(
+    const Streets& streets, const std::vector<StreetAxis>& axes, const std::vector<Lane>& lanes,
+    const std::vector<TurnRestriction>& restrictions, const InterconnectionSettings& settings,
+    const std::vector<Circulation>& circulations = {}, const WishedLanes& wished = {});
 
 // Whoever drives against the traffic of a roundabout is not plausible, reason ring.
 void forbid_against_rings(const Streets& streets, const std::vector<Lane>& lanes,

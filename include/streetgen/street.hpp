@@ -232,10 +232,17 @@ struct Former {
   bool may_spread = true;
 };
 
-// By 2 * edge for traffic along its axis, by 2 * edge + 1 against it: whether what changes where
-// traffic comes onto an edge of the network may change the node that it comes to.
-using LeadsOn =
-    std::function<std::vector<bool>(const Network& network, const std::vector<Roadway>& roadways)>;
+// Where a change leads along edges of the network, by 2 * edge for traffic along its axis, by
+// 2 * edge + 1 against it.
+struct Leads {
+  // Whether what changes where traffic comes onto the edge may change the node that it comes to.
+  std::vector<bool> on;
+  // Whether what meets the node that traffic comes to may change the one that it leaves, where less
+  // than so much lies between the limits, metres.
+  std::vector<bool> back;
+  double back_within = 0;
+};
+using LeadsOn = std::function<Leads(const Network& network, const std::vector<Roadway>& roadways)>;
 
 // A run for these axes is due at the same time.
 class ChangeSpreads : public std::exception {

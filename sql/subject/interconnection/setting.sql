@@ -16,6 +16,9 @@ CREATE OR REPLACE FUNCTION streetgen._interconnection_setting()
         'a Bezier path tighter than this bends nearer to the crossing of its lanes, away from the node, as far as '
         'the kerbs allow; 15 m is comfortable at 20 km/h; 0: the rule of the paper wherever its path stays on the '
         'roadway', 0, 100, NULL),
+    ('look_ahead', '25', 'm',
+        'where less lane than this is left to the next node nobody changes lanes, and lanes lead to those that serve '
+        'the movements there; 0: lanes are chosen at each node alone', 0, 200, NULL),
     ('trajectory_tolerance', '0.05', 'm', 'chords of a path between lanes leave its curve by at most this', 0.001, 10,
         NULL) $$;
 COMMENT ON FUNCTION streetgen._interconnection_setting() IS

@@ -34,7 +34,7 @@ COMMENT ON COLUMN :"model".interconnection.turn IS
 COMMENT ON COLUMN :"model".interconnection.angle IS 'from lane to lane, degrees from -180 to 180, positive to the left';
 COMMENT ON COLUMN :"model".interconnection.plausible IS 'would traffic take it';
 COMMENT ON COLUMN :"model".interconnection.reason IS
-    'why it is plausible or not: lane_order, turn_lanes, only_way, restriction, lane_kind, u_turn, radius, '
+    'why it is plausible or not: lane_order, turn_lanes, only_way, look_ahead, restriction, lane_kind, u_turn, radius, '
     'not_drivable, ring, traffic';
 COMMENT ON COLUMN :"model".interconnection.connecting IS 'the user''s choice, else as plausible';
 COMMENT ON COLUMN :"model".interconnection.control IS

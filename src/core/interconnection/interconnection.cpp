@@ -9,6 +9,7 @@
 #include "geometry/polyline.hpp"
 #include "interconnection/kerb_clear_path.hpp"
 #include "interconnection/movement_angle.hpp"
+#include "interconnection/next_junction.hpp"
 #include "interconnection/path_choice.hpp"
 #include "interconnection/plausibility.hpp"
 #include "interconnection/taut_path.hpp"
@@ -56,8 +57,12 @@ class InterconnectionBuilder {
  public:
   InterconnectionBuilder(const Streets& streets, const std::vector<StreetAxis>& axes,
                          const std::vector<Lane>& lanes, const InterconnectionSettings& settings,
-                         const std::vector<Circulation>& circulations)
-      : streets_(streets), lanes_(lanes), settings_(settings), circulations_(circulations) {
+                         const std::vector<Circulation>& circulations, const WishedLanes& wished)
+      : streets_(streets),
+        lanes_(lanes),
+        settings_(settings),
+        circulations_(circulations),
+        wished_(wished) {
     for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
     for (const Ramp& ramp : streets.ramps) ramps_.emplace(ramp.node, &ramp);
     const auto& edges = streets.network.edges;
@@ -256,6 +261,7 @@ class InterconnectionBuilder {
     std::vector<std::vector<Interconnection>> pairs;
     for (Movement& movement : movements) pairs.push_back(draw(node, ends, kerbs, movement));
     mark_restricted(node, legs, ends, movements);
+    for (std::size_t leg = 0; leg < legs.size(); ++leg) foresee(legs[leg], ends[leg].out);
     choose_lanes(ends, movements, settings_.driving_side);
     const std::size_t first = out_.size();
     for (std::size_t m = 0; m < movements.size(); ++m)
@@ -272,6 +278,39 @@ class InterconnectionBuilder {
     std::sort(
         out_.begin() + first, out_.end(),
         [&](const Interconnection& a, const Interconnection& b) { return place(a) < place(b); });
+  }
+
+  // Which ways of the next junction lanes serve that leave by a leg.
+  void foresee(const NodeLeg& leg, std::vector<LaneEnd>& out) const {
+    const Edge& edge = streets_.network.edges[leg.edge];
+    const SectionLimit *start = &streets_.limits[2 * leg.edge], *end = start + 1;
+    if (!wished_ || end->abscissa - start->abscissa >= settings_.look_ahead ||
+        !leave_choice(wished_(edge), leg.at_start))
+      return;
+    const int next = leg.at_start ? edge.to_node : edge.from_node;
+    const std::vector<NodeLeg>& there = legs_[next];
+    std::vector<Leg> legs;
+    int from = 0;
+    for (const NodeLeg& other : there) {
+      const Edge& its = streets_.network.edges[other.edge];
+      const bool same = other.edge == leg.edge && other.at_start != leg.at_start;
+      if (same) from = static_cast<int>(legs.size());
+      legs.push_back(foreseen_leg(its, other.at_start, wished_(its)));
+      legs.back().importance = axes_.at(axis_of(other))->importance;
+      legs.back().on_ring = circulations_.of(its) != nullptr;
+    }
+    // Marks come to the lanes of the edge from elsewhere too.
+    std::vector<LaneEnd>& in = legs[from].in;
+    if (in.size() != out.size()) return;
+    for (std::size_t i = 0; i < in.size(); ++i) {
+      in[i].turns = out[i].turns;
+      in[i].middle = out[i].middle;
+    }
+    std::vector<Movement> movements = foreseen_movements(legs, from);
+    mark_restricted(next, there, legs, movements);
+    const std::vector<unsigned> served =
+        served_ahead(legs, from, movements, settings_.driving_side);
+    for (std::size_t i = 0; i < out.size(); ++i) out[i].ahead = served[i];
   }
 
   // Tangent to both lanes along arcs, in chords that turn too little to be felt.
@@ -396,6 +435,7 @@ class InterconnectionBuilder {
   const std::vector<Lane>& lanes_;
   const InterconnectionSettings& settings_;
   const Circulations circulations_;
+  const WishedLanes& wished_;
   std::unordered_map<std::int64_t, const StreetAxis*> axes_;
   std::unordered_map<int, const Ramp*> ramps_;  // by node
   std::vector<LaneRange> of_edge_;
@@ -432,6 +472,8 @@ const char* reason_name(Reason reason) noexcept {
       return "restriction";
     case Reason::lane_kind:
       return "lane_kind";
+    case Reason::look_ahead:
+      return "look_ahead";
     case Reason::traffic:
       return "traffic";
     case Reason::u_turn:
@@ -446,13 +488,12 @@ const char* reason_name(Reason reason) noexcept {
   return "";
 }
 
-std::vector<Interconnection> interconnections(const Streets& streets,
-                                              const std::vector<StreetAxis>& axes,
-                                              const std::vector<Lane>& lanes,
-                                              const std::vector<TurnRestriction>& restrictions,
-                                              const InterconnectionSettings& settings,
-                                              const std::vector<Circulation>& circulations) {
-  return InterconnectionBuilder(streets, axes, lanes, settings, circulations).run(restrictions);
+std::vector<Interconnection> interconnections(
+    const Streets& streets, const std::vector<StreetAxis>& axes, const std::vector<Lane>& lanes,
+    const std::vector<TurnRestriction>& restrictions, const InterconnectionSettings& settings,
+    const std::vector<Circulation>& circulations, const WishedLanes& wished) {
+  return InterconnectionBuilder(streets, axes, lanes, settings, circulations, wished)
+      .run(restrictions);
 }
 
 }  // namespace streetgen

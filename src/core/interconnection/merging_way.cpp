@@ -54,4 +54,16 @@ std::optional<bool> entered_from_left(const Ways& of_node, const Way& way) {
   return left == right ? std::nullopt : std::optional(left);
 }
 
+bool crosses_beside(const Ways& of_node, const Way& way, int out) {
+  if (!way.nearly_straight()) return false;
+  for (const Way& other : of_node) {
+    if (other.from == way.from || !enters_beside(other, way) || !other.nearly_straight()) continue;
+    const int side = comes_from(other) > comes_from(way) ? 1 : -1;
+    for (int in = 0; in < static_cast<int>(other.from->in.size()); ++in)
+      for (int o = 0; o < static_cast<int>(other.to->out.size()); ++o)
+        if (other.at(in, o).plausible && (o - out) * side > 0) return true;
+  }
+  return false;
+}
+
 }  // namespace streetgen

@@ -16,6 +16,8 @@ struct LaneEnd {
   Point direction;
   double aside = 0;     // metres from the node, to the left as one drives
   bool middle = false;  // of both directions, for those who turn off
+  unsigned ahead = 0;   // of a lane out: the ways that it serves at a next junction too near to
+                        // change lanes before it, a bit each
 };
 
 // An end of an edge at the node; lanes from left to right in their driving direction.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -42,6 +43,7 @@ class Change {
         met_(nodes_.size()),
         turned_(nodes_.size(), none),
         spreads_to_(edges_.size()),
+        room_before_(edges_.size(), std::numeric_limits<double>::infinity()),
         moved_{std::vector<bool>(edges_.size()), std::vector<bool>(nodes_.size()),
                std::vector<const FormerSurface*>(edges_.size()),
                std::vector<const FormerSurface*>(nodes_.size())} {}
@@ -52,8 +54,11 @@ class Change {
       if (!layout_.outer(static_cast<int>(n)) && (met_[n] || follows_met(n)))
         moved_.nodes[n] = true;
     lead_followers_on();
-    if (leads_on && !former_.edges.empty())
-      lead_along(leads_on(layout_.streets.network, layout_.streets.roadways));
+    if (leads_on && !former_.edges.empty()) {
+      const Leads leads = leads_on(layout_.streets.network, layout_.streets.roadways);
+      if (!leads.on.empty()) lead_along(leads.on);
+      if (!leads.back.empty()) lead_back(leads);
+    }
     compare_nodes();
     return moved_;
   }
@@ -228,6 +233,26 @@ class Change {
     }
   }
 
+  // Against traffic on each short edge that leads back, to the node that it leaves: from one that
+  // is met, and where its limits moved.
+  void lead_back(const Leads& leads) {
+    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
+      if (layout_.axis_of(e).outer || std::min(room(e), room_before_[e]) >= leads.back_within)
+        continue;
+      const Edge& edge = edges_[e];
+      if (leads.back[2 * e] && (moved_.edges[e] || met_[edge.to_node])) move_end(e, edge.from_node);
+      if (leads.back[2 * e + 1] && (moved_.edges[e] || met_[edge.from_node]))
+        move_end(e, edge.to_node);
+    }
+  }
+
+  // Metres between the limits of an edge.
+  double room(int e) const {
+    const SectionLimit &start = layout_.streets.limits[2 * e],
+                       &end = layout_.streets.limits[2 * e + 1];
+    return end.abscissa - start.abscissa;
+  }
+
   void lead_followers_on() {
     for (std::size_t n = 0; n < nodes_.size(); ++n)
       for (const int other : layout_.junctions[n].followed)
@@ -248,6 +273,7 @@ class Change {
     const Edge& edge = edges_[e];
     const SectionLimit &start = layout_.streets.limits[2 * e],
                        &end = layout_.streets.limits[2 * e + 1];
+    room_before_[e] = before.end.abscissa - before.start.abscissa;
     const bool same_start = stays(before.start, start), same_end = stays(before.end, end);
     // Where another edge comes to a dead end, its round end goes.
     const bool rounded =
@@ -357,6 +383,7 @@ class Change {
   std::vector<bool> met_;
   std::vector<int> turned_;  // by node: an edge there that turned
   std::vector<bool> spreads_to_;
+  std::vector<double> room_before_;  // by edge that was there: metres between its limits
   Affected moved_;
   std::vector<GivenUp> given_up_;
   std::set<std::pair<double, double>> ends_of_changed_;

@@ -366,6 +366,7 @@ InterconnectionSettings interconnection_settings_of(const Settings& given) {
   settings.least_radius = given.measure("trajectory_radius");
   settings.most = static_cast<int>(given.measure("interconnections_maximal", 0, 1e6));
   settings.node_tolerance = given.measure("tolerance", 1e-6);
+  settings.look_ahead = given.measure("look_ahead");
   settings.driving_side = lane_settings_of(given).driving_side;
   return settings;
 }

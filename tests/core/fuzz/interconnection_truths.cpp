@@ -3,6 +3,7 @@
 #include <map>
 
 #include "geometry/polyline.hpp"
+#include "lane/lane_wishes.hpp"
 #include "streetgen/interconnection.hpp"
 #include "truths.hpp"
 
@@ -100,8 +101,8 @@ void find_unsound(const std::vector<Lane>& lanes, const std::vector<Interconnect
     if (!(pair.angle > -180 && pair.angle <= 180))
       faults.push_back("an angle of " + std::to_string(pair.angle) + name);
     if (pair.plausible && pair.reason != Reason::lane_order && pair.reason != Reason::turn_lanes &&
-        pair.reason != Reason::only_way && pair.reason != Reason::not_drivable &&
-        pair.reason != Reason::traffic)
+        pair.reason != Reason::only_way && pair.reason != Reason::look_ahead &&
+        pair.reason != Reason::not_drivable && pair.reason != Reason::traffic)
       faults.push_back(std::string("plausible by ") + reason_name(pair.reason) + name);
     // Whether those can drive it whom a restriction excepts is not asked.
     if (pair.plausible && pair.reason != Reason::not_drivable && pair.reason != Reason::traffic &&
@@ -147,9 +148,11 @@ Faults interconnection_faults(const Made& made) {
   Random random(made.seed);
   TurnsAsked asked = random_traffic(random, made.town);
   const std::vector<Lane> all = lanes(made.streets, asked.axes, {}, {}).lanes;
+  const LaneWishes wishes(asked.axes, {}, {}, {});
   std::vector<StreetAxis> axes = made.town.axes;
   const auto run = [&] {
-    return interconnections(made.streets, axes, all, asked.restrictions, asked.settings);
+    return interconnections(made.streets, axes, all, asked.restrictions, asked.settings, {},
+                            [&](const Edge& edge) { return wishes.of(edge).lanes; });
   };
   const std::vector<Interconnection> pairs = run();
   find_missing(made.streets.network, all, asked.settings.u_turn, pairs, faults);
