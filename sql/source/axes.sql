@@ -1,6 +1,6 @@
 -- From any line table to axes: the mapping, the cleaning, the upsert that follows the source.
 
-CREATE OR REPLACE FUNCTION streetgen._leave_out_others()
+CREATE OR REPLACE FUNCTION streetgen._leave_out_others(whole boolean)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -10,7 +10,7 @@ BEGIN
     CREATE TEMPORARY TABLE _import_other ON COMMIT DROP AS SELECT i.ctid AS id, i.label, GeometryType(i.geom) AS type
         FROM pg_temp._import i
         WHERE GeometryType(i.geom) NOT IN ('LINESTRING', 'MULTILINESTRING', 'LINESTRINGM', 'MULTILINESTRINGM');
-    IF (SELECT count(*) FROM pg_temp._import_other) = (SELECT count(*) FROM pg_temp._import) THEN
+    IF whole AND (SELECT count(*) FROM pg_temp._import_other) = (SELECT count(*) FROM pg_temp._import) THEN
         SELECT o.label, o.type INTO bad FROM pg_temp._import_other o ORDER BY o.label LIMIT 1;
         IF FOUND THEN
             RAISE EXCEPTION 'source row % is a %, expected a line', bad.label, bad.type USING ERRCODE = '22023',
@@ -26,10 +26,10 @@ BEGIN
     DELETE FROM pg_temp._import i USING pg_temp._import_other o WHERE i.ctid = o.id;
     DROP TABLE pg_temp._import_other;
 END $$;
-COMMENT ON FUNCTION streetgen._leave_out_others() IS
-    'Leaves out rows of the import that are no lines, and reports them; 22023 where none is a line.';
+COMMENT ON FUNCTION streetgen._leave_out_others(boolean) IS
+    'Leaves out rows of the import that are no lines, and reports them; a whole table without a line: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._take_rows(model name)
+CREATE OR REPLACE FUNCTION streetgen._take_rows(model name, whole boolean)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
@@ -68,7 +68,7 @@ BEGIN
             USING ERRCODE = '22023', HINT = 'ST_SetSRID or UpdateGeometrySRID gives it one.';
     END IF;
     RETURN QUERY SELECT * FROM streetgen._take_lines(model);
-    RETURN QUERY SELECT * FROM streetgen._leave_out_others();
+    RETURN QUERY SELECT * FROM streetgen._leave_out_others(whole);
     IF flat THEN
         UPDATE pg_temp._import i SET geom = ST_Force2D(i.geom) WHERE ST_NDims(i.geom) > 2;
     ELSE
@@ -85,7 +85,9 @@ BEGIN
 
     RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
         THEN 'not taken: unknown class' ELSE 'not taken: class' END,
-        i.class, count(*), NULL::text[] FROM pg_temp._import i LEFT JOIN pg_temp._import_class c ON c.class = i.class
+        i.class, count(*), CASE WHEN i.class IS NOT NULL AND max(c.class) IS NULL
+            THEN array_agg(i.label ORDER BY i.label) END
+        FROM pg_temp._import i LEFT JOIN pg_temp._import_class c ON c.class = i.class
             GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
     DELETE FROM pg_temp._import i USING pg_temp._import j LEFT JOIN pg_temp._import_class c ON c.class = j.class
         WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
@@ -144,9 +146,9 @@ BEGIN
         RAISE EXCEPTION '%', bad.remark USING ERRCODE = '22023', HINT = bad.way_out;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._take_rows(name) IS
-    'From the rows of the import to its parts: a line each, in the reference and dimension of the model, of classes '
-    'that are taken; reports what it left out. Bad rows: 22023.';
+COMMENT ON FUNCTION streetgen._take_rows(name, boolean) IS
+    'From the rows of the import, those of a whole table or a few, to its parts: a line each, in the reference and '
+    'dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -219,7 +221,7 @@ BEGIN
     EXECUTE format('CREATE TEMPORARY VIEW _import_query AS %s', query);
     CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM pg_temp._import_query;
     DROP VIEW pg_temp._import_query;
-    RETURN QUERY SELECT * FROM streetgen._take_rows(model);
+    RETURN QUERY SELECT * FROM streetgen._take_rows(model, whole => true);
     PERFORM streetgen._adopt_axes(model, source, clean);
     IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
         staying := CASE WHEN shapeless_stay THEN streetgen._staying_axes(model, source) END;

@@ -80,7 +80,9 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_kerb(design text, said text, kerb t
             WHEN NOT lane AND streetgen._bdtopo_says(design) AND design !~* '^(double sens.*)?piste|^voie verte|mixte|'
                 'goulotte|rampe|escalier|accotement|jalonnement|v[ée]lo ?rue|non mat[ée]rialis[ée]'
                 THEN 'it says no lane of the roadway' END,
-        CASE WHEN lane AND way IS NULL AND streetgen._bdtopo_says(said) THEN 'it says no direction' END
+        CASE WHEN NOT streetgen._bdtopo_says(said) THEN NULL WHEN NOT streetgen._bdtopo_says(design)
+                THEN 'no cycle lane is said at this kerb'
+            WHEN lane AND way IS NULL THEN 'it says no direction' END
     FROM (SELECT coalesce(design ~* 'bande', false) AS lane, streetgen._bdtopo_way(said, NULL) AS way,
             -- The direction of the lanes at this kerb, on a street of both, and the other one.
             CASE kerb WHEN driving_side THEN 'direct' ELSE 'reverse' END AS beside,
@@ -176,7 +178,8 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_unread(driving_side text)
             ('cycle_left', s.cycle_left, on_left.unread),
             ('cycle_left_way', s.cycle_left_way, on_left.unread_way))
             w(name, value, reason) USING (name)) u
-    WHERE u.reason IS NOT NULL AND coalesce(s.bus, s.cycle, s.cycle_right, s.cycle_left) IS NOT NULL $$;
+    WHERE u.reason IS NOT NULL AND coalesce(s.bus, s.cycle, s.cycle_right, s.cycle_right_way,
+        s.cycle_left, s.cycle_left_way) IS NOT NULL $$;
 COMMENT ON FUNCTION streetgen._bdtopo_unread(text) IS
     'What the lines of a BD TOPO table say of lanes that were not made, or not as it is said, with the reason.';
 
@@ -217,7 +220,8 @@ BEGIN
         SELECT * FROM streetgen._bdtopo_unread(streetgen._driving_side(model));
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
     RETURN QUERY SELECT 'column with a shortened name that several have, not read', there, 1::bigint, NULL::text[]
-        FROM unnest(present) there WHERE EXISTS (SELECT FROM streetgen._bdtopo_column() c, unnest(c.columns) known
+        FROM unnest(present) there WHERE 1 < (SELECT count(DISTINCT c.name)
+            FROM streetgen._bdtopo_column() c, unnest(c.columns) known
             WHERE left(known, 10) = lower(there) AND known <> lower(there))
             AND quote_ident(there) || '::text' NOT IN (SELECT value FROM jsonb_each_text(jsonb_strip_nulls(found)));
     DROP TABLE pg_temp._import_line, pg_temp._import_unread;

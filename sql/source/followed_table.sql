@@ -27,7 +27,7 @@ DECLARE
     concerned text[];
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._copy_classes(model);
-    FOR told IN SELECT * FROM streetgen._take_rows(model) t
+    FOR told IN SELECT * FROM streetgen._take_rows(model, whole => false) t
         WHERE t.what LIKE '%, left out' OR t.what LIKE '% not understood, taken as unknown' LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;

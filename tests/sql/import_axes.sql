@@ -117,6 +117,11 @@ DELETE FROM mixed WHERE id = 2;
 SELECT 'a table without a line is refused, with the way out', state = '22023' AND said = 'source row 1 is a POINT, expected a line' AND hint LIKE '%the layer of the file, that has lines.' FROM test.refusal($$SELECT streetgen.import_axes('import_b', 'mixed', '{"source_ref": "id"}')$$);
 DROP TABLE mixed;
 TRUNCATE import_b.axis;
+CREATE TABLE misspelt AS SELECT id, class, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * id), ST_MakePoint(90, 50 * id)), 32631) AS geom FROM (VALUES (1, 'secondry'), (2, 'secondary'), (3, 'secondry'), (4, 'footway')) v(id, class);
+SELECT 'rows of a class that is unknown are named, those of one that is not wanted counted', array_agg((what, class, count, source_refs)::text ORDER BY what) = '{"(\"not taken: class\",footway,1,)","(\"not taken: unknown class\",secondry,2,\"{1,3}\")"}'
+  FROM streetgen.import_axes('import_b', 'misspelt', '{"source_ref": "id", "kind": "class"}') WHERE what LIKE 'not taken%';
+DROP TABLE misspelt;
+TRUNCATE import_b.axis;
 -- Tables of the user's, named as the import's own.
 SELECT format('CREATE TABLE public.%I AS SELECT NULL::text AS class, false AS taken', name) FROM unnest('{_import,_import_part,_import_class,_import_query,_import_restriction}'::name[]) name \gexec
 SELECT 'an import goes by its own tables', array_agg(what) @> '{taken,generate is due}' FROM streetgen.import_axes('import_b', 'bare', '{"source_ref": "id"}');

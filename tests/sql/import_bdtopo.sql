@@ -114,5 +114,10 @@ CREATE TABLE import_ten AS SELECT cleabs AS "CLEABS", nature, 6.5::float8 AS lar
 CREATE TABLE import_ten_told AS SELECT * FROM streetgen.import_bdtopo('import_kerbs', 'import_ten');
 SELECT 'shortened names are read', (width, lane_count, direction, source_ref) = (6.5, 1, 'direct', 'A') FROM import_kerbs.axis WHERE source = 'import_ten';
 SELECT 'one that two columns have is told', array_agg(class) = '{amenagemen}' FROM import_ten_told WHERE what LIKE 'column with a shortened name%';
+ALTER TABLE import_ten ADD largeur_de_chaussee float8 DEFAULT 6;
+SELECT 'one of a column that is there too is not', array_agg(class) = '{amenagemen}' FROM streetgen.import_bdtopo('import_kerbs', 'import_ten') WHERE what LIKE 'column with a shortened name%';
+-- A direction of a cycle lane that no kerb has.
+UPDATE import_kerb SET amenagement_cyclable_droit = NULL, amenagement_cyclable_gauche = 'Sans objet', sens_amenagement_cyclable_droit = 'Sens direct', sens_amenagement_cyclable_gauche = 'Sans objet', reserve_aux_bus = NULL;
+SELECT 'a direction without its lane is named', count(*) > 5 AND bool_and(kinds = ' / ' AND named = 'sens_amenagement_cyclable_droit: Sens direct, no cycle lane is said at this kerb') FROM pg_temp.kerbs('right');
 DROP TABLE import_kerb, import_told, import_ten, import_ten_told;
 SELECT streetgen.drop_model('import_kerbs') \g /dev/null
