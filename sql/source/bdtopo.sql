@@ -22,7 +22,8 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, c
         'Bande cyclable is a cycle lane at the kerb on the right of the drawing. Tracks, ways shared with people on '
         'foot and gutters are no lanes of the roadway. What else it says is named.'),
     ('cycle_right_way', '{sens_amenagement_cyclable_droit,sens_cy_d}',
-        'The direction of that cycle lane; else that of the lanes beside it. One against these is named, not made.'),
+        'The direction of that cycle lane; else that of the lanes beside it. One against these, or without its '
+        'lane, is named.'),
     ('cycle_left', '{amenagement_cyclable_gauche,amgt_cy_g}', 'As amenagement_cyclable_droit, on the left.'),
     ('cycle_left_way', '{sens_amenagement_cyclable_gauche,sens_cy_g}', 'As sens_amenagement_cyclable_droit.'),
     ('access', '{acces_vehicule_leger,acces_vl}', 'Who may drive: nobody, or who has a permit.') $$;
