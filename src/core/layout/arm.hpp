@@ -38,13 +38,29 @@ struct Arm {
   double reach() const;
 };
 
+// A kerb that goes on through the node with another width: linear about the node, as wide as its
+// arms beyond.
+struct Taper {
+  double reach_a = 0, reach_b = 0;  // metres from the node to its ends, along both arms
+  double half_a = 0, half_b = 0;    // from the lines to the kerb there
+
+  double length() const { return reach_a + reach_b; }
+  double half_on_a(double abscissa) const {
+    return half_a + (half_b - half_a) * (reach_a - abscissa) / length();
+  }
+  double half_on_b(double abscissa) const {
+    return half_b + (half_a - half_b) * (reach_b - abscissa) / length();
+  }
+};
+
 // Between arm i and the next one counter-clockwise.
 struct Gap {
   bool meets = false;  // the borders meet (an arc, or their crossing where radius is 0)
   CornerArc corner;
   double angle = 0;     // counter-clockwise about the node, radians; over pi outside a bend
   bool sharp = false;   // no arc is wanted
-  bool tapers = false;  // the kerb goes on from one limit to the other as the width changes
+  bool tapers = false;  // the kerb goes on through the node as the width changes
+  Taper taper{};        // where it tapers, once limits are settled
   bool direct = false;  // it tapers straight from limit to limit
   Polygon beyond{};     // the ground between both kerbs and an arc that lies beyond an arm's end
 };

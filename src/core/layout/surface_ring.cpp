@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "geometry/closed_ring.hpp"
 #include "geometry/offset.hpp"
@@ -77,27 +78,31 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
   return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 - same_angle || as_wide(a, b));
 }
 
-// From the axis to an end of the border line: a change may go on within the section.
-double half_of_border(const Arm& arm, const Point& end) {
-  return distance(planar(position_at(arm.line, arm.limit).point), end);
-}
-
-// From the limit of a through the node to that of b, linear between both half widths; straight
-// where the bend between needs more than a limit leaves.
-KerbLine tapering_kerb(const Arm& a, const Arm& b) {
-  Line line = substring(a.line, a.limit, 0);
-  const Line on = substring(b.line, 0, b.limit);
+// From one arm through the node to the other, within their limits; straight where the bend between
+// needs more than that leaves.
+KerbLine tapering_kerb(const Arm& a, const Arm& b, const Taper& taper) {
+  const double start = std::min(taper.reach_a, a.limit), end = std::min(taper.reach_b, b.limit);
+  Line line = substring(a.line, start, 0);
+  const Line on = substring(b.line, 0, end);
   line.insert(line.end(), on.begin() + 1, on.end());
   line = distinct(planar(std::move(line)));
-  KerbLine kerb = kerb_line(line, 0, length(line), half_of_border(a, a.border[0]),
-                            half_of_border(b, b.border[1]), -1);
-  return kerb.whole ? kerb : KerbLine{{a.border[0], b.border[1]}};
+  KerbLine kerb =
+      kerb_line(line, 0, length(line), taper.half_on_a(start), taper.half_on_b(end), -1);
+  return kerb.whole ? kerb : KerbLine{{kerb.line.front(), kerb.line.back()}};
+}
+
+// The kerb that tapers, and up to it those of the arms.
+void append_taper(Outline& outline, const Arm& a, const Arm& b, const Taper& taper) {
+  const bool along_a = taper.reach_a < a.limit, along_b = taper.reach_b < b.limit;
+  if (along_a) outline.follow(a, a.limit, taper.reach_a, +1, false, false);
+  outline.follow(tapering_kerb(a, b, taper), along_a, along_b);
+  if (along_b) outline.follow(b, taper.reach_b, b.limit, -1, false, false);
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
   const Point node = planar(a.line.front());
   if (gap.tapers) {
-    if (!gap.direct) outline.follow(tapering_kerb(a, b), false, false);
+    if (!gap.direct) append_taper(outline, a, b, gap.taper);
     return;
   }
   if (!gap.meets) {
@@ -203,22 +208,20 @@ MultiPolygon held_by(Geos& geos, Outline outline) {
 }  // namespace
 
 WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i) {
-  const std::size_t next = (i + 1) % arms.size(), last = (i + arms.size() - 1) % arms.size();
   const Arm& arm = arms[i];
-  const bool on_left = gaps[i].tapers && !gaps[i].direct;
-  const bool on_right = gaps[last].tapers && !gaps[last].direct;
+  const Gap &left = gaps[i], &right = gaps[(i + gaps.size() - 1) % gaps.size()];
+  const bool on_left = left.tapers && !left.direct, on_right = right.tapers && !right.direct;
   if (!on_left && !on_right) return {};
-  WidthProfile::Place node = place_at(arm, 0), limit = place_at(arm, arm.limit);
-  const auto taper = [&](double WidthProfile::Place::*side, const Point& end, const Arm& other,
-                         const Point& other_end) {
-    const double half = half_of_border(arm, end), other_half = half_of_border(other, other_end);
-    limit.*side = half;
-    node.*side = half + (other_half - half) * arm.limit / (arm.limit + other.limit);
-  };
-  if (on_left) taper(&WidthProfile::Place::left, arm.border[0], arms[next], arms[next].border[1]);
-  if (on_right) taper(&WidthProfile::Place::right, arm.border[1], arms[last], arms[last].border[0]);
+  std::set<double> abscissas{0, arm.limit};
+  if (on_left) abscissas.insert(std::min(left.taper.reach_a, arm.limit));
+  if (on_right) abscissas.insert(std::min(right.taper.reach_b, arm.limit));
   WidthProfile profile;
-  profile.places = {node, limit};
+  for (const double abscissa : abscissas) {
+    WidthProfile::Place place = place_at(arm, abscissa);
+    if (on_left && abscissa < left.taper.reach_a) place.left = left.taper.half_on_a(abscissa);
+    if (on_right && abscissa < right.taper.reach_b) place.right = right.taper.half_on_b(abscissa);
+    profile.places.push_back(place);
+  }
   return profile;
 }
 

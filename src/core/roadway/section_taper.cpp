@@ -14,7 +14,7 @@ namespace streetgen {
 
 namespace {
 
-// The kerb on one side of an edge between a limit and the end of the change.
+// The kerb on one side of an edge between a limit and the end of its taper.
 struct KerbTaper {
   int side = 1;                 // +1: left of the edge, -1: right
   double limit = 0, until = 0;  // metres along the edge
@@ -35,10 +35,11 @@ class SectionTapers {
   explicit SectionTapers(Layout& layout) : layout_(layout), by_edge_(layout.axes.size()) {}
 
   void find() {
-    for (const Junction& junction : layout_.junctions)
-      for (std::size_t i = 0; i < junction.gaps.size(); ++i)
-        if (junction.gaps[i].tapers && goes_on(junction, junction.ends[i], junction.next(i)))
-          taper(junction.ends[i], junction.next(i));
+    for (Junction& junction : layout_.junctions)
+      for (std::size_t i = 0; i < junction.gaps.size(); ++i) {
+        Gap& gap = junction.gaps[i];
+        if (gap.tapers && !gap.direct) taper(junction, i, gap);
+      }
   }
 
   void give() {
@@ -62,30 +63,33 @@ class SectionTapers {
   }
 
   // The left kerb of a goes on as the right one of b.
-  void taper(const EdgeEnd& a, const EdgeEnd& b) {
+  void taper(const Junction& junction, std::size_t i, Gap& gap) {
+    const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
     const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
     const double speed = std::max(layout_.axis_of(a.edge).speed, layout_.axis_of(b.edge).speed);
     const double wanted = taper_length(sideways(arm_a, arm_b), speed, layout_.settings.taper_ratio);
-    if (arm_a.limit + arm_b.limit >= wanted) return;
-    const double reach_a = reach(a, wanted), reach_b = reach(b, wanted);
-    const double half_a = half_at(arm_a, reach_a, +1), half_b = half_at(arm_b, reach_b, -1);
-    const double slope = (half_b - half_a) / (reach_a + reach_b);
-    add(a, +1, reach_a, half_a + slope * (reach_a - arm_a.limit), b);
-    add(b, -1, reach_b, half_b - slope * (reach_b - arm_b.limit), a);
+    const bool beyond = goes_on(junction, a, b);
+    const double reach_a = reach(a, wanted, beyond), reach_b = reach(b, wanted, beyond);
+    gap.taper = {reach_a, reach_b, half_at(arm_a, reach_a, +1), half_at(arm_b, reach_b, -1)};
+    gap.direct = gap.taper.length() < coordinate_margin;
+    if (gap.direct) return;
+    add(a, +1, reach_a, gap.taper.half_a, gap.taper.half_on_a(arm_a.limit), b);
+    add(b, -1, reach_b, gap.taper.half_b, gap.taper.half_on_b(arm_b.limit), a);
   }
 
-  // Metres from the node; the limit where the section has no room for more.
-  double reach(const EdgeEnd& end, double wanted) const {
+  // Metres from the node, as far as the section has room, or to the limit.
+  double reach(const EdgeEnd& end, double wanted, bool beyond) const {
     const Arm& arm = layout_.arm(end);
-    if (limits_crossed(layout_.streets, end.edge)) return arm.limit;
+    const bool to_limit = !beyond || limits_crossed(layout_.streets, end.edge);
     const double room = length(arm.line) - layout_.arm({end.edge, !end.at_start}).limit;
-    return std::max(arm.limit, std::min(transition_limit(arm, wanted), room));
+    return std::min(transition_limit(arm, wanted), to_limit ? arm.limit : room);
   }
 
-  void add(const EdgeEnd& end, int side, double reach, double half, const EdgeEnd& beyond) {
+  void add(const EdgeEnd& end, int side, double reach, double own, double half,
+           const EdgeEnd& beyond) {
     Arm& arm = layout_.arm(end);
     if (reach - arm.limit < coordinate_margin) return;
-    const double total = length(arm.line), own = half_at(arm, reach, side);
+    const double total = length(arm.line);
     const auto along_edge = [&](double from_node) {
       return end.at_start ? from_node : total - from_node;
     };

@@ -19,20 +19,20 @@ Streets widening(const StreetSettings& settings) {
                  settings);
 }
 
+bool on_roadway(const Streets& town, const Point& p) {
+  const auto held = [&](const auto& surfaces) {
+    return std::any_of(surfaces.begin(), surfaces.end(),
+                       [&](const auto& one) { return PreparedSurface(one.surface).holds(p); });
+  };
+  return held(town.sections) || held(town.intersections);
+}
+
 // How far south the roadway reaches at an abscissa.
 double kerb_at(const Streets& town, double x) {
-  const auto roadway = [&](double y) {
-    const auto held = [&](const auto& surfaces) {
-      return std::any_of(surfaces.begin(), surfaces.end(), [&](const auto& one) {
-        return PreparedSurface(one.surface).holds({x, -y, 0});
-      });
-    };
-    return held(town.sections) || held(town.intersections);
-  };
   double inside = 1, outside = 12;
   while (outside - inside > 1e-6) {
     const double middle = (inside + outside) / 2;
-    (roadway(middle) ? inside : outside) = middle;
+    (on_roadway(town, {x, -middle, 0}) ? inside : outside) = middle;
   }
   return inside;
 }
@@ -52,6 +52,29 @@ TEST(Taper, HasNoStepWhereASideStreetLeaves) {
   EXPECT_EQ(std::count_if(town.corners.begin(), town.corners.end(),
                           [](const Corner& c) { return c.method == Method::transition; }),
             1);
+}
+
+// Two narrow streets leave a wide one side by side: the kerbs between them cross 50 m away, and the
+// outer ones are their own long before.
+TEST(Taper, EndsBeforeALimitThatLiesFarAway) {
+  for (const bool turned : {false, true}) {
+    Line wide{{-100, 0, 0}, {0, 0, 0}};
+    if (turned) std::reverse(wide.begin(), wide.end());
+    const Point north = unit(Point{150, 6, 0}), south = unit(Point{150, -6, 0});
+    const Streets town = streets({{1, wide, 0, 12, 12, 6, 3},
+                                  {2, {{0, 0, 0}, north * 150}, 0, 4, 4, 6, 3},
+                                  {3, {{0, 0, 0}, south * 150}, 0, 4, 4, 6, 3}},
+                                 {});
+    ASSERT_GT(town.limits[2].abscissa, 40);
+    for (const double side : {+1.0, -1.0})
+      for (double at = 0; at < 80; at += 1.7) {
+        const Point along = side > 0 ? north : south, aside = left_normal(along) * side;
+        // 40 m for 4 m aside, half of it on each street.
+        const double half = std::max(2.0, 4 - at / 10);
+        EXPECT_TRUE(on_roadway(town, along * at + aside * (half - 0.1))) << at;
+        EXPECT_FALSE(on_roadway(town, along * at + aside * (half + 0.1))) << at;
+      }
+  }
 }
 
 TEST(Taper, IsNoneWhereTheLengthIsANumber) {
