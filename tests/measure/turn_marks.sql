@@ -1,8 +1,8 @@
 -- Whether turn marks of lanes hold at the junction ahead, from what the source states and from where arms lie: psql -v model=NAME -f tests/measure/turn_marks.sql
 -- Nothing of it is read from the marks that lanes got, or from the angles of interconnections. A word of a lane is followed along the movements of that lane,
 -- over nodes of two edges and over nodes no arm of which answers it. Where an arm answers, the lane must lead into an arm of the word's sector.
--- Prints model, words of lanes, those that are served, unserved, that no arm answers and the report names, that no arm answers unnamed, that end with the network,
--- ways whose list fits no lanes and those of them that the report names. With -v named=1 it prints each word that is not served.
+-- Prints model, words of lanes, those that are served, unserved, that the source replaces farther on, that no arm answers,
+-- that end with the network, and ways whose list fits no lanes, and those of them that the report of the import names. With -v named=1 it prints each word that is not served.
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '
@@ -38,7 +38,7 @@ CREATE TEMPORARY TABLE listed AS
     GROUP BY a.axis_id, a.source_ref, d.along, a.turn_forward, a.turn_backward;
 -- The words of each lane on which its own source states them, on the last edge of its way.
 CREATE TEMPORARY TABLE word AS
-    SELECT d.lane_id, d.along, d.axis_id, d.edge_id, t.source_ref, t.named, w.word FROM listed t JOIN driven d USING (axis_id, along)
+    SELECT d.lane_id, d.along, d.axis_id, d.edge_id, t.source_ref, w.word FROM listed t JOIN driven d USING (axis_id, along)
         CROSS JOIN LATERAL unnest(string_to_array(t.list[d.number], ';')) w(word)
     WHERE cardinality(t.list) = d.lanes AND w.word IN (SELECT word FROM sector)
         AND NOT EXISTS (SELECT FROM driven n WHERE (n.axis_id, n.along) = (d.axis_id, d.along) AND n.edge_id <> d.edge_id
@@ -64,8 +64,9 @@ CREATE TEMPORARY TABLE fate AS
     SELECT DISTINCT ON (w.lane_id, w.along, w.word) w.*, k.edge_id AS at_edge, k.goes_to, k.lane_id AS at_lane, k.along AS at_along, k.what
     FROM word w JOIN walk k ON (k.start, k.start_along, k.word) = (w.lane_id, w.along, w.word)
     ORDER BY w.lane_id, w.along, w.word, array_position('{served,unserved,end,on}', k.what), k.degree DESC, k.goes_to;
-SELECT :'model', count(*), count(*) FILTER (WHERE what = 'served'), count(*) FILTER (WHERE what = 'unserved'), count(*) FILTER (WHERE what = 'on' AND named),
-    count(*) FILTER (WHERE what = 'on' AND NOT named), count(*) FILTER (WHERE what = 'end'), (SELECT count(*) FROM listed WHERE cardinality(list) <> lanes),
+UPDATE fate f SET what = 'replaced' WHERE what = 'on' AND EXISTS (SELECT FROM walk k JOIN driven d USING (lane_id, along) JOIN listed t ON (t.axis_id, t.along) = (d.axis_id, d.along)
+    WHERE (k.start, k.start_along, k.word) = (f.lane_id, f.along, f.word) AND d.axis_id <> f.axis_id AND f.word <> ALL (string_to_array(coalesce(t.list[d.number], ''), ';')));
+SELECT :'model', count(*), count(*) FILTER (WHERE what = 'served'), count(*) FILTER (WHERE what = 'unserved'), count(*) FILTER (WHERE what = 'replaced'), count(*) FILTER (WHERE what = 'on'), count(*) FILTER (WHERE what = 'end'), (SELECT count(*) FROM listed WHERE cardinality(list) <> lanes),
     (SELECT count(*) FROM listed WHERE cardinality(list) <> lanes AND named) FROM fate;
 \if :named
 SELECT f.what, f.word, f.source_ref, f.lane_id, f.at_lane, f.goes_to, (SELECT array_to_string(list, '|') FROM listed t WHERE (t.axis_id, t.along) = (f.axis_id, f.along)) AS list,
