@@ -6,7 +6,7 @@ CREATE TEMPORARY TABLE tag_kind (kind text, keys text[], senseless text[], words
 INSERT INTO tag_kind VALUES
   ('number', '{lanes,lanes:forward,lanes:backward,lanes:both_ways,lanes:reversible,lanes:psv,lanes:bus,lanes:psv:forward,lanes:bus:backward}',
     '{many,-3,1e9,99999999999999999999,3x,¾,NaN,2;3,31,0x2}', '{1,2,3,4,5,30,2.0," 2 "}'),
-  ('list of turns', '{turn:lanes,turn:lanes:forward,turn:lanes:backward,turn:lanes:both_ways}', '{left;|through,left|leftt,;;|,"left,right|through",|||xyzzy,🚲|🚲}',
+  ('list of turns', '{turn:lanes,turn:lanes:forward,turn:lanes:backward,turn:lanes:both_ways}', '{left;lefft|through,left|leftt,;x;|,"left,right|through",|||xyzzy,🚲|🚲}',
     '{left|right,left;through|right,|,none,left,merge_to_left|through|,reverse;left}'),
   ('list of changes', '{change:lanes,change:lanes:forward,change:lanes:backward}', '{never|no,"no,no",1|2}', '{yes|no,not_left|,only_right,no|no|no}'),
   ('list of widths', '{width:lanes,width:lanes:forward,width:lanes:backward}', '{-3|3,99.9999|3,0|0,wide|3,1e308|3,3 furlongs|3,NaN|3,∞|3}', '{3|3,3.5|,"10 ft|3,5",2.75}'),

@@ -53,7 +53,9 @@ SELECT 'a ban with an exception leaves a path to those alone', pg_temp.ways('tow
 SELECT 'so does an only way', pg_temp.ways('town', 2, 3) = 'bus|cycle' AND pg_temp.ways('town', 2, 1) = 'all';
 SELECT 'a connection of SUMO says it', pg_temp.found('//connection[@allow="bus coach taxi emergency bicycle"]', (SELECT array_agg(line ORDER BY ordinality) FROM streetgen.export_sumo('town', 'connections'))) = 2;
 SELECT 'and a way of OpenDRIVE', pg_temp.found('//road[@junction!="-1"]//lane[@type="bus"]', (SELECT array_agg(line ORDER BY ordinality) FROM streetgen.export_opendrive('town'))) = 3;
-SELECT 'SymuVia knows no movement for some alone', pg_temp.found('//MOUVEMENT', (SELECT array_agg(line ORDER BY ordinality) FROM streetgen.export_symuvia('town'))) > 0 AND pg_temp.found('//ENTREE_CAF[@id_troncon_amont="' || e.edge_id || '"]//MOUVEMENT[@id_troncon_aval="' || f.edge_id || '"]', (SELECT array_agg(line ORDER BY ordinality) FROM streetgen.export_symuvia('town'))) = 0 FROM town.edge e, town.edge f WHERE (e.axis_id, f.axis_id) = (1, 4);
+SELECT 'a movement of SymuVia says whom it bars', count(*) = 1 FROM town.edge e, town.edge f, LATERAL (SELECT array_agg(line ORDER BY ordinality) AS lines FROM streetgen.export_symuvia('town')) x
+  WHERE (e.axis_id, f.axis_id) = (1, 4) AND pg_temp.found('//MOUVEMENT_AUTORISE[@id_troncon_amont="' || e.edge_id || '"]//MOUVEMENT_SORTIE[@id_troncon_aval="' || f.edge_id || '"][contains(@exclusion_types_vehicules, "VL")]', lines) > 0
+    AND pg_temp.found('//MOUVEMENT_AUTORISE[@id_troncon_amont="' || e.edge_id || '"]//MOUVEMENT_SORTIE[@id_troncon_aval="' || f.edge_id || '"][not(@exclusion_types_vehicules)]', lines) = 0;
 -- Tags of OpenStreetMap.
 CREATE TABLE said (tags jsonb, class text, means text);
 INSERT INTO said VALUES ('{}', 'residential', NULL), ('{"access": "yes"}', 'residential', NULL), ('{"access": "no", "bus": "yes"}', 'secondary', 'bus'), ('{"motor_vehicle": "no", "psv": "yes"}', 'unclassified', 'bus'), ('{}', 'busway', 'bus'), ('{"access": "private"}', 'service', 'private'),

@@ -92,7 +92,9 @@ CREATE TABLE public.typed AS SELECT relation, key, attname, format(value, attnam
 GRANT SELECT, UPDATE ON public.typed TO refused_editor;
 GRANT SELECT ON public.written TO refused_editor;
 SET ROLE refused_editor;
+SET client_min_messages = warning;
 UPDATE public.typed t SET (state, before, typed, after) = (SELECT s.state, s.before, s.typed, s.after FROM public.shown_after(relation, key, attname, value) s);
+RESET client_min_messages;
 SELECT format('what is typed into %s is stored or refused', relation), bool_and(state <> 'none' OR typed IS NOT DISTINCT FROM before OR after IS DISTINCT FROM before) FROM public.typed GROUP BY relation HAVING count(before) > 0 ORDER BY relation;
 SELECT format('a row of %s may be sent back as it is', relation), test.state(format('UPDATE %1$s SET %2$s WHERE %3$I = (SELECT min(%3$I) FROM %1$s)', relation, string_agg(format('%1$I = %1$I', attname), ', '), min(key))) = 'none' FROM public.written WHERE updates AND relation LIKE '%editing' GROUP BY relation ORDER BY relation;
 RESET ROLE;
