@@ -53,12 +53,13 @@ class SectionTapers {
     return std::abs(angle_between(layout_.arm(a), layout_.arm(b)) - M_PI);
   }
 
-  // Whether neither street goes on straighter elsewhere, as past a ramp.
+  // Whether neither street goes on much straighter elsewhere, as past a ramp; both branches of a
+  // fork bend alike but for rounding.
   bool goes_on(const Junction& junction, const EdgeEnd& a, const EdgeEnd& b) const {
     const double own = bend(a, b);
     return std::none_of(junction.ends.begin(), junction.ends.end(), [&](const EdgeEnd& other) {
       const bool third = slot(other) != slot(a) && slot(other) != slot(b);
-      return third && std::min(bend(a, other), bend(other, b)) < own - same_angle;
+      return third && std::min(bend(a, other), bend(other, b)) < own / 2 - same_angle;
     });
   }
 

@@ -77,6 +77,37 @@ TEST(Taper, EndsBeforeALimitThatLiesFarAway) {
   }
 }
 
+// How far the roadway reaches from y = 0 to one side.
+double kerb_aside(const Streets& town, double x, int side) {
+  double inside = 0.1, outside = 12;
+  while (outside - inside > 1e-6) {
+    const double middle = (inside + outside) / 2;
+    (on_roadway(town, {x, side * middle, 0}) ? inside : outside) = middle;
+  }
+  return inside;
+}
+
+// A street parts into two carriageways that touch or lie within each other by a little; one of them
+// bends more by what rounding leaves.
+TEST(Taper, IsAsLongOnBothSidesOfAFork) {
+  for (const double aside : {3.3, 3.49, 3.5, 4.0})
+    for (const double more : {-5e-4, 0.0, 5e-4}) {
+      std::vector<StreetAxis> axes{
+          {1, {{0, 0, 0}, {100, 0, 0}}, 0, 14, 14, 6, 3},
+          {2, {{100, 0, 0}, {120, -aside, 0}, {260, -aside, 0}}, 0, 7, 7, 6, 3},
+          {3, {{260, aside, 0}, {120, aside + more, 0}, {100, 0, 0}}, 0, 7, 7, 6, 3}};
+      axes[1].leads_backward = axes[2].leads_backward = false;
+      const Streets town = streets(axes, {});
+      double before = 7;
+      for (double x = 60.013; x <= 200; x += 0.5) {
+        const double south = kerb_aside(town, x, -1), north = kerb_aside(town, x, +1);
+        EXPECT_NEAR(south, north, 5e-3) << aside << ' ' << more << ' ' << x;
+        EXPECT_NEAR(south, before, 0.3) << aside << ' ' << more << ' ' << x;
+        before = south;
+      }
+    }
+}
+
 TEST(Taper, IsNoneWhereTheLengthIsANumber) {
   StreetSettings settings;
   settings.transition.length = 5;
