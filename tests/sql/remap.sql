@@ -247,3 +247,14 @@ SELECT 'none of it waits for its axis', NOT EXISTS (SELECT FROM town.lost_place)
 SELECT 'the streets have it', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 SELECT test.as_administrator('RESET track_functions') \g /dev/null
 SELECT streetgen.drop_model('town') \g /dev/null
+
+-- What holds along an edge lies at its middle; its axis is cut just there.
+SELECT streetgen.create_model('half', 2154, subjects => '{lane,sidewalk}') \g /dev/null
+INSERT INTO half.axis (axis_id, geom, width, lane_count) VALUES (1, pg_temp.line('LINESTRING(0 0, 100 0)'), 7, 2);
+UPDATE half.lane_editing SET width = 2.6 WHERE ordinality = 2;
+BEGIN;
+UPDATE half.axis SET geom = pg_temp.line('LINESTRING(0 0, 50 0)') WHERE axis_id = 1;
+INSERT INTO half.axis (axis_id, geom, width, lane_count) VALUES (2, pg_temp.line('LINESTRING(50 0, 100 0)'), 7, 2);
+COMMIT;
+SELECT 'it holds on one of the pieces', count(*) = 1 FROM half.lane WHERE abs(width - 2.6) < 1e-9;
+SELECT 'and nothing is without a place', NOT EXISTS (SELECT FROM streetgen.check_model('half') WHERE rule LIKE '%override without%');

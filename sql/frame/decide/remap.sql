@@ -1,16 +1,18 @@
 -- Decisions by hand find their axes again after a split, merge, reversal or redraw.
 
-CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, former float8,
-    OUT abscissa float8, OUT geom geometry)
+CREATE OR REPLACE FUNCTION streetgen._projected(line geometry, place geometry, onto boolean, within boolean,
+    former float8, OUT abscissa float8, OUT geom geometry)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     SELECT CASE WHEN abs(at - former) < 1e-6 THEN former ELSE at END, CASE WHEN onto THEN ST_ClosestPoint(line, place)
         ELSE place END
-    FROM (SELECT ST_LineLocatePoint(line, place) * ST_Length2D(line) AS at) p
+    FROM (SELECT least(ST_LineLocatePoint(line, place) * length,
+        CASE WHEN within THEN greatest(length - 0.001, length / 2) ELSE length END) AS at
+        FROM (SELECT ST_Length2D(line) AS length) l) p
     $$;
-COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, float8) IS
-    'Abscissa (metres) of a line nearest to a place, the former one where it is the same within a micrometre; and the '
-    'place, put onto the line where asked.';
+COMMENT ON FUNCTION streetgen._projected(geometry, geometry, boolean, boolean, float8) IS
+    'Abscissa (metres) of a line nearest to a place, the former one where it is the same within a micrometre, and '
+    'a millimetre before the end at most where asked; and the place, put onto the line where asked.';
 
 CREATE OR REPLACE FUNCTION streetgen._frame_axis_follower() RETURNS TABLE(relation name, follower name)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
