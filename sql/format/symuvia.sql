@@ -332,7 +332,7 @@ COMMENT ON FUNCTION streetgen.export_symuvia(name, jsonb) IS
     'closed. '
     'Interconnections that connect are its movements: at a REPARTITEUR between two edges, at a CARREFOURAFEUX among '
     'more, with priority by stop and yield lines where no signals are, and the points of the path. One for a part of '
-    'the traffic of a general lane says whom it bars. With subject '
+    'the traffic of a general lane says whom it bars, but round a ring. With subject '
     'roundabout, an accepted ring is a GIRATOIRE with its edges inside, and what goes in and out are its movements; '
     'with subject signal, places of '
     'a controller name it, and its program is one of whole seconds. A troncon without movements at an end has '

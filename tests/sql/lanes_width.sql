@@ -20,3 +20,10 @@ SELECT 'and its lanes are as wide as they say', array_agg(round(l.width::numeric
   FROM town.lane l JOIN town.edge USING (edge_id) JOIN town.axis a USING (axis_id) WHERE source_ref IN ('1', '7', '8');
 SELECT streetgen.set('town', 'lane_width', '3') \g /dev/null
 SELECT 'the setting holds', array_agg(round(u.width::numeric, 6) ORDER BY source_ref) = '{12,9}' FROM town.axis JOIN town.axis_used u USING (axis_id) WHERE source_ref IN ('1', '2');
+-- Parking of a class stands where nothing is stated, widths of lanes among that.
+INSERT INTO town.axis (axis_id, geom, kind, lane_width_forward, lane_width_backward, width_end) SELECT 9000 + i, ST_Translate(geom, 0, 5000 + 50 * i), 'residential', CASE i WHEN 1 THEN '2.6' END, CASE i WHEN 1 THEN '3.4' END, CASE i WHEN 2 THEN 9 END
+  FROM (SELECT geom FROM town.axis ORDER BY axis_id LIMIT 1) a, generate_series(1, 3) i;
+UPDATE town.axis_class SET parking_right = 2 WHERE class = 'residential';
+SELECT count(*) FROM streetgen.generate('town') \g /dev/null
+SELECT 'stated widths of lanes hold beside the parking of a class', array_agg(round(l.width::numeric, 6) ORDER BY lane_position) = '{3.4,2.6}' FROM town.lane l JOIN town.edge USING (edge_id) WHERE axis_id = 9001;
+SELECT 'that stands where nothing is stated alone', array_agg(DISTINCT axis_id ORDER BY axis_id) = '{9003}' FROM town.lane l JOIN town.edge USING (edge_id) WHERE axis_id > 9000 AND l.kind = 'parking';

@@ -83,3 +83,4 @@ SELECT streetgen.generate('told') \g /dev/null
 \! psql -qXAt -c "UPDATE wide SET width = 12 WHERE id = 1" 2>&1 | grep -q 'width 12 m of axis 1 is not believed.*max_width_per_lane' && holds=t || holds=f; printf 'a width that is not believed is told with axis, width and setting\t%s\n' $holds
 \! test "$(psql -qXAt -c 'UPDATE wide SET width = 13' 2>&1 | grep 'NOTICE' | sed 's/.*axis 1 .*nor are/nor are/')" = 'nor are 39 others' && holds=t || holds=f; printf 'many of them by one notice\t%s\n' $holds
 \! test -z "$(psql -qXAt -c "UPDATE told.axis SET name = 'wide'" -c 'UPDATE told.axis SET width = 5.5' 2>&1)" && holds=t || holds=f; printf 'edits of something else, and usual widths by hand, by none\t%s\n' $holds
+\! test -z "$(psql -qXAt -c "UPDATE told.axis SET width = 7, lane_count = 1, roundabout_tag = 'roundabout' WHERE axis_id = 1" 2>&1)" && holds=t || holds=f; printf 'nor is the width of a lane of a roundabout, which is believed\t%s\n' $holds

@@ -99,9 +99,10 @@ LEFT JOIN LATERAL (
             WHEN tags_count AND roundabout_tag IS NOT NULL THEN 2 ELSE lanes_one_way END AS lanes_a_way,
         CASE WHEN direction_used = 'both' OR tags_count AND roundabout_tag IS NOT NULL THEN class_width
             ELSE coalesce(width_one_way, lanes_one_way * lane_width, class_width) END AS width_usual,
-        coalesce(class_parking_left + class_parking_right > 0 AND num_nonnulls(width, lane_count,
-            nullif(lanes_forward, 0), nullif(lanes_backward, 0), nullif(lanes_both, 0), kind_forward, kind_backward)
-            = 0, false) AND kerb_width IS NULL AS parks HAVING true) usual ON true
+        coalesce(class_parking_left + class_parking_right > 0 AND num_nonnulls(width, width_end,
+            lane_count, nullif(lanes_forward, 0), nullif(lanes_backward, 0), nullif(lanes_both, 0), kind_forward,
+            kind_backward, lane_width_forward, lane_width_backward) = 0, false) AND kerb_width IS NULL
+            AS parks HAVING true) usual ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward,
         coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,

@@ -220,11 +220,20 @@ SolvedCorner solved_by_hand(Layout& layout, const CornerPlace& at, double radius
   return corner;
 }
 
-// A corner by hand has no part in what becomes of the others.
+// A corner by hand has no part in what becomes of the others.  In the middle of dual carriageways
+// that cross, its part of the ground stays roadway.
 void solve_by_hand(Layout& layout, const RadiiByHand& by_hand, SolvedCorners& solved) {
-  for (const auto& [at, radius] : by_hand)
-    if (!layout.junctions[at.first].dead_end())
-      solved[at.first][at.second] = solved_by_hand(layout, {at.first, at.second}, radius);
+  for (const auto& [at, radius] : by_hand) {
+    if (layout.junctions[at.first].dead_end()) continue;
+    SolvedCorner& corner = solved[at.first][at.second];
+    SolvedCorner put = solved_by_hand(layout, {at.first, at.second}, radius);
+    if (corner.method == Method::no_arc && !corner.gap.beyond.empty()) {
+      put.gap.beyond = std::move(corner.gap.beyond);
+      put.limit_a = std::max(put.limit_a, corner.limit_a);
+      put.limit_b = std::max(put.limit_b, corner.limit_b);
+    }
+    corner = std::move(put);
+  }
 }
 
 Corner corner_of(const Junction& junction, const CornerPlace& at, double radius_wanted,

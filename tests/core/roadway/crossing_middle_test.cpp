@@ -78,6 +78,19 @@ TEST(CrossingMiddle, IsRoadwayWhereOneOfThemEnds) {
   expect_paved(axes, 16, 20, 0);
 }
 
+// A corner by hand there keeps its radius, and no hole lies behind it.
+TEST(CrossingMiddle, IsRoadwayBehindACornerByHand) {
+  const auto axes = crossing(16, 20, 120);
+  StreetOverrides overrides;
+  overrides.corners.push_back({{10, -8, 0}, 3, 1, 4});
+  const Streets town = streets(axes, splitting(), overrides);
+  EXPECT_TRUE(std::any_of(town.corners.begin(), town.corners.end(),
+                          [](const Corner& c) { return c.method == Method::by_hand; }));
+  for (double x = -9.87; x < 10; x += 0.5)
+    for (double y = -7.83; y < 8; y += 0.5)
+      ASSERT_TRUE(is_roadway(town, {x, y, 0})) << x << ' ' << y;
+}
+
 // Between carriageways no median of them is paved beyond their crossing.
 TEST(CrossingMiddle, LeavesTheMedians) {
   const Streets town = streets(crossing(20, 20, 120), splitting());
