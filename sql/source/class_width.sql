@@ -10,9 +10,9 @@ BEGIN
     -- What differs from a new model was said by somebody, or by an import before.
     RETURN QUERY WITH said AS (
         SELECT i.class, mode() WITHIN GROUP (ORDER BY lanes) AS lanes, count(*) AS lines FROM pg_temp._import i,
-            LATERAL (SELECT nullif(coalesce(i.lane_count, streetgen.driving_lanes(CASE i.direction WHEN 'direct'
-                THEN i.kind_forward ELSE i.kind_backward END), CASE i.direction WHEN 'direct' THEN i.lanes_forward
-                ELSE i.lanes_backward END), 0) AS lanes) l
+            -- Kinds of lanes may be an estimate beside those of the kerbs: these lines do not count.
+            LATERAL (SELECT nullif(coalesce(i.lane_count, CASE WHEN num_nonnulls(i.kind_forward, i.kind_backward) = 0
+                THEN CASE i.direction WHEN 'direct' THEN i.lanes_forward ELSE i.lanes_backward END END), 0) AS lanes) l
         WHERE i.direction IN ('direct', 'reverse') AND i.roundabout_tag IS NULL AND lanes BETWEEN 1 AND 15
         GROUP BY i.class HAVING count(*) >= streetgen._setting_number(model, 'class_lines_minimal')),
     settled AS (

@@ -76,3 +76,12 @@ UPDATE read.axis_class SET lanes_one_way = 3 WHERE class = 'residential';
 SELECT FROM import_ways() \g /dev/null
 SELECT 'what somebody wrote stays', lanes_one_way = 3 FROM read.axis_class WHERE class = 'residential';
 SELECT 'check_model has no error', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+
+-- Lines that have a lane at the kerb alone do not state how many others there are.
+CREATE TABLE kerb_line (way_id bigint, class text, name text, ref text, tags jsonb, geom geometry(LineString, 2154));
+INSERT INTO kerb_line SELECT i, 'residential', NULL, NULL, CASE WHEN i <= 60 THEN '{"oneway": "yes", "lanes": "2"}' ELSE '{"oneway": "yes", "cycleway:right": "lane"}' END::jsonb, street(i) FROM generate_series(1, 140) i;
+INSERT INTO kerb_line SELECT i, 'tertiary', NULL, NULL, CASE WHEN i <= 240 THEN '{"oneway": "yes", "lanes": "2"}' ELSE '{"oneway": "yes", "cycleway:right": "lane"}' END::jsonb, street(i) FROM generate_series(201, 260) i;
+SELECT streetgen.create_model('beside', 2154, driving_side => 'right') \g /dev/null
+SELECT count(*) FROM streetgen.import_osm('beside', 'kerb') \g /dev/null
+SELECT 'an import learns from stated lanes alone', (SELECT lanes_one_way FROM beside.axis_class WHERE class = 'residential') = 2;
+SELECT 'and they must be enough', (SELECT lanes_one_way FROM beside.axis_class WHERE class = 'tertiary') = 1;
