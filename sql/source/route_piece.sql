@@ -21,30 +21,22 @@ CREATE OR REPLACE FUNCTION streetgen._turned_way(direction text) RETURNS text
 COMMENT ON FUNCTION streetgen._turned_way(text) IS
     'A direction along an axis, as it is of the axis drawn the other way.';
 
-CREATE OR REPLACE FUNCTION streetgen._add_route_pieces(model name, axes bigint[]) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._way_of_piece(way text, own geometry, piece geometry, uncut geometry) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    RETURN CASE WHEN streetgen._drawn_along(piece, uncut) = streetgen._drawn_along(own, uncut) THEN way
+        ELSE streetgen._turned_way(way) END;
+COMMENT ON FUNCTION streetgen._way_of_piece(text, geometry, geometry, geometry) IS
+    'The direction of a route along a piece of a line that was cut, from that along another piece of it.';
+
+CREATE OR REPLACE FUNCTION streetgen._count_route_pieces(model name, axes bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-#variable_conflict use_column
-DECLARE
-    near constant float8 := streetgen._tolerance(model);
 BEGIN
     PERFORM streetgen._use_model(model);
-    INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, source, uncut)
-        SELECT DISTINCT ON (r.source, r.route, r.ordinality, a.axis_id) r.route, r.ordinality, a.axis_id,
-            CASE WHEN streetgen._drawn_along(a.geom, r.uncut) = streetgen._drawn_along(own.geom, r.uncut)
-                THEN r.direction ELSE streetgen._turned_way(r.direction) END, r.kind, r.ref, r.name, r.source, r.uncut
-        FROM axis a JOIN axis_route r ON r.uncut && a.geom AND r.axis_id <> a.axis_id
-            JOIN axis own ON own.axis_id = r.axis_id
-        WHERE a.axis_id = ANY (axes) AND streetgen._lies_along(a.geom, r.uncut, near)
-            -- A line upon the piece that stayed is another street, or its twin.
-            AND NOT ST_DWithin(ST_LineInterpolatePoint(ST_Force2D(a.geom), 0.5), own.geom, near)
-            AND NOT EXISTS (SELECT FROM axis_route o WHERE o.source IS NOT DISTINCT FROM r.source
-                AND (o.route, o.ordinality, o.axis_id) = (r.route, r.ordinality, a.axis_id))
-        ORDER BY r.source, r.route, r.ordinality, a.axis_id, r.axis_route_id;
-    -- The pieces of one place of a route in the order in which it leads along them.
     UPDATE axis_route r SET piece = n.piece FROM (
+        -- A piece that was moved keeps its place, and new ones share that of the piece that they were cut off.
         SELECT p.axis_route_id, row_number() OVER (PARTITION BY p.source, p.route, p.ordinality
-            ORDER BY at * CASE WHEN leads_along THEN 1 ELSE -1 END, p.axis_id) AS piece
+            ORDER BY p.piece, at * CASE WHEN leads_along THEN 1 ELSE -1 END, p.axis_id) AS piece
         FROM axis_route p JOIN axis a ON a.axis_id = p.axis_id,
             LATERAL (SELECT ST_LineLocatePoint(p.uncut, ST_LineInterpolatePoint(ST_Force2D(a.geom), 0.5)) AS at,
                 coalesce((d.direction = 'direct') = streetgen._drawn_along(a.geom, p.uncut),
@@ -54,12 +46,52 @@ BEGIN
                         AND q.route = p.route AND q.ordinality < p.ordinality
                     ORDER BY q.ordinality DESC, q.piece DESC LIMIT 1), true) AS leads_along
                 FROM (SELECT nullif(p.direction, 'both') AS direction) d) w
-        WHERE p.uncut IS NOT NULL AND (p.route, p.ordinality) IN (SELECT i.route, i.ordinality FROM axis_route i
-            WHERE i.axis_id = ANY (axes))) n
+        WHERE EXISTS (SELECT FROM axis_route i WHERE i.axis_id = ANY (axes)
+            AND i.source IS NOT DISTINCT FROM p.source AND (i.route, i.ordinality) = (p.route, p.ordinality))) n
         WHERE n.axis_route_id = r.axis_route_id AND n.piece <> r.piece;
 END $$;
+COMMENT ON FUNCTION streetgen._count_route_pieces(name, bigint[]) IS
+    'Counts the pieces at the places of routes where axes stand, in the order in which the route leads along them.';
+
+CREATE OR REPLACE FUNCTION streetgen._add_route_pieces(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    near constant float8 := streetgen._tolerance(model);
+    candidates bigint[] := axes;
+    added bigint[];
+BEGIN
+    PERFORM streetgen._use_model(model);
+    LOOP
+        WITH piece AS (
+            INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, source, uncut, piece)
+            SELECT DISTINCT ON (r.source, r.route, r.ordinality, a.axis_id) r.route, r.ordinality, a.axis_id,
+                streetgen._way_of_piece(r.direction, own.geom, a.geom, r.uncut), r.kind, r.ref, r.name, r.source,
+                r.uncut, r.piece
+            FROM axis a JOIN axis_route r ON r.uncut && a.geom AND r.axis_id <> a.axis_id
+                JOIN axis own ON own.axis_id = r.axis_id AND own.level = a.level AND ST_DWithin(a.geom, own.geom, near),
+                LATERAL (SELECT ST_LineInterpolatePoint(ST_Force2D(a.geom), 0.5) AS middle) m
+            WHERE a.axis_id = ANY (candidates) AND streetgen._lies_along(a.geom, r.uncut, near)
+                -- A line upon a piece is that piece, another street or its twin.
+                AND NOT EXISTS (SELECT FROM axis_route o JOIN axis p ON p.axis_id = o.axis_id
+                    WHERE o.source IS NOT DISTINCT FROM r.source AND (o.route, o.ordinality) = (r.route, r.ordinality)
+                        AND ST_DWithin(middle, p.geom, near))
+            -- On a ring a piece may touch two: it was cut off the one that is nearer along it.
+            ORDER BY r.source, r.route, r.ordinality, a.axis_id, abs(ST_LineLocatePoint(r.uncut, middle)
+                - ST_LineLocatePoint(r.uncut, ST_LineInterpolatePoint(ST_Force2D(own.geom), 0.5))), r.axis_route_id
+            RETURNING axis_id)
+        SELECT array_agg(DISTINCT axis_id) FROM piece INTO added;
+        EXIT WHEN added IS NULL;
+        PERFORM streetgen._count_route_pieces(model, added);
+        -- Pieces may have been drawn before the one that leads to them.
+        candidates := ARRAY(SELECT DISTINCT a.axis_id FROM axis n JOIN axis a ON ST_DWithin(a.geom, n.geom, near)
+            WHERE n.axis_id = ANY (added));
+    END LOOP;
+END $$;
 COMMENT ON FUNCTION streetgen._add_route_pieces(name, bigint[]) IS
-    'Gives axes the routes of an axis that was cut where they lie along what it was, and counts the pieces.';
+    'Gives axes the routes of an axis that was cut where they lie along what it was and lead on from a piece on its '
+    'level, also those that lead on from these.';
 
 CREATE OR REPLACE FUNCTION streetgen._source_axis_follower() RETURNS TABLE(relation name, follower name)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog

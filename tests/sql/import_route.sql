@@ -59,6 +59,32 @@ INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6860200,650050
 SELECT 'the piece with the bend is', pg_temp.led() LIKE '%, mine 1.1 direct at 0, mine 1.2 direct at 100';
 TRUNCATE line.axis CASCADE;
 SELECT 'where all axes go, all routes do', NOT EXISTS (SELECT FROM line.axis_route);
+-- A street in the freed stretch of a trimmed axis, which leads on where it touches.
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650000 6861000,650400 6861000)');
+INSERT INTO line.axis_route (route, ordinality, axis_id, kind, direction) SELECT 'mine', 1, max(axis_id), 'truck', 'direct' FROM line.axis;
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650000 6861000,650100 6861000)';
+INSERT INTO line.axis (geom, kind, level) VALUES ('SRID=2154;LINESTRING(650100 6861000,650200 6861000)', 'footway', 1);
+SELECT 'a bridge that begins where an axis was trimmed is no piece of it', pg_temp.led() = 'mine 1.1 direct at 0';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650200 6861000,650400 6861000)');
+SELECT 'nor is a street apart from it', pg_temp.led() = 'mine 1.1 direct at 0';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650200 6861000,650100 6861000)');
+SELECT 'until a piece leads from one to the other', pg_temp.led() = 'mine 1.1 direct at 0, mine 1.2 reverse at 200, mine 1.3 direct at 200';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650250 6861000,650400 6861000)');
+SELECT 'a line upon a piece is none', pg_temp.led() LIKE '%, mine 1.3 direct at 200';
+TRUNCATE line.axis CASCADE;
+-- The cut of an axis is moved, one piece after the other.
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650200 6860000)' WHERE source_ref = '2';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650100 6860000,650200 6860000)');
+UPDATE led SET led = '7 1.1 direct at 0, 7 2.1 direct at 100, 7 2.2 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400, 8 2.2 both at 100';
+SELECT 'one piece is cut off', pg_temp.led() = led FROM led;
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650100 6860000,650200 6860006)' WHERE source_ref IS NULL;
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650200 6860006)' WHERE source_ref = '2';
+SELECT 'pieces keep their order where their cut is moved', pg_temp.led() = led FROM led;
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860003)' WHERE source_ref = '2';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860003,650200 6860006)');
+UPDATE led SET led = '7 1.1 direct at 0, 7 2.1 direct at 100, 7 2.2 reverse at 300, 7 2.3 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400, 8 2.2 both at 300, 8 2.3 both at 100';
+SELECT 'a moved piece is cut like another', pg_temp.led() = led FROM led;
 SELECT FROM streetgen.drop_model('line') \g /dev/null
 -- Crossings.
 CREATE TABLE town_control (node_id bigint, class text NOT NULL, direction text, traffic_signals_direction text, geom geometry(Point, 2154));
