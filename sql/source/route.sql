@@ -1,5 +1,39 @@
 -- Routes of buses, trams, bicycles and trucks of OpenStreetMap, to the axes that they lead along.
 
+CREATE OR REPLACE FUNCTION streetgen._routed_pieces(model name, lines text, routes text)
+    RETURNS TABLE(route text, way_id text, axes bigint[], line geometry)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    ways constant text COLLATE "default" := lines;
+    origin constant text COLLATE "default" := routes;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH way AS (
+        SELECT DISTINCT ON (r.route, a.source_ref) r.route, r.ordinality, a.source_ref AS way_id, a.axis_id
+        FROM axis_route r JOIN axis a ON a.axis_id = r.axis_id
+            JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', a.source, a.source_ref)
+        -- One that is as the source has it is whole, or whole again.
+        WHERE r.source = origin AND a.source = ways
+            AND a.geom::bytea <> coalesce(d.cleaned, d.source_geom)::bytea
+        ORDER BY r.route, a.source_ref, r.ordinality),
+    piece AS (
+        SELECT w.route, w.way_id, r.piece, a.axis_id, ST_Force2D(a.geom) AS geom, lead(a.geom) OVER o AS next,
+            lag(a.geom) OVER o AS last, count(*) OVER (PARTITION BY w.route, w.way_id) AS pieces
+        FROM way w JOIN axis_route r ON r.source = origin AND (r.route, r.ordinality) = (w.route, w.ordinality)
+            JOIN axis a ON a.axis_id = r.axis_id
+        WHERE a.axis_id = w.axis_id OR a.source_ref IS NULL
+        WINDOW o AS (PARTITION BY w.route, w.way_id ORDER BY r.piece))
+    SELECT route, way_id, array_agg(axis_id ORDER BY piece), ST_MakeLine(CASE WHEN coalesce(
+            ST_Distance(ST_EndPoint(geom), next) <= ST_Distance(ST_StartPoint(geom), next),
+            ST_Distance(ST_StartPoint(geom), last) <= ST_Distance(ST_EndPoint(geom), last))
+            THEN geom ELSE ST_Reverse(geom) END ORDER BY piece)
+    FROM piece WHERE pieces > 1 GROUP BY route, way_id;
+END $$;
+COMMENT ON FUNCTION streetgen._routed_pieces(name, text, text) IS
+    'The ways of routes whose axes were cut by hand: their pieces in order, and one line along all of them.';
+
 CREATE OR REPLACE FUNCTION streetgen._routed_axes(model name, lines text)
     RETURNS TABLE(route text, ordinality integer, axis_id bigint, direction text, kind text, ref text, name text,
         uncut geometry)
@@ -16,10 +50,12 @@ BEGIN
             ST_StartPoint(coalesce(w.uncut, ST_Force2D(a.geom))) AS starts,
             ST_EndPoint(coalesce(w.uncut, ST_Force2D(a.geom))) AS ends
         FROM pg_temp._import_route r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, r.way_id)
-            LEFT JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', ways, r.way_id),
-            -- What it was before it was cut by hand.
+            LEFT JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', ways, r.way_id)
+            LEFT JOIN pg_temp._import_piece k ON (k.route, k.way_id) = (r.route, r.way_id),
+            -- What it was before it was cut by hand; where pieces were moved since, their line as the way is drawn.
             LATERAL (SELECT CASE WHEN a.geom::bytea <> said::bytea AND ST_Length2D(a.geom) < ST_Length2D(said) - near
-                AND streetgen._lies_along(a.geom, said, near) THEN ST_Force2D(said) END AS uncut
+                AND streetgen._lies_along(coalesce(k.line, a.geom), said, near) THEN ST_Force2D(said)
+                WHEN NOT streetgen._drawn_along(k.line, said) THEN ST_Reverse(k.line) ELSE k.line END AS uncut
                 FROM (SELECT coalesce(d.cleaned, d.source_geom) AS said) s) w),
     neighbour AS (
         SELECT *, lead(starts) OVER w AS next_start, lead(ends) OVER w AS next_end, lag(starts) OVER w AS last_start,
@@ -62,14 +98,24 @@ BEGIN
     END IF;
     PERFORM streetgen._take_points('_import_route', format('SELECT relation_id::text AS route, ordinality, '
         'way_id::text AS way_id, role, kind, ref, name, relation_id::text AS source_ref FROM %s', route));
+    CREATE TEMPORARY TABLE _import_piece ON COMMIT DROP AS
+        SELECT * FROM streetgen._routed_pieces(model, line::text, origin);
     DELETE FROM axis_route WHERE source = origin;
     INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, uncut, source)
         SELECT r.*, origin FROM streetgen._routed_axes(model, line::text) r ORDER BY route, ordinality;
+    INSERT INTO axis_route (route, ordinality, axis_id, direction, kind, ref, name, uncut, source)
+        SELECT r.route, r.ordinality, a.axis_id, streetgen._way_of_piece(r.direction, own.geom, a.geom, r.uncut),
+            r.kind, r.ref, r.name, r.uncut, r.source
+        FROM axis_route r JOIN axis own ON own.axis_id = r.axis_id
+            JOIN pg_temp._import_piece k ON (k.route, k.way_id) = (r.route, own.source_ref)
+            JOIN axis a ON a.axis_id = ANY (k.axes) AND a.axis_id <> own.axis_id
+        WHERE r.source = origin;
+    PERFORM streetgen._count_route_pieces(model, ARRAY(SELECT unnest(k.axes) FROM pg_temp._import_piece k));
     PERFORM streetgen._add_route_pieces(model, ARRAY(SELECT a.axis_id FROM axis a
         WHERE a.source_ref IS NULL AND EXISTS (SELECT FROM axis_route r WHERE r.uncut && a.geom)));
     RETURN QUERY SELECT 'routes', r.kind, count(DISTINCT r.route), NULL::text[] FROM axis_route r
         WHERE r.source = origin GROUP BY r.kind ORDER BY r.kind;
-    DROP TABLE pg_temp._import_route;
+    DROP TABLE pg_temp._import_route, pg_temp._import_piece;
 END $$;
 COMMENT ON FUNCTION streetgen._import_routes(name, regclass, regclass) IS
     'Takes the routes of an OSM table whose ways are axes in place of those that it had; a NULL table leaves all as it '

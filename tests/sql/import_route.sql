@@ -81,10 +81,21 @@ SELECT 'one piece is cut off', pg_temp.led() = led FROM led;
 UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650100 6860000,650200 6860006)' WHERE source_ref IS NULL;
 UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650200 6860006)' WHERE source_ref = '2';
 SELECT 'pieces keep their order where their cut is moved', pg_temp.led() = led FROM led;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'and stay on their routes at another delivery', pg_temp.led() = led FROM led;
 UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860003)' WHERE source_ref = '2';
 INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860003,650200 6860006)');
 UPDATE led SET led = '7 1.1 direct at 0, 7 2.1 direct at 100, 7 2.2 reverse at 300, 7 2.3 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400, 8 2.2 both at 300, 8 2.3 both at 100';
 SELECT 'a moved piece is cut like another', pg_temp.led() = led FROM led;
+-- The end of the whole is moved along with the next street, and a piece becomes a bridge.
+UPDATE line.axis SET geom = ST_SetPoint(geom, CASE source_ref WHEN '1' THEN 1 ELSE 0 END, 'SRID=2154;POINT(650100 6860009)') WHERE source_ref = '1' OR ST_X(ST_StartPoint(geom)) = 650100;
+UPDATE line.axis SET level = 1 WHERE ST_X(ST_StartPoint(geom)) = 650300;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'the ways beside a moved one are driven as they were', pg_temp.led() = led FROM led;
+UPDATE line_line SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860000,650100 6860001.5)' WHERE way_id = 2;
+SELECT FROM streetgen.set('line', 'delivery_wins', 'source') \g /dev/null
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'an axis that the source makes whole again is one piece', pg_temp.led() LIKE '%, 7 2.1 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400';
 SELECT FROM streetgen.drop_model('line') \g /dev/null
 -- Crossings.
 CREATE TABLE town_control (node_id bigint, class text NOT NULL, direction text, traffic_signals_direction text, geom geometry(Point, 2154));
