@@ -25,10 +25,12 @@ BEGIN
     LOOP
         PERFORM streetgen._compose_function(model, format('%I()', followed.name), 'trigger',
             streetgen._fill_template(streetgen._part('follow_axes'), jsonb_build_object(
-                'changed', followed.changed, 'calls', (
+                'changed', followed.changed,
+                'filled', (SELECT string_agg(format('EXISTS (SELECT FROM %I)', relation), ' OR ')
+                    FROM unnest(relations) relation),
+                'calls', (
                     SELECT string_agg(streetgen._fill_template(streetgen._part('follower_call'), jsonb_build_object(
-                        'relation', quote_ident(relation), 'follower', quote_ident(follower), 'changed',
-                        followed.changed)), '' ORDER BY n)
+                        'relation', quote_ident(relation), 'follower', quote_ident(follower))), '' ORDER BY n)
                     FROM unnest(relations, followers) WITH ORDINALITY u(relation, follower, n)))),
             format('%I()', followed.name), 'After an edit of axes: ' || purpose, 'VOLATILE SECURITY DEFINER');
         PERFORM streetgen._make_statement_triggers(model, 'axis', trigger_name, ARRAY[followed.event],
