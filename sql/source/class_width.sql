@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._settle_class_lanes(model name)
 #variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- What differs from a new model was said by somebody, or by an import before.
+    -- A number that differs from that of a new model is somebody's, or an import before learned it.
     RETURN QUERY WITH said AS (
         SELECT i.class, mode() WITHIN GROUP (ORDER BY lanes) AS lanes, count(*) AS lines FROM pg_temp._import i,
             -- Kinds of lanes may be an estimate beside those of the kerbs: these lines do not count.
@@ -38,8 +38,10 @@ BEGIN
             + coalesce(c.parking_left + c.parking_right, 0))::numeric, 2)::float8), i.class, count(*), NULL::text[]
         FROM pg_temp._import i LEFT JOIN axis_class c USING (class),
             (SELECT (max(value) FILTER (WHERE name = 'width_default'))::float8 AS usual,
-                (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane FROM setting) s,
-            LATERAL (SELECT CASE WHEN i.direction IN ('direct', 'reverse') AND i.roundabout_tag IS NULL
+                (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane,
+                bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count FROM setting) s,
+            LATERAL (SELECT CASE WHEN i.direction IN ('direct', 'reverse')
+                    AND NOT (s.tags_count AND streetgen._names_ring(i.roundabout_tag))
                 THEN coalesce(c.width_one_way, c.lanes_one_way * s.lane, c.width) ELSE c.width END AS by_class) u
         WHERE num_nonnulls(i.width, i.lane_count, i.lanes_forward, i.lanes_backward, i.lanes_both, i.kind_forward,
             i.kind_backward) = 0

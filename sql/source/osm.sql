@@ -132,6 +132,27 @@ END $$;
 COMMENT ON FUNCTION streetgen._read_osm_tags(name) IS
     'Reads each wording of tags of the lines that were copied once, where one drives as in this model.';
 
+CREATE OR REPLACE FUNCTION streetgen._settle_osm_classes(model name)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog
+    AS $$
+BEGIN
+    CREATE TEMPORARY TABLE _import ON COMMIT DROP AS
+        SELECT l.class, m.direction, m.roundabout_tag, m.lane_count, m.lanes_forward, m.lanes_backward, m.kind_forward,
+            m.kind_backward
+        FROM pg_temp._import_line l
+            JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class;
+    RETURN QUERY SELECT * FROM streetgen._settle_class_lanes(model);
+    IF FOUND THEN
+        DROP TABLE pg_temp._import_meaning, pg_temp._import_class;
+        PERFORM streetgen._copy_classes(model), streetgen._read_osm_tags(model);
+    END IF;
+    DROP TABLE pg_temp._import;
+END $$;
+COMMENT ON FUNCTION streetgen._settle_osm_classes(name) IS
+    'Gives classes the lanes that most of their lines state, as streetgen._settle_class_lanes does, and reads the tags '
+    'once more where some got others: a lane at a kerb stands beside as many as the class has.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_rows()
     RETURNS TABLE(geom geometry, name text, ref text, source_ref text, label text, width float8, roadway_offset float8,
         lane_count integer, direction text, roundabout_tag text, speed float8, level integer, class text,
@@ -188,6 +209,7 @@ BEGIN
     END IF;
     driving_side := streetgen._driving_side(model);
     PERFORM streetgen._take_osm_lines(source), streetgen._read_osm_tags(model);
+    RETURN QUERY SELECT * FROM streetgen._settle_osm_classes(model);
     -- A way of which a file lacks all nodes but one has not gone.
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()',
         shapeless_stay => true);

@@ -85,3 +85,11 @@ SELECT streetgen.create_model('beside', 2154, driving_side => 'right') \g /dev/n
 SELECT count(*) FROM streetgen.import_osm('beside', 'kerb') \g /dev/null
 SELECT 'an import learns from stated lanes alone', (SELECT lanes_one_way FROM beside.axis_class WHERE class = 'residential') = 2;
 SELECT 'and they must be enough', (SELECT lanes_one_way FROM beside.axis_class WHERE class = 'tertiary') = 1;
+SELECT 'what it learned holds for the lines with a lane at the kerb', array_agg(DISTINCT kind_forward) = '{general|general|cycle}' FROM beside.axis WHERE source_ref::integer BETWEEN 61 AND 140;
+SELECT 'so that the same delivery changes nothing', coalesce(sum(count) FILTER (WHERE what = 'new or changed'), 0) = 0 FROM streetgen.import_osm('beside', 'kerb');
+-- Without tags of roundabouts a ring is a street.
+SELECT streetgen.create_model('untagged', 2154, driving_side => 'right') \g /dev/null
+SELECT streetgen.set('untagged', 'roundabout_tags', 'false') \g /dev/null
+CREATE TABLE ring AS SELECT street(1) AS geom, 'residential' AS class, 'roundabout' AS tag, 'direct' AS way;
+CREATE TABLE ring_told AS SELECT * FROM streetgen.import_axes('untagged', 'ring', '{"kind": "class", "roundabout_tag": "tag", "direction": "way"}');
+SELECT 'and the report says the width that it has', (SELECT what FROM ring_told WHERE what LIKE 'neither width%') = format('neither width nor lanes stated, %s m wide', width) FROM untagged.axis_used;

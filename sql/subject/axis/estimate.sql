@@ -18,6 +18,12 @@ COMMENT ON FUNCTION streetgen.believed_roadway_offset(float8, float8, float8) IS
     'the roadway, half of the least of its widths at the start and the end (metres). An argument that is NULL is '
     'unknown: an offset counts as 0.';
 
+CREATE OR REPLACE FUNCTION streetgen._names_ring(tag text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(tag IN ('roundabout', 'circular', 'Rond-point'), false);
+COMMENT ON FUNCTION streetgen._names_ring(text) IS
+    'Does a tag of a source, as in axis.roundabout_tag, say that a street is part of a roundabout?';
+
 CREATE OR REPLACE FUNCTION streetgen.estimated_width(lane_count integer, class_width float8, lane_width float8,
     width_default float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -56,7 +56,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,
        access,
-       coalesce(tags_count AND roundabout_tag IN ('roundabout', 'circular', 'Rond-point'), false) AS on_ring
+       coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,
@@ -96,8 +96,8 @@ LEFT JOIN LATERAL (
 -- What a street has by its class alone: lanes of a direction, width without parking, and parking.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN direction_used = 'both' THEN lanes_each_way
-            WHEN tags_count AND roundabout_tag IS NOT NULL THEN 2 ELSE lanes_one_way END AS lanes_a_way,
-        CASE WHEN direction_used = 'both' OR tags_count AND roundabout_tag IS NOT NULL THEN class_width
+            WHEN tags_count AND streetgen._names_ring(roundabout_tag) THEN 2 ELSE lanes_one_way END AS lanes_a_way,
+        CASE WHEN direction_used = 'both' OR tags_count AND streetgen._names_ring(roundabout_tag) THEN class_width
             ELSE coalesce(width_one_way, lanes_one_way * lane_width, class_width) END AS width_usual,
         coalesce(class_parking_left + class_parking_right > 0 AND num_nonnulls(width, width_end,
             lane_count, nullif(lanes_forward, 0), nullif(lanes_backward, 0), nullif(lanes_both, 0), kind_forward,
@@ -110,7 +110,7 @@ LEFT JOIN LATERAL (
                HAVING true) known ON true
 LEFT JOIN LATERAL (
     -- A lane of a roundabout is as wide as long vehicles need that turn.
-    SELECT CASE WHEN by_hand OR NOT lanes_by_width OR roundabout_tag IN ('roundabout', 'circular', 'Rond-point')
+    SELECT CASE WHEN by_hand OR NOT lanes_by_width OR streetgen._names_ring(roundabout_tag)
         THEN NULL ELSE max_width_per_lane END AS most_per_lane HAVING true) m ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,

@@ -108,7 +108,7 @@ BEGIN
         FROM axis a LEFT JOIN axis_class c ON c.class = a.kind,
             LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
         WHERE a.axis_id = ANY (axes) AND (a.width_by_hand OR a.source IS NULL) AND c.lanes_by_width IS NOT FALSE
-            AND coalesce(a.roundabout_tag NOT IN ('roundabout', 'circular', 'Rond-point'), true)
+            AND NOT streetgen._names_ring(a.roundabout_tag)
             AND streetgen.believed_width(w.width
                 - coalesce(streetgen.kerbside_width(a.kind_forward, cycle_lane, parking_lane), 0)
                 - coalesce(streetgen.kerbside_width(a.kind_backward, cycle_lane, parking_lane), 0), a.lane_count, bound)

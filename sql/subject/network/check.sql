@@ -143,7 +143,7 @@ BEGIN
             SELECT FROM road_override o WHERE o.axis_id = e.axis_id)
     UNION ALL
     SELECT 'notice', 'roundabout tag that is not known', 'axis', a.axis_id, NULL, a.geom
-        FROM axis a WHERE roundabout_tag NOT IN ('roundabout', 'circular', 'Rond-point')
+        FROM axis a WHERE roundabout_tag IS NOT NULL AND NOT streetgen._names_ring(roundabout_tag)
     UNION ALL
     SELECT 'warning', 'road override without its bend', 'road_override', o.road_override_id, o.abscissa, o.geom
         FROM road_override o WHERE NOT EXISTS (SELECT FROM used u JOIN edge e USING (axis_id), LATERAL
