@@ -24,7 +24,8 @@ class DualCrossing {
     const bool along = runs_along(face_.front().end);
     for (const FaceSide& side : face_) {
       const bool one_way = runs_along(side.end) != runs_along(back(side.end));
-      if (!one_way || runs_along(side.end) != along) return false;
+      if (!one_way || runs_along(side.end) != along || layout_.axis_of(side.end.edge).on_ring)
+        return false;
     }
     if (!opposite(0, 2) || !opposite(1, 3) || bends() > most_bent) return false;
     const int first = ends_of(0), second = ends_of(1);

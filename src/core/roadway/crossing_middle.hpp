@@ -9,8 +9,9 @@ namespace streetgen {
 
 // Whether traffic runs along all four sides of a small face, or against all, opposite sides are
 // nearly parallel, and both streets go on as pairs of one-way edges, farther than they lie apart:
-// one at both ends, the other at one end at least. A block of a grid of one-way streets is none.
-// The nodes at the face's corners note in Junction::followed which nodes it looked at.
+// one at both ends, the other at one end at least. A block of a grid of one-way streets is none,
+// nor is the island of a ring, which its source names, or whose sides bend. The nodes at the face's
+// corners note in Junction::followed which nodes it looked at.
 bool is_middle_of_crossing(Layout& layout, const StreetFace& face);
 
 // What the node at a corner of the face has of its ground, between the middles of two sides, and

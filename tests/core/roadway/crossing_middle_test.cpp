@@ -116,6 +116,25 @@ TEST(CrossingMiddle, IsNoBlockOfAGrid) {
       EXPECT_FALSE(is_roadway(town, {(i + 0.5) * apart, (j + 0.5) * apart, 0})) << i << ' ' << j;
 }
 
+// Four points may draw a ring, of which its source says so.
+TEST(CrossingMiddle, IsNoIslandOfASquareThatIsARing) {
+  std::vector<StreetAxis> axes;
+  const auto add = [&](Line line, bool on_ring) {
+    axes.push_back(one_way(static_cast<std::int64_t>(axes.size()) + 1, std::move(line)));
+    axes.back().on_ring = on_ring;
+  };
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double angle = quarter * M_PI / 2;
+    const Point from = turned({-12, -12, 0}, angle), to = turned({12, -12, 0}, angle);
+    add({from, to}, true);
+    add({turned({-150, -12, 0}, angle), from}, false);
+    add({to, turned({150, -12, 0}, angle)}, false);
+  }
+  EXPECT_FALSE(is_roadway(streets(axes, splitting()), {0.3, 0.2, 0}));
+  for (StreetAxis& axis : axes) axis.on_ring = false;
+  EXPECT_TRUE(is_roadway(streets(axes, splitting()), {0.3, 0.2, 0}));
+}
+
 // Its sides bend: they are those of a ring, whose arms part into one-way streets.
 TEST(CrossingMiddle, IsNoIslandOfARing) {
   constexpr double radius = 15;
