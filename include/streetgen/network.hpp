@@ -24,7 +24,7 @@ namespace streetgen {
 // Two axes of one level that cross without a vertex do so.
 enum class Crossing {
   over,   // no node; reported
-  split,  // a node where they cross; reported
+  split,  // a node where they cross; none is reported
 };
 
 struct NetworkAxis {

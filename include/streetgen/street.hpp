@@ -71,10 +71,10 @@ struct StreetSettings {
   std::optional<Smoothing> smoothing{};  // none: edges are polylines, but round roundabouts
   // Round a roundabout, where no smoothing is wanted, an edge is an arc of a circle if that leaves
   // none of its points by more.  0: nowhere.
-  double ring_shift = 0;  // metres
-  double max_arc_distance = 60;          // metres from the node to an arc's centre
-  double radius_minimal = 0.15;          // metres, the kerb stone's radius
-  double reach = 60;  // metres along the network: how far a corner follows its axes
+  double ring_shift = 0;         // metres
+  double max_arc_distance = 60;  // metres from the node to an arc's centre
+  double radius_minimal = 0.15;  // metres, the kerb stone's radius
+  double reach = 60;             // metres along the network: how far a corner follows its axes
   // The arc of a corner ends no farther from the crossing of its kerbs, and closes no more ground
   // from there on; the paper has no such bounds: both may be infinite.
   double corner_length = 15;  // metres along the kerbs
@@ -232,7 +232,7 @@ struct Former {
   bool may_spread = true;
 };
 
-// Where a change leads along edges of the network, by 2 * edge for traffic along its axis, by
+// The edges of the network along which a change goes on, by 2 * edge for traffic along the axis, by
 // 2 * edge + 1 against it.
 struct Leads {
   // Whether what changes where traffic comes onto the edge may change the node that it comes to.

@@ -52,7 +52,7 @@ BEGIN
         FROM pg_temp._import_route r LEFT JOIN axis a ON (a.source, a.source_ref) = (ways, r.way_id)
             LEFT JOIN delivered d ON (d.relation, d.source, d.source_ref) = ('axis', ways, r.way_id)
             LEFT JOIN pg_temp._import_piece k ON (k.route, k.way_id) = (r.route, r.way_id),
-            -- What it was before it was cut by hand; where pieces were moved since, their line as the way is drawn.
+            -- The line before it was cut by hand; where pieces were moved since, theirs, as the way is drawn.
             LATERAL (SELECT CASE WHEN a.geom::bytea <> said::bytea AND ST_Length2D(a.geom) < ST_Length2D(said) - near
                 AND streetgen._lies_along(coalesce(k.line, a.geom), said, near) THEN ST_Force2D(said)
                 WHEN NOT streetgen._drawn_along(k.line, said) THEN ST_Reverse(k.line) ELSE k.line END AS uncut

@@ -97,7 +97,7 @@ BEGIN
                 CROSS JOIN LATERAL (SELECT CASE f.anchor WHEN 'vertex'
                     THEN streetgen._moved_vertex(c.before, c.after, f.geom, f.reach) END AS vertex) v
                 CROSS JOIN LATERAL streetgen._projected(f.line, coalesce(v.vertex, f.geom), f.redrawn
-                    -- What holds along an edge lies before its end, also where its axis was cut there.
+                    -- A decision along an edge lies before its end, also where its axis was cut there.
                     OR v.vertex IS NOT NULL, f.anchor = 'along', f.abscissa) at),
         -- One that lies on no axis any more keeps the heading of the road there, until an axis comes by.
         lost AS (

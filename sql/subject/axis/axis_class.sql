@@ -1,4 +1,4 @@
--- What a class of road means: who walks along it, whether it is a highway or a link, its usual width, lanes and speed.
+-- Classes of roads: who walks along them, which are highways or links, their usual widths, lanes and speeds.
 
 CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     RETURNS TABLE(class text, taken boolean, width float8, speed float8, importance integer, highway_role text,

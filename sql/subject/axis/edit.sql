@@ -37,7 +37,7 @@ BEGIN
             NEW.axis_id := written;
         END LOOP;
     ELSE
-        -- What this edit leaves alone another session may be changing.
+        -- Another session may be changing the columns that this edit leaves alone.
         FOR written IN EXECUTE format('UPDATE %I.axis a SET %s WHERE axis_id = ($2).axis_id RETURNING 1',
             TG_TABLE_SCHEMA,
             (SELECT string_agg(format('%1$I = CASE WHEN ($1).%1$I IS DISTINCT FROM ($2).%1$I THEN ($1).%1$I ELSE '
