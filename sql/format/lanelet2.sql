@@ -116,11 +116,7 @@ BEGIN
             FROM painted_bound p JOIN lanelet w ON w.lane_id = p.key LEFT JOIN painted_bound s ON s.source = 3
                 AND (s.edge_id, s.lane_position, s.along_axis) = (p.edge_id, p.lane_position, p.along_axis)
             WHERE p.source = 4 GROUP BY p.key, p.along_axis, p.id) r),
-    -- Edges whose lanes do not reach the kerbs: both widths are those at the start.
-    with_room AS MATERIALIZED (
-        SELECT edge_id FROM lane l JOIN edge e USING (edge_id)
-        WHERE edge_id IN (SELECT edge_id FROM drawn) AND kind <> 'merging'
-        GROUP BY edge_id, e.width HAVING sum(l.width) < e.width - 0.01),
+    with_room AS MATERIALIZED (SELECT edge_id FROM streetgen._room_beside_lanes(model)),
     regulated AS (
         SELECT lanelet AS id, string_agg('<member type="relation" ref="' || r.id || '" role="regulatory_element"/>', ''
             ORDER BY r.id) AS text

@@ -39,14 +39,29 @@ BEGIN
                 ST_DumpPoints(ST_AddMeasure(ST_LineSubstring(h.geom, share_from, share_to), 0, total)) p
             ORDER BY road_id, round(ST_M(p.geom)::numeric, 3)) p
         GROUP BY road_id HAVING count(*) > 1),
+    -- Roadway between the outer lanes and the kerbs.
+    shoulder AS MATERIALIZED (
+        SELECT d.road_id, v.side, '<lane id="' || CASE v.side WHEN 'left' THEN lefts + 1
+                ELSE lefts - cardinality(lanes) - 1 END || '" type="shoulder" level="false">'
+            || streetgen._opendrive_step('width', 'sOffset', total, room_at.start, room_at.end)
+            || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/></lane>' AS text
+        FROM streetgen._room_beside_lanes(model) b JOIN drawn d USING (edge_id) JOIN edge e USING (edge_id),
+            (VALUES ('left'), ('right')) v(side),
+            LATERAL (SELECT b.room * (1 + (e.width_end / e.width - 1) * share_from) AS start,
+                b.room * (1 + (e.width_end / e.width - 1) * share_to) AS end) room_at
+        WHERE CASE v.side WHEN 'left' THEN before = 0
+            ELSE before + cardinality(lanes) = (SELECT count(*) FROM lane l WHERE l.edge_id = d.edge_id) END),
     sidewalk_lane AS MATERIALIZED (
-        SELECT d.road_id, s.side, '<lane id="' || CASE s.side WHEN 'left' THEN lefts + 1
-                ELSE lefts - cardinality(lanes) - 1 END || '" type="sidewalk" level="false"><width sOffset="0" a="'
-            || streetgen._decimal(s.width, 5) || '" b="0" c="0" d="0"/>'
+        SELECT d.road_id, s.side, '<lane id="' || CASE s.side WHEN 'left' THEN lefts + 1 + outer_lane.more
+                ELSE lefts - cardinality(lanes) - 1 - outer_lane.more END
+            || '" type="sidewalk" level="false"><width sOffset="0" a="' || streetgen._decimal(s.width, 5)
+            || '" b="0" c="0" d="0"/>'
             || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/><height sOffset="0" inner="'
             || raised || '" outer="' || raised || '"/></lane>' AS text
         FROM streetgen._sidewalks_beside(model, options, false) s
             JOIN drawn d ON d.edge_id = s.edge_id AND s.lane_id = ANY (d.lanes),
+            LATERAL (SELECT count(*) AS more FROM shoulder b
+                WHERE (b.road_id, b.side) = (d.road_id, s.side)) outer_lane,
             (SELECT k.raised FROM streetgen._mesh_kind() k WHERE k.kind = 'sidewalk') k),
     road_of_edge AS MATERIALIZED (SELECT edge_id, min(road_id) AS road_id FROM drawn GROUP BY edge_id),
     -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
@@ -184,10 +199,12 @@ BEGIN
         FROM lane_text GROUP BY road_id),
     -- The lane farthest to the left comes first.
     across AS MATERIALIZED (
-        SELECT l.road_id, '<left>' || nullif(concat(a.text, l.on_left), '') || '</left>' AS on_left,
-            '<right>' || nullif(concat(l.on_right, b.text), '') || '</right>' AS on_right
+        SELECT l.road_id, '<left>' || nullif(concat(a.text, c.text, l.on_left), '') || '</left>' AS on_left,
+            '<right>' || nullif(concat(l.on_right, d.text, b.text), '') || '</right>' AS on_right
         FROM lanes_text l LEFT JOIN sidewalk_lane a ON (a.road_id, a.side) = (l.road_id, 'left')
-            LEFT JOIN sidewalk_lane b ON (b.road_id, b.side) = (l.road_id, 'right'))
+            LEFT JOIN sidewalk_lane b ON (b.road_id, b.side) = (l.road_id, 'right')
+            LEFT JOIN shoulder c ON (c.road_id, c.side) = (l.road_id, 'left')
+            LEFT JOIN shoulder d ON (d.road_id, d.side) = (l.road_id, 'right'))
     SELECT 1, 0::bigint, streetgen._opendrive_open(xmlelement(name header, xmlattributes(
             1 AS "revMajor", right(options ->> 'version', 1) AS "revMinor", model AS name, 'StreetGen' AS vendor)))
         || '<geoReference><![CDATA['

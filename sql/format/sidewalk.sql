@@ -1,5 +1,18 @@
 -- Sidewalks and crossings as the formats of simulators have them: beside the lanes of edges, and at the ends of edges.
 
+CREATE OR REPLACE FUNCTION streetgen._room_beside_lanes(model name) RETURNS TABLE(edge_id bigint, room float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT edge_id, (e.width - sum(l.width)) / 2 FROM lane l JOIN edge e USING (edge_id)
+        WHERE l.kind <> 'merging' GROUP BY edge_id, e.width HAVING sum(l.width) < e.width - 0.01;
+END $$;
+COMMENT ON FUNCTION streetgen._room_beside_lanes(name) IS
+    'Edges whose lanes, of stated widths, do not reach the kerbs, and the width in metres that each kerb is away from '
+    'them where the edge begins. It changes along an edge as the width of that does.';
+
 CREATE OR REPLACE FUNCTION streetgen._sidewalks_beside(model name, options jsonb, lines boolean)
     RETURNS TABLE(edge_id bigint, side text, width float8, lane_id bigint, along_axis boolean, line geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -12,7 +25,8 @@ BEGIN
         RETURN;
     END IF;
     RETURN QUERY SELECT edge_id, side, s.width, o.lane_id, (side = 'right') = h.right_hand, CASE WHEN lines THEN
-        coalesce(round.line, streetgen.offset_line(o.geom, outwards * (o.width + s.width) / 2)) END
+        coalesce(round.line, streetgen.offset_line(o.geom,
+            outwards * ((o.width + s.width) / 2 + coalesce(b.room, 0)))) END
     FROM (SELECT edge_id, side, max(width) AS width, sum(ST_Area(surface)) AS area,
                 CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards FROM sidewalk
             WHERE node_id IS NULL AND side IN ('left', 'right')
@@ -20,6 +34,7 @@ BEGIN
             GROUP BY edge_id, side) s
         CROSS JOIN LATERAL (SELECT lane_id, lane_position, width, geom FROM lane l WHERE l.edge_id = s.edge_id
             AND start_abscissa IS NULL AND end_abscissa IS NULL ORDER BY outwards * lane_position LIMIT 1) o
+        LEFT JOIN streetgen._room_beside_lanes(model) b USING (edge_id)
         CROSS JOIN (SELECT value <> 'left' AS right_hand FROM setting WHERE name = 'driving_side') h
         -- It goes round merging lanes beyond that lane, and along the lane from one to the next. A merging lane has its
         -- middle as far from its own border as from the lane inside.

@@ -122,3 +122,15 @@ DO $$ BEGIN
 END $$;
 ANALYZE many.axis, many.node, many.edge, many.section_limit, many.lane, many.lane_separator, many.interconnection, many.setting;
 SELECT 'no step of ' || f || ' compares a hundred rows a lane', count(*) = 400 AND pg_temp.rows_compared('many', f) < 100 * count(*) FROM many.lane, unnest('{_opendrive_roads,_opendrive_elements,_lanelet2_elements}'::text[]) f GROUP BY f;
+
+-- Lanes of stated widths leave room at the kerbs, which narrows with the roadway.
+SELECT FROM streetgen.create_model('roomy', 2154, subjects => '{interconnection,sidewalk}', driving_side => 'right') \g /dev/null
+INSERT INTO roomy.axis (axis_id, geom, width, width_end, direction, lanes_forward, lane_width_forward, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 12, NULL, 'direct', 2, '3|3', 2, 2),
+  (2, 'SRID=2154;LINESTRING(650000 6860100,650100 6860100)', 12, 8, 'direct', 2, '3|3', 0, 0), (3, 'SRID=2154;LINESTRING(650000 6860200,650100 6860200)', 6, NULL, 'direct', 2, '3|3', 2, 2);
+CREATE TEMPORARY TABLE roomy_file AS SELECT pg_temp.file('roomy') AS file;
+CREATE FUNCTION pg_temp.lanes_of(axis bigint, attribute text) RETURNS text[] LANGUAGE sql AS $$
+  SELECT pg_temp.texts('//road[userData[@code="edge" and @value="' || edge_id || '"]]//lane[@id!="0"]' || attribute, file) FROM roomy_file, roomy.edge WHERE axis_id = axis $$;
+SELECT 'room lies between the lanes and the sidewalks at the kerbs', pg_temp.lanes_of(1, '/@type') = '{driving,driving,shoulder,shoulder,sidewalk,sidewalk}' AND pg_temp.lanes_of(1, '[@type="shoulder"]/@id') = '{-3,1}' AND pg_temp.lanes_of(1, '[@type="sidewalk"]/@id') = '{-4,2}';
+SELECT 'all lanes but sidewalks are as wide as the roadway', (SELECT sum(a::float8) FROM unnest(pg_temp.lanes_of(1, '[@type!="sidewalk"]/width/@a')) a) = 12;
+SELECT 'also where it narrows', abs((SELECT sum(a::float8) FROM unnest(pg_temp.lanes_of(2, '/width/@a')) a) - 12) < 1e-4 AND abs((SELECT sum(b::float8) FROM unnest(pg_temp.lanes_of(2, '/width/@b')) b) * 100 + 4) < 1e-4;
+SELECT 'lanes that fill it have none', pg_temp.lanes_of(3, '/@type') = '{driving,driving,sidewalk,sidewalk}';

@@ -146,3 +146,10 @@ SELECT 'coordinates are as PostGIS writes them: ' || digits, bool_and(streetgen.
   FROM odd, generate_series(2, 6) digits, unnest('{0,0.1}'::float8[]) tolerance GROUP BY digits ORDER BY digits;
 SELECT 'a line in one place has none', streetgen._coordinates('LINESTRING(1 1, 1.001 1)', 0, 0, 2, 0) IS NULL;
 SELECT 'what has no numbers is refused', test.state($$SELECT streetgen._coordinates('LINESTRING(1 1, NaN 1)', 0, 0, 2, 0)$$) = '22023';
+
+-- Lanes of stated widths leave room at the kerb, and the sidewalk lies beyond it.
+SELECT FROM streetgen.create_model('roomy', 2154, subjects => '{interconnection,sidewalk}', driving_side => 'right') \g /dev/null
+INSERT INTO roomy.axis (axis_id, geom, width, direction, lanes_forward, lane_width_forward, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 12, 'direct', 2, '3|3', 2, 2);
+SELECT 'a sidewalk lies beyond the room at its kerb', bool_and(ST_Contains(ST_Buffer(surface, 0.1), line)) AND count(DISTINCT side) = 2
+  FROM roomy.sidewalk s JOIN LATERAL (SELECT ST_Translate(ST_SetSRID(ST_GeomFromText('LINESTRING(' || translate(shape::text, ' ,', ', ') || ')'), 2154), 650000, 6860000) AS line
+    FROM unnest(xpath('//lane[@allow="pedestrian"]/@shape', pg_temp.file('roomy', 'edges'))) shape) l ON ST_Intersects(ST_Buffer(surface, 0.1), line) WHERE node_id IS NULL;
