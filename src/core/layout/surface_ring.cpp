@@ -78,6 +78,18 @@ bool rounds(const Arm& a, const Arm& b, const Gap& gap) {
   return gap.angle > M_PI && (gap.angle < 3 * M_PI / 2 - same_angle || as_wide(a, b));
 }
 
+// The ground outside of a bend, whose kerb has one width at the node.
+Polygon outside_of_bend(const Arm& a, const Arm& b, const Gap& gap) {
+  const Point node = planar(a.line.front());
+  if (!gap.tapers)
+    return rounds(a, b, gap) ? fan(node, kerb_at_node(a, +1), kerb_at_node(b, -1)) : Polygon{{}};
+  if (gap.angle <= M_PI) return {{}};
+  const auto kerb = [&](const Arm& arm, int side) {
+    return node + left_normal(position_at(arm.line, 0).direction) * (side * gap.taper.half_on_a(0));
+  };
+  return fan(node, kerb(a, +1), kerb(b, -1));
+}
+
 // From one arm through the node to the other, within their limits; straight where the bend between
 // needs more than that leaves.
 KerbLine tapering_kerb(const Arm& a, const Arm& b, const Taper& taper) {
@@ -286,9 +298,8 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     } else if (gaps[i].meets) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
-    } else if (rounds(a, b, gaps[i])) {
-      const Polygon join = fan(planar(a.line.front()), kerb_at_node(a, +1), kerb_at_node(b, -1));
-      if (!join.front().empty()) parts.push_back({join});
+    } else if (const Polygon join = outside_of_bend(a, b, gaps[i]); !join.front().empty()) {
+      parts.push_back({join});
     }
   }
   if (parts.empty()) return {};

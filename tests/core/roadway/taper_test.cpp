@@ -108,6 +108,27 @@ TEST(Taper, IsAsLongOnBothSidesOfAFork) {
     }
 }
 
+// The kerb tapers on the outside of a bend, and another street leaves so slowly on the other side
+// that no one ring goes about the node.
+TEST(Taper, HasNoToothOnTheOutsideOfABend) {
+  int by_union = 0;
+  for (int degrees = 2; degrees <= 14; degrees += 2) {
+    const Point along{std::cos(degrees * M_PI / 180), -std::sin(degrees * M_PI / 180), 0};
+    const Streets town = streets({{1, {{-90, 0, 0}, {0, 0, 0}}, 0, 18, 18, 6, 3},
+                                  {2, {{0, 0, 0}, along * 90}, 0, 7, 7, 6, 3},
+                                  {3, {{0, 0, 0}, {-21, -4, 0}, {-60, -25, 0}}, 0, 7, 7, 6, 3}},
+                                 {});
+    const Intersection& node = town.intersections[0];
+    if (node.method == Method::robust_fallback) ++by_union;
+    // 55 m for 5.5 m aside.
+    const Line street{{-90, 0, 0}, {0, 0, 0}, along * 90};
+    for (const Point& p : node.surface.front().front())
+      if (p.y > 0 && std::abs(p.x) < 3)
+        EXPECT_NEAR(distance_to_line(p, street), 6.25, 0.35) << degrees << ' ' << p.x;
+  }
+  EXPECT_GT(by_union, 0);
+}
+
 TEST(Taper, IsNoneWhereTheLengthIsANumber) {
   StreetSettings settings;
   settings.transition.length = 5;
