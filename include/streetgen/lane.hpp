@@ -1,15 +1,15 @@
 // Lanes of edges, the lines between them, what is painted.  StreetGen paper, 2.5 and 2.7.2.
 //
 // Lanes fill the roadway of an edge from kerb to kerb between its two section limits, as
-// offset curves of the axis.  Where the widths of all are stated and the roadway is wider, the rest
-// lies beside them.  Where the width of an axis changes, their shares of it stay.  Where
-// the street goes on with another width past a side street, the lanes that begin or end there take
-// the change, and the others keep their width: on the side that turn marks say, else the outer one.
-// Merging lanes lie outside of the others, whose places do not depend on them.
-// Where the limits of an edge crossed, its lanes cover the piece between the two wanted limits,
-// in the direction of the axis, and have no surface.
-// The line of a lane may be drawn by hand: it is taken as it is, and the lane's surface is the
-// ground within half the lane's width of it, flat at its ends, wherever its neighbours are.
+// offset curves of the axis.  Where the roadway is wider than their stated widths, or than lanes
+// without one grow, the rest lies beside them.  Where the width of an axis changes, their shares of
+// it stay.  Where the street goes on with another width past a side street, the lanes that begin or
+// end there take the change, and the others keep their width: on the side that turn marks say, else
+// the outer one. Merging lanes lie outside of the others, whose places do not depend on them. Where
+// the limits of an edge crossed, its lanes cover the piece between the two wanted limits, in the
+// direction of the axis, and have no surface. The line of a lane may be drawn by hand: it is taken
+// as it is, and the lane's surface is the ground within half the lane's width of it, flat at its
+// ends, wherever its neighbours are.
 #pragma once
 
 #include <bitset>
@@ -70,6 +70,7 @@ struct LaneWish {
   bool along_axis = true;
   bool both_ways = false;  // both directions use it; it counts as along the axis
   double width = 0;        // metres; 0: an equal share of what the others leave
+  double widest = 0;       // metres that such a share grows to; 0: however wide
   unsigned turns = 0;
 };
 
@@ -143,7 +144,7 @@ struct Lane {
   double width = 0;        // metres, at the start limit, without what begins or ends there
   double axis_offset = 0;  // of its centre line, metres to the left of the axis, at the start limit
   Line line;               // the centre line, in the point order of the axis
-  // The lanes of an edge tile its section, but for what lies beside lanes of stated widths; where a
+  // The lanes of an edge tile its section, but for what they leave at the kerbs; where a
   // ring would not be simple, or a line was drawn by hand, the buffer of the centre line.  Empty
   // where the limits crossed.
   MultiPolygon surface;

@@ -10,7 +10,7 @@ BEGIN
         WHERE l.kind <> 'merging' GROUP BY edge_id, e.width HAVING sum(l.width) < e.width - 0.01;
 END $$;
 COMMENT ON FUNCTION streetgen._room_beside_lanes(name) IS
-    'Edges whose lanes, of stated widths, do not reach the kerbs, and the width in metres that each kerb is away from '
+    'Edges whose lanes do not reach the kerbs, and the width in metres that each kerb is away from '
     'them where the edge begins. It changes along an edge as the width of that does.';
 
 CREATE OR REPLACE FUNCTION streetgen._sidewalks_beside(model name, options jsonb, lines boolean)

@@ -22,7 +22,7 @@ DO $$ BEGIN
     (9, pg_temp.street(160), 12, 4, 'direct'), (10, pg_temp.street(180), 6, 1, 'both'), (11, pg_temp.street(200), 6, NULL, 'both'), (12, pg_temp.street(220), 6, 30, 'both');
   INSERT INTO lanes.axis (axis_id, geom, width, lane_count, lanes_forward, lanes_backward, direction) VALUES
     (20, pg_temp.street(300), 12, NULL, 3, 1, 'both'), (21, pg_temp.street(320), 12, 4, 3, NULL, 'both'), (22, pg_temp.street(340), 12, 4, NULL, 3, 'both'),
-    (23, pg_temp.street(360), 12, 2, 2, 2, 'both'), (24, pg_temp.street(380), 12, 2, 1, 1, 'direct'), (25, pg_temp.street(400), 12, 3, 0, 0, 'both');
+    (23, pg_temp.street(360), 12, 2, 2, 2, 'both'), (24, pg_temp.street(380), 4, 2, 1, 1, 'direct'), (25, pg_temp.street(400), 12, 3, 0, 0, 'both');
   INSERT INTO lanes.axis (axis_id, geom, width, direction, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward) VALUES
     (30, pg_temp.street(500), 12, 'both', 'general|general|cycle|parking', 'general|bus', NULL, NULL, 'left|through;right', 'through|'),
     (31, pg_temp.street(520), 8, 'direct', 'parking|general', 'cycle', '|', '2.25', 'none', NULL),

@@ -27,3 +27,30 @@ UPDATE town.axis_class SET parking_right = 2 WHERE class = 'residential';
 SELECT count(*) FROM streetgen.generate('town') \g /dev/null
 SELECT 'stated widths of lanes hold beside the parking of a class', array_agg(round(l.width::numeric, 6) ORDER BY lane_position) = '{3.4,2.6}' FROM town.lane l JOIN town.edge USING (edge_id) WHERE axis_id = 9001;
 SELECT 'that stands where nothing is stated alone', array_agg(DISTINCT axis_id ORDER BY axis_id) = '{9003}' FROM town.lane l JOIN town.edge USING (edge_id) WHERE axis_id > 9000 AND l.kind = 'parking';
+-- Counted lanes on a roadway of stated width grow to setting lane_width_maximal; the rest lies beside them.
+SELECT streetgen.set('town', 'lane_width', '3.5'), streetgen.set('town', 'roundabout_tags', 'true'), streetgen.create_model('left', 32631, driving_side => 'left'), streetgen.set('left', 'roundabout_tags', 'true') \g /dev/null
+CREATE TABLE counted AS SELECT row_number() OVER () + 9100 AS axis_id, ST_Translate(pg_temp.line(row_number() OVER ()::integer), 0, 20000) AS geom, v.* FROM (VALUES
+  ('two lanes', 9::float8, 'primary', 'both', 2, NULL::integer, NULL, NULL, NULL, '4 4 beside 0.5'), ('one way against the line', 9, 'primary', 'reverse', 2, NULL, NULL, NULL, NULL, '4 4 beside 0.5'),
+  ('a middle lane too', 13, 'primary', 'both', 3, 1, NULL, NULL, NULL, '4 4 4 beside 0.5'), ('none is wider than it has room', 7, 'primary', 'both', 2, NULL, NULL, NULL, NULL, '3.5 3.5 beside 0'),
+  ('a stated width holds, and the other lane grows', 10, 'primary', 'direct', 2, NULL, NULL, '5|', NULL, '5 4 beside 0.5'), ('buses keep to it', 9, 'primary', 'direct', NULL, NULL, 'general|bus', NULL, NULL, '4 4 beside 0.5'),
+  ('beside a cycle lane all is filled, which lies at the kerb', 10.5, 'primary', 'direct', NULL, NULL, 'general|general|cycle', NULL, NULL, '4.5 4.5 1.5 beside 0'),
+  ('the only lane of both directions is the roadway', 5, 'residential', 'both', 1, NULL, NULL, NULL, NULL, '5 beside 0'), ('the lane of a ring is too', 7, 'primary', 'direct', 1, NULL, NULL, NULL, 'roundabout', '7 beside 0'),
+  ('nobody counted these', 9, 'primary', 'both', NULL, NULL, NULL, NULL, NULL, '4.5 4.5 beside 0'), ('a runway has no lanes', 9, 'runway', 'both', 2, NULL, NULL, NULL, NULL, '4.5 4.5 beside 0'))
+  v(name, width, kind, direction, lane_count, lanes_both, kind_forward, lane_width_forward, roundabout_tag, wanted);
+INSERT INTO town.axis (axis_id, geom, width, kind, direction, lane_count, lanes_both, kind_forward, lane_width_forward, roundabout_tag) SELECT axis_id, geom, width, kind, direction, lane_count, lanes_both, kind_forward, lane_width_forward, roundabout_tag FROM counted;
+INSERT INTO "left".axis (axis_id, geom, width, kind, direction, lane_count, lanes_both, kind_forward, lane_width_forward, roundabout_tag) SELECT axis_id, geom, width, kind, direction, lane_count, lanes_both, kind_forward, lane_width_forward, roundabout_tag FROM counted;
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT FROM streetgen.generate('left') \g /dev/null
+CREATE VIEW across AS SELECT model, axis_id, string_agg(round(l.width::numeric, 6)::float8::text, ' ' ORDER BY lane_position) || ' beside ' || round(((e.width - sum(l.width)) / 2)::numeric, 6)::float8 AS made
+  FROM (SELECT 'town' AS model, * FROM town.lane UNION ALL SELECT 'left', * FROM "left".lane) l
+  JOIN (SELECT 'town' AS model, * FROM town.edge UNION ALL SELECT 'left', * FROM "left".edge) e USING (model, edge_id) GROUP BY model, axis_id, e.edge_id, e.width;
+SELECT format('%s, where one drives on the %s', name, CASE model WHEN 'town' THEN 'right' ELSE model END), made = wanted FROM counted JOIN across USING (axis_id) ORDER BY axis_id, model DESC;
+SELECT 'half of the rest lies at either kerb', array_agg(round(axis_offset::numeric, 6) ORDER BY lane_position) = '{2,-2}' FROM town.lane JOIN town.edge USING (edge_id) WHERE axis_id = 9101;
+UPDATE town.axis SET width = 11 WHERE axis_id = 9101;
+SELECT 'an edit of the width leaves the lanes', made = '4 4 beside 1.5' FROM across WHERE (model, axis_id) = ('town', 9101);
+SELECT 'as a run from scratch would', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
+SELECT streetgen.set('town', 'lane_width_maximal', NULL), streetgen.set('left', 'lane_width_maximal', '3.75') \g /dev/null
+SELECT FROM streetgen.generate('town') \g /dev/null
+SELECT FROM streetgen.generate('left') \g /dev/null
+SELECT 'without a greatest width they fill it', made = '5.5 5.5 beside 0' FROM across WHERE (model, axis_id) = ('town', 9101);
+SELECT 'another holds', made = '3.75 3.75 beside 0.75' FROM across WHERE (model, axis_id) = ('left', 9101);

@@ -15,7 +15,7 @@ CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
     ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
     ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": '),
     ('speed_by_importance', ''), ('taper_ratio', '{}'), ('taper_ratio', '{"fast": 3}'), ('taper_ratio', '{"50": null}'), ('taper_ratio', '{"50": "NaN"}'), ('taper_ratio', '10'), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
-    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'radius_function', 'corner_length', 'corner_area', 'follow_length', 'follow_area', 'transition_length', 'kerb_radius_minimal');
+    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'lane_width_maximal', 'radius_function', 'corner_length', 'corner_area', 'follow_length', 'follow_area', 'transition_length', 'kerb_radius_minimal');
 CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
 DO $$
 DECLARE

@@ -28,7 +28,7 @@ used AS MATERIALIZED (
     SELECT axis_id, geom, level, width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward,
         lanes_both, kind_forward,
         kind_backward,
-           lane_width_forward, lane_width_backward, turn_forward, turn_backward, access,
+           lane_width_forward, lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access,
            on_ring, sidewalk_left, sidewalk_right, speed,
            importance, radius, direction, estimated,
                CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
@@ -44,7 +44,7 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (
                 axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, radius, importance, speed,
                 lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-                    lane_width_backward, turn_forward, turn_backward, access, on_ring,
+                    lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access, on_ring,
                 {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),

@@ -56,6 +56,10 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,
        access,
+       -- Cycle and parking lanes lie at the kerbs, and leave nothing there.
+       CASE WHEN lanes_by_width IS NOT FALSE AND coalesce(kerb_width, believed) IS NOT NULL AND kerbside = 0
+           AND num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) > 0 THEN widest_lane END
+           AS lane_width_maximal,
        coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
@@ -65,6 +69,7 @@ LEFT JOIN setting_used ON true
 LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
         (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
+           (max(value) FILTER (WHERE name = 'lane_width_maximal'))::float8 AS widest_lane,
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
                (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
            (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,

@@ -4,8 +4,8 @@ CREATE TYPE streetgen.street_axis AS (
     axis_id bigint, geom bytea, level integer, width float8, width_end float8, roadway_offset float8, radius float8,
         importance integer, speed float8,
     lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
-    lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, access text,
-    on_ring boolean, changed boolean, outer_axis boolean
+    lane_width_forward text, lane_width_backward text, lane_width_maximal float8, turn_forward text,
+    turn_backward text, access text, on_ring boolean, changed boolean, outer_axis boolean
 );
 COMMENT ON TYPE streetgen.street_axis IS 'An axis with the values used, and what an edit has to do with it.';
 COMMENT ON COLUMN streetgen.street_axis.axis_id IS 'the axis';
@@ -28,6 +28,8 @@ COMMENT ON COLUMN streetgen.street_axis.lane_width_forward IS
     'widths of the lanes along the axis, m, parted by |; NULL: shares';
 COMMENT ON COLUMN streetgen.street_axis.lane_width_backward IS
     'widths of the lanes against the axis, m, parted by |; NULL: shares';
+COMMENT ON COLUMN streetgen.street_axis.lane_width_maximal IS
+    'lanes that say no width grow at most so wide, m; NULL: they fill the roadway';
 COMMENT ON COLUMN streetgen.street_axis.turn_forward IS
     'turns painted on the lanes along the axis, parted by |; NULL: none';
 COMMENT ON COLUMN streetgen.street_axis.turn_backward IS

@@ -44,6 +44,8 @@ BEGIN
     COMMENT ON COLUMN axis_used.kind_backward IS 'kinds of the lanes against the axis, NULL: all general';
     COMMENT ON COLUMN axis_used.lane_width_forward IS 'widths of the lanes along the axis, metres';
     COMMENT ON COLUMN axis_used.lane_width_backward IS 'widths of the lanes against the axis, metres';
+    COMMENT ON COLUMN axis_used.lane_width_maximal IS
+        'lanes that say no width grow at most so wide, metres; NULL: they fill the roadway';
     COMMENT ON COLUMN axis_used.turn_forward IS 'movements of the lanes along the axis';
     COMMENT ON COLUMN axis_used.turn_backward IS 'movements of the lanes against the axis';
     COMMENT ON COLUMN axis_used.access IS 'who may drive, as in axis; NULL: all';

@@ -2,11 +2,13 @@
 
 CREATE OR REPLACE FUNCTION streetgen._lane_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
     ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL::text[]),
     ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10,
         NULL),
+    ('lane_width_maximal', '4', 'm', 'lanes of a stated number and unknown width grow at most so wide on a roadway of '
+        'stated width; the rest lies beside them. NULL: they fill it', 2, 100, NULL),
     ('cycle_lane_width', '1.5', 'm', 'width of a cycle lane that says none; 0: as the other lanes', 0, 10, NULL),
     ('parking_lane_width', '2', 'm', 'width of a parking lane that says none; 0: as the other lanes', 0, 10, NULL),
     ('lane_order', 'left_first', NULL, 'lanes are numbered from the middle outwards: left_first or right_first', NULL,

@@ -15,7 +15,7 @@ CREATE INDEX lane_geom ON :"model".lane USING gist (geom);
 CREATE INDEX lane_surface ON :"model".lane USING gist (surface);
 COMMENT ON TABLE :"model".lane IS
     'Lanes of an edge between its section limits; together they tile its section, but for what '
-    'lies at the kerbs beside lanes whose widths are all stated. Where the limits crossed, lanes '
+    'they leave at the kerbs. Where the limits crossed, lanes '
     'cover the piece between the two wanted limits, in the direction of the axis, and have no surface';
 COMMENT ON COLUMN :"model".lane.lane_id IS 'key; kept while the edge has a lane of this ordinality';
 COMMENT ON COLUMN :"model".lane.edge_id IS 'the edge';

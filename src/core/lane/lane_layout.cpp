@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "geometry/offset.hpp"
 #include "geometry/polyline.hpp"
@@ -72,15 +73,20 @@ std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double widt
     if (wish.width <= 0) ++open;
   }
   const double rest = open > 0 ? std::max((width - given) / open, narrowest) : 0;
+  std::vector<double> widths;
+  for (const LaneWish& wish : wishes)
+    widths.push_back(wish.width > 0    ? wish.width
+                     : wish.widest > 0 ? std::min(rest, wish.widest)
+                                       : rest);
+  const double filled = std::accumulate(widths.begin(), widths.end(), 0.0);
   const bool driven = std::any_of(wishes.begin(), wishes.end(),
                                   [](const LaneWish& wish) { return drives(wish.kind); });
-  const bool keep = open == 0 && driven && width > given + same_place;
-  const double surplus = keep ? width - given : 0;
-  const double total = given + rest * open + surplus;
+  const double surplus = driven && width > filled + same_place ? width - filled : 0;
+  const double total = filled + surplus;
   std::vector<double> shares{surplus / 2 / total};
   double sum = surplus / 2;
-  for (const LaneWish& wish : wishes) {
-    sum += wish.width > 0 ? wish.width : rest;
+  for (const double lane : widths) {
+    sum += lane;
     shares.push_back(sum / total);
   }
   shares.back() = 1 - shares.front();

@@ -51,6 +51,9 @@ LaneWishes::OfEdge LaneWishes::of(const Edge& edge) const {
   found.lanes = across(axis != nullptr ? axis->lanes : AxisLanes{}, settings_.driving_side);
   if (const Circulation* circulation = circulations_.of(edge))
     turn_round(*circulation, found.lanes);
+  // Long vehicles turn on the lanes of a ring.
+  if (on_ring(edge))
+    for (LaneWish& lane : found.lanes) lane.widest = 0;
   decide(edge, found);
   return found;
 }

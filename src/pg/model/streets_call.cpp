@@ -76,6 +76,7 @@ void take_network(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column_or_null(axes, "kind_backward", TEXTOID),
                 column_or_null(axes, "lane_width_forward", TEXTOID),
                 column_or_null(axes, "lane_width_backward", TEXTOID),
+                column_or_null(axes, "lane_width_maximal", FLOAT8OID),
                 column_or_null(axes, "turn_forward", TEXTOID),
                 column_or_null(axes, "turn_backward", TEXTOID),
                 column_or_null(axes, "access", TEXTOID),

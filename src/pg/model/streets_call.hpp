@@ -17,7 +17,8 @@ struct StreetsCall {
     int count;
     Column axis_id, geom, level, width, width_end, roadway_offset, radius, importance, speed;
     Column lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward;
-    Column lane_width_forward, lane_width_backward, turn_forward, turn_backward, access;
+    Column lane_width_forward, lane_width_backward, lane_width_maximal;
+    Column turn_forward, turn_backward, access;
     Column on_ring, changed, outer_axis;
   } axes;
   struct {

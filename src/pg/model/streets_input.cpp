@@ -107,6 +107,13 @@ Access access_of(const std::string& text) {
   return {lanes_for(text.substr(0, mark)), lanes_for(text.substr(mark + 1))};
 }
 
+// Two who meet on the one lane of a street use all of the roadway.
+void bound_lanes(double widest, AxisLanes& lanes) {
+  if (lanes.forward.size() + lanes.backward.size() == 0 && lanes.both_ways.size() == 1) return;
+  for (std::vector<LaneWish>* some : {&lanes.forward, &lanes.backward, &lanes.both_ways})
+    for (LaneWish& lane : *some) lane.widest = widest;
+}
+
 // Where the model looks for rings itself, it says what yields to them.
 std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given,
                                   bool looks_for_rings) {
@@ -128,13 +135,17 @@ std::vector<LanesOfAxis> lanes_of(const StreetsCall& call, const Settings& given
     std::vector<LaneWish> both(counted(rows.lanes_both));
     for (LaneWish& lane : both)
       if (access.forward == access.backward) lane.kind = access.forward;
-    axes.push_back({axis_id,
-                    {read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward,
-                          rows.turn_forward, access.forward),
-                     read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
-                          rows.turn_backward, access.backward),
-                     std::move(both)},
-                    !looks_for_rings && DatumGetBool(rows.on_ring.values[i])});
+    AxisLanes lanes{read(rows.lanes_forward, rows.kind_forward, rows.lane_width_forward,
+                         rows.turn_forward, access.forward),
+                    read(rows.lanes_backward, rows.kind_backward, rows.lane_width_backward,
+                         rows.turn_backward, access.backward),
+                    std::move(both)};
+    if (!rows.lane_width_maximal.nulls[i])
+      bound_lanes(in_range(DatumGetFloat8(rows.lane_width_maximal.values[i]), 0.01, 1000,
+                           "lane_width_maximal" + of_axis),
+                  lanes);
+    axes.push_back(
+        {axis_id, std::move(lanes), !looks_for_rings && DatumGetBool(rows.on_ring.values[i])});
   }
   return axes;
 }

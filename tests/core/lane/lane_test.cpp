@@ -117,6 +117,22 @@ TEST(Lane, LeavesWhatStatedWidthsDoNotTakeAtBothKerbs) {
   EXPECT_NEAR(area(lanes[0].surface), 600, 1e-9) << "its share of the roadway stays";
 }
 
+TEST(Lane, GrowsToItsWidestAndLeavesTheRestAtBothKerbs) {
+  AxisLanes wanted = general(2, 0);
+  for (LaneWish& lane : wanted.forward) lane.widest = 4;
+  std::vector<Lane> lanes = on_straight(wanted, {}, 9);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(lanes[i].width, 4, 1e-12);
+    EXPECT_NEAR(lanes[i].axis_offset, i == 0 ? 2 : -2, 1e-12) << "0.5 m lie at either kerb";
+  }
+  lanes = on_straight(wanted, {}, 7);
+  for (int i = 0; i < 2; ++i) EXPECT_NEAR(lanes[i].width, 3.5, 1e-12) << "there is no such room";
+  wanted.forward[0].width = 3;
+  EXPECT_NEAR(on_straight(wanted, {}, 9)[1].width, 4, 1e-12) << "6 m are left to it";
+  wanted.forward[0].width = 5;
+  EXPECT_NEAR(on_straight(wanted, {}, 9)[0].width, 5, 1e-12) << "its own width is stated";
+}
+
 TEST(Lane, FillsTheRoadwayInProportionWhereWidthsSumToMore) {
   AxisLanes wanted = general(2, 0);
   wanted.forward[0].width = 4;

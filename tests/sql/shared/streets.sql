@@ -3,7 +3,7 @@ CREATE FUNCTION test.streets(given jsonb) RETURNS text LANGUAGE sql AS $$
     WITH list(name, type, columns) AS (VALUES
         ('axes', 'street_axis', '{"axis_id": "{7,8}", "level": "{0,0}", "width": "{7,6}", "width_end": "{7,6}", "roadway_offset": "{0,1}", "radius": "{3,3}", "importance": "{4,4}", "speed": "{50,30}",
             "geom": ["LINESTRING(0 0,50 0)", "LINESTRING(0 0,0 50)"], "lanes_forward": "{1,2}", "lanes_backward": "{1,0}", "lanes_both": "{0,1}", "kind_forward": "{NULL,general|bus}", "kind_backward": "{NULL,NULL}",
-            "lane_width_forward": "{NULL,3|}", "lane_width_backward": "{NULL,NULL}", "turn_forward": "{left;through,NULL}", "turn_backward": "{NULL,NULL}", "access": "{NULL,NULL}",
+            "lane_width_forward": "{NULL,3|}", "lane_width_backward": "{NULL,NULL}", "lane_width_maximal": "{NULL,4}", "turn_forward": "{left;through,NULL}", "turn_backward": "{NULL,NULL}", "access": "{NULL,NULL}",
             "on_ring": "{f,f}", "changed": "{t,t}", "outer_axis": "{f,f}"}'::jsonb),
         ('transitions', 'street_transition', '{"axis_id": "{7}", "which": "{start}", "kind": "{right}", "length": "{9}"}'),
         ('limits', 'street_limit', '{"axis_id": "{7}", "abscissa": "{9}", "which": "{start}"}'),
