@@ -128,8 +128,9 @@ BEGIN
                 true, false)::streetgen.street_axis ORDER BY axis_id)) AS number FROM axis_used),
     missed AS (SELECT r.issue, r.measure, coalesce(a.source_ref, a.axis_id::text) AS source_ref
         FROM streetgen._computed_report((SELECT number FROM network)) r JOIN axis a ON a.axis_id = r.axis_a)
-    SELECT attribute || ' not believed', NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
-        FROM streetgen._unbelieved(model) GROUP BY attribute
+    SELECT attribute || CASE WHEN too_small THEN format(' too small: %s m, taken as %s m', width, taken)
+            ELSE ' not believed' END, NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
+        FROM streetgen._unbelieved(model) GROUP BY 1
     UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text)
         ORDER BY a.source_ref) FROM axis a
     WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0

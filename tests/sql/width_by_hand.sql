@@ -73,6 +73,25 @@ INSERT INTO older.axis (geom, width, lane_count, source, source_ref) VALUES ('SR
 UPDATE older.axis SET width = 12;
 SELECT 'a model of a build before gets them', (width_by_hand, source_width) = (true, 5) FROM older.axis;
 
+-- A width that leaves a car no room.
+CREATE TABLE small AS SELECT i AS id, w AS width, w2 AS width_end, n AS lanes, k AS class, ST_SetSRID(ST_MakeLine(ST_MakePoint(670000, 6860000 + 50 * i), ST_MakePoint(670100, 6860000 + 50 * i)), 2154) AS geom
+  FROM (VALUES (1, 1::float8, NULL::float8, 2, 'primary'), (2, 1.5, NULL, NULL, 'residential'), (3, 3.9, 6, 2, 'service'), (4, 4, 3, 2, 'service'), (5, 1, NULL, 2, 'cycleway'), (6, 7, NULL, 12, 'primary')) v(i, w, w2, n, k);
+SELECT streetgen.create_model('alley', 2154) \g /dev/null
+UPDATE alley.axis_class c SET width = w, taken = true, lanes_by_width = true FROM (VALUES ('cycleway', 2), ('primary', 8), ('residential', 6), ('service', 5)) v(class, w) WHERE c.class = v.class;
+CREATE TABLE narrow AS SELECT * FROM streetgen.import_axes('alley', 'small', '{"source_ref": "id", "width": "width", "width_end": "width_end", "lane_count": "lanes", "kind": "class"}');
+SELECT streetgen.generate('alley') \g /dev/null
+SELECT 'a roadway has room for a car on each lane, and for one, but none beyond its class', string_agg(concat(source_ref, ': ', e.width, ' to ', e.width_end), ', ' ORDER BY source_ref)
+  = '1: 4 to 4, 2: 2 to 2, 3: 4 to 6, 4: 4 to 4, 5: 1 to 1, 6: 8 to 8' FROM alley.edge e JOIN alley.axis USING (axis_id);
+SELECT 'the import names the axes with what they say', string_agg(concat(what, source_refs), ', ' ORDER BY what) = 'width too small: 1 m, taken as 4 m{1}, width too small: 1.5 m, taken as 2 m{2}, width too small: 3.9 m, taken as 4 m{3}, '
+  'width too small: 7 m, taken as 8 m{6}, width_end too small: 3 m, taken as 4 m{4}' FROM narrow WHERE what LIKE 'width%';
+SELECT 'and check_model', string_agg(concat(rule, ' ', measure, ' ', source_ref), ', ' ORDER BY source_ref) = 'width too small, m 1 1, width too small, m 1.5 2, width too small, m 3.9 3, width_end too small, m 3 4, width too small, m 7 6'
+  FROM streetgen.check_model('alley') JOIN alley.axis ON axis_id = id WHERE rule LIKE 'width%';
+UPDATE alley.axis SET width_by_hand = true WHERE source_ref = '1';
+SELECT 'a width by hand is taken', e.width = 1 FROM alley.edge e JOIN alley.axis USING (axis_id) WHERE source_ref = '1';
+SELECT 'and told no more', count(*) = 4 FROM streetgen.check_model('alley') WHERE rule LIKE 'width%';
+INSERT INTO alley.axis (geom, width, lane_count) VALUES ('SRID=2154;LINESTRING(671000 6860000,671100 6860000)', 1, 2);
+SELECT 'so is one of an axis without a source', e.width = 1 FROM alley.edge e JOIN alley.axis USING (axis_id) WHERE source IS NULL;
+
 -- What is said in the statement that gives a width: psql shows it beside the rows.
 \setenv PGDATABASE :DBNAME
 \setenv PGOPTIONS '-c client_min_messages=notice'

@@ -70,6 +70,7 @@ LEFT JOIN (
     SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane_width,
         (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8 AS max_width_per_lane,
            (max(value) FILTER (WHERE name = 'lane_width_maximal'))::float8 AS widest_lane,
+           (max(value) FILTER (WHERE name = 'lane_width_minimal'))::float8 AS narrowest_lane,
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
                (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
            (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,
@@ -116,7 +117,12 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     -- A lane of a roundabout is as wide as long vehicles need that turn.
     SELECT CASE WHEN by_hand OR NOT lanes_by_width OR streetgen._names_ring(roundabout_tag)
-        THEN NULL ELSE max_width_per_lane END AS most_per_lane HAVING true) m ON true
+        THEN NULL ELSE max_width_per_lane END AS most_per_lane,
+        -- Nobody drives a car where it is forbidden, nor where the class is made for walking or cycling.
+        CASE WHEN by_hand OR NOT lanes_by_width OR class_width <= narrowest_lane
+            OR access IN ('no', 'cycle', 'no|cycle', 'cycle|no') THEN 0 ELSE least(narrowest_lane * greatest(lane_count,
+            coalesce(stated_forward, 0) + coalesce(stated_backward, 0) + coalesce(lanes_both, 0), 1),
+            coalesce(width_usual, width_default)) END AS least_width HAVING true) m ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,
     coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
@@ -124,10 +130,10 @@ CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward
         AS kerbside, CASE WHEN parks THEN class_parking_left + class_parking_right ELSE 0 END AS parking) stated
 -- Lanes of the kerbs lie beside those that lane_count counts.
 LEFT JOIN LATERAL (
-    SELECT CASE WHEN streetgen.believed_width(width - kerbside, lane_count, most_per_lane) IS NOT NULL THEN width END
-            AS believed,
+    SELECT CASE WHEN streetgen.believed_width(width - kerbside, lane_count, most_per_lane) IS NOT NULL
+            THEN greatest(width, least_width) END AS believed,
         CASE WHEN streetgen.believed_width(width_end - kerbside, lane_count, most_per_lane) IS NOT NULL
-            THEN width_end END AS believed_end HAVING true) b ON true
+            THEN greatest(width_end, least_width) END AS believed_end HAVING true) b ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed,
         least(200, streetgen.estimated_width(CASE WHEN lanes_by_width IS NOT FALSE THEN lanes_stated END, width_usual,

@@ -1,4 +1,5 @@
--- A width put by hand is always believed, one of a source up to setting max_width_per_lane.
+-- A width put by hand is always believed, one of a source where its lanes can need it: up to setting max_width_per_lane
+-- for each, and from lane_width_minimal on.
 
 CREATE OR REPLACE FUNCTION streetgen._add_width_by_hand(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -59,7 +60,8 @@ COMMENT ON FUNCTION streetgen._make_axis_functions(name) IS
     'streets follow axes.';
 
 CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
-    RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer, source_ref text, geom geometry)
+    RETURNS TABLE(axis_id bigint, attribute text, width float8, taken float8, too_small boolean, lane_count integer,
+        source_ref text, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
         -- One plan for all axes would not reach some by their keys.
         SET plan_cache_mode = force_custom_plan
@@ -78,16 +80,21 @@ BEGIN
             RETURN;
         END IF;
     END IF;
-    RETURN QUERY SELECT a.axis_id, w.attribute, w.width, a.lane_count, a.source_ref, a.geom::geometry
+    RETURN QUERY SELECT a.axis_id, w.attribute, w.width, w.taken, NOT s.estimated, a.lane_count, a.source_ref,
+            a.geom::geometry
         FROM axis a JOIN axis_used u USING (axis_id),
-            LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
+            LATERAL (VALUES ('width', a.width, u.width), ('width_end', a.width_end, u.width_end))
+                w(attribute, width, taken), LATERAL (SELECT w.attribute = ANY (u.estimated) AS estimated) s
         -- Both relations are narrowed: the planner computes the values used of all axes otherwise.
         WHERE (axes IS NULL OR a.axis_id = ANY (doubted) AND u.axis_id = ANY (doubted))
-            AND a.lane_count IS NOT NULL AND w.width IS NOT NULL AND w.attribute = ANY (u.estimated) ORDER BY 1, 2;
+            AND w.width IS NOT NULL AND CASE WHEN s.estimated THEN a.lane_count IS NOT NULL
+                ELSE w.width < w.taken AND a.source IS NOT NULL AND NOT a.width_by_hand AND NOT EXISTS (SELECT
+                    FROM kerb_point_override k WHERE k.axis_id = a.axis_id) END
+        ORDER BY 1, 2;
 END $$;
 COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
     'The widths (metres, in column width or width_end) that sources give the axes of a model, or some of them, and '
-    'that are not believed.';
+    'that are not believed, or are too small for their lanes, and what they are taken as.';
 
 CREATE OR REPLACE FUNCTION streetgen._wide_by_hand(model name, axes bigint[])
     RETURNS TABLE(axis_id bigint, attribute text, width float8, lane_count integer)
@@ -178,7 +185,7 @@ BEGIN
     END IF;
     SELECT *, count(*) OVER (PARTITION BY by_hand) - 1 AS others, array_agg(axis_id) OVER () AS all_axes INTO first
         FROM (SELECT axis_id, attribute, width, lane_count, false AS by_hand
-                FROM streetgen._unbelieved(model, axes)
+                FROM streetgen._unbelieved(model, axes) WHERE NOT too_small
             UNION ALL SELECT *, true FROM streetgen._wide_by_hand(model, axes)) w ORDER BY by_hand, axis_id LIMIT 1;
     IF FOUND AND NOT streetgen._tell_later(model, first.all_axes)
         AND streetgen._first_in_statement('widths', model) THEN

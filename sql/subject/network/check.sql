@@ -78,7 +78,9 @@ BEGIN
         ELSE 'outside the area of use of the SRID, m' END, 'axis', label::bigint, metres, place
         FROM streetgen._misplaced(format('SELECT axis_id AS label, geom FROM %I.axis', model))
     UNION ALL
-    SELECT 'notice', attribute || ' not believed, m', 'axis', axis_id, width, geom
+    SELECT 'notice', CASE WHEN too_small AND attribute = 'width' THEN 'width too small, m'
+        WHEN too_small THEN 'width_end too small, m' WHEN attribute = 'width' THEN 'width not believed, m'
+        ELSE 'width_end not believed, m' END, 'axis', axis_id, width, geom
         FROM streetgen._unbelieved(model)
     UNION ALL SELECT 'notice', 'roadway_offset beyond half of the width, m', 'axis', axis_id, a.roadway_offset, a.geom
         FROM axis a JOIN used u USING (axis_id) WHERE a.roadway_offset <> 0
@@ -208,6 +210,10 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'the width of a source is more than its lanes can need, and the street gets an estimated one',
         'put the width by hand, correct the lanes, or change setting `max_width_per_lane`'),
     ('width_end not believed, m', 'the same of the width at the end of the axis', 'the same'),
+    ('width too small, m',
+        'no car has room on each lane, so that the roadway is as wide as setting `lane_width_minimal` for each of them',
+        'put the width by hand, or correct the lanes'),
+    ('width_end too small, m', 'the same of the width at the end of the axis', 'the same'),
     ('roadway_offset beyond half of the width, m', 'the roadway would lie beside its axis, and lies at it instead',
         'correct `roadway_offset`, or widen the axis'),
     ('driving side is not that of the one-way axes',
