@@ -75,21 +75,19 @@ BEGIN
         FROM junction_way w, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
             JOIN lane l USING (lane_id) WHERE ST_Length(w.geom) < 2 GROUP BY l.edge_id, at_end),
     stretch AS (
-        SELECT e.edge_id, e.geom, least(a, b) AS since, greatest(a, b) AS until, ST_Length(e.geom) AS total,
+        SELECT e.edge_id, e.geom, first.abscissa AS since, last.abscissa AS until, ST_Length(e.geom) AS total,
             coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
         FROM written_edge e LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
-            LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end JOIN (
-            SELECT edge_id, CASE WHEN start.abscissa < until.abscissa THEN start.abscissa ELSE start.wanted_abscissa END
-                AS a, CASE WHEN start.abscissa < until.abscissa THEN until.abscissa ELSE until.wanted_abscissa END AS b
-            FROM section_limit start JOIN section_limit until USING (edge_id)
-            WHERE start.which = 'start' AND until.which = 'end') l ON l.edge_id = e.edge_id),
+            LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end
+            JOIN section_limit first ON (first.edge_id, first.which) = (e.edge_id, 'start')
+            JOIN section_limit last ON (last.edge_id, last.which) = (e.edge_id, 'end')),
     drawn AS MATERIALIZED (
         SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
             d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
         FROM origin o, road r JOIN stretch t USING (edge_id) LEFT JOIN course c USING (edge_id),
-            -- Crossed limits may lie at one place.
-            LATERAL (SELECT greatest(least(since, total - 0.01), 0) AS a,
-                least(greatest(until, greatest(least(since, total - 0.01), 0) + 0.01), total) AS b) w,
+            -- Crossed limits lie at one place.
+            LATERAL (SELECT greatest(least(since, (since + until - 0.01) / 2, total - 0.01), 0) AS first) u,
+            LATERAL (SELECT u.first AS a, least(greatest(until, u.first + 0.01), total) AS b) w,
             LATERAL (SELECT (a + least(cut_start, (b - a) / 4)) / total AS share_from,
                 (b - least(cut_end, (b - a) / 4)) / total AS share_to) v,
             LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea,

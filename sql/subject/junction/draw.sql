@@ -30,8 +30,8 @@ COMMENT ON FUNCTION streetgen._junction_drawn(name, geometry, text[]) IS
     'which stand for markings, paths, limits and arcs of single nodes.';
 
 CREATE OR REPLACE FUNCTION streetgen._junction_drawn_instead() RETURNS TABLE(layer text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
-    AS $$ VALUES ('marking'), ('limit'), ('arc'), ('path'), ('lane_path') $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES ('marking'), ('limit'), ('arc'), ('path') $$;
 COMMENT ON FUNCTION streetgen._junction_drawn_instead() IS
     'The layers of other rooms that are not drawn where junctions are computed: those of junctions show more.';
 

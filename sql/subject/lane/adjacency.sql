@@ -5,15 +5,16 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_adjacency_views(model name) RETU
 BEGIN
     PERFORM streetgen._use_model(model);
     CREATE OR REPLACE VIEW lane_extent WITH (security_invoker = true) AS
-    SELECT l.lane_id, e.axis_id, e.edge_id, coalesce(l.start_abscissa, e.start_abscissa + least(f.at, t.at))
-            AS start_abscissa, coalesce(l.end_abscissa, e.start_abscissa + greatest(f.at, t.at)) AS end_abscissa
+    SELECT l.lane_id, e.axis_id, e.edge_id, coalesce(l.start_abscissa, e.start_abscissa + f.at) AS start_abscissa,
+        coalesce(l.end_abscissa, e.start_abscissa + t.at) AS end_abscissa
     FROM lane l JOIN edge e USING (edge_id)
         JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
         JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
+        -- Where limits crossed a lane is a centimetre long.
+        CROSS JOIN LATERAL (SELECT CASE WHEN l.method = 'crossed_limits' THEN greatest(0, least((a.abscissa + b.abscissa
+            - 0.01) / 2, e.end_abscissa - e.start_abscissa - 0.01)) ELSE a.abscissa END AS at) f
         CROSS JOIN LATERAL (
-            SELECT CASE WHEN l.method = 'crossed_limits' THEN a.wanted_abscissa ELSE a.abscissa END AS at) f
-        CROSS JOIN LATERAL (
-            SELECT CASE WHEN l.method = 'crossed_limits' THEN b.wanted_abscissa ELSE b.abscissa END AS at) t;
+            SELECT CASE WHEN l.method = 'crossed_limits' THEN f.at + 0.01 ELSE b.abscissa END AS at) t;
     EXECUTE streetgen._fill_template(streetgen._part('lane_adjacency'), jsonb_build_object('beside', streetgen._part(
         CASE WHEN 'ramp' = ANY (streetgen._subjects(model)) THEN 'lanes_beside_merging' ELSE 'lanes_beside' END)));
     COMMENT ON VIEW lane_extent IS 'Where each lane begins and ends along its axis';

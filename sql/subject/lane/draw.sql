@@ -12,13 +12,9 @@ BEGIN
         JOIN edge USING (edge_id) WHERE 'lane_separator' = ANY (layers) AND p.surface && box;
     RETURN QUERY SELECT 'marking', kind, level, m.surface::geometry, marking_id FROM marking m
         JOIN edge USING (edge_id) WHERE 'marking' = ANY (layers) AND m.surface && box;
-    -- Lanes between crossed limits join paths.
-    RETURN QUERY SELECT 'lane_path', '', NULL::integer, l.geom::geometry, lane_id FROM lane l
-        WHERE 'lane_path' = ANY (layers) AND method = 'crossed_limits' AND l.geom && box;
 END $$;
 COMMENT ON FUNCTION streetgen._lane_drawn(name, geometry, text[]) IS
-    'What can be drawn of lanes in a box: lane, of buses, carpools and bicycles; lane_separator and marking, by kind; '
-    'and lane_path, lanes between crossed limits.';
+    'What can be drawn of lanes in a box: lane, of buses, carpools and bicycles; lane_separator and marking, by kind.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
     ('street', 'lane', 'cycle', 5000, 3, '#a94f3d', 'lane for bicycles'),
@@ -35,8 +31,6 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill) VALUES
     ('street', 'marking', 1500, 4, '#fbfbf8'),
     ('dark', 'marking', 1500, 4, '#dfe2e6'),
     ('construction', 'marking', 2000, 4, '#ffffff');
-INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, line, width, unit) VALUES
-    ('construction', 'lane_path', 2000, 895, '#15803d', 0.7, 'pixel');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit, meaning) VALUES
     ('construction', 'handle', 'lane', 980, '#6d28d9', '#6d28d9', 1, 'pixel', 'lane to redraw'),
     ('construction', 'handle', 'allowed', 980, '#15803d', '#15803d', 1, 'pixel', 'allowed lane change'),

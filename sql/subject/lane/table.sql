@@ -16,7 +16,7 @@ CREATE INDEX lane_surface ON :"model".lane USING gist (surface);
 COMMENT ON TABLE :"model".lane IS
     'Lanes of an edge between its section limits; together they tile its section, but for what '
     'they leave at the kerbs. Where the limits crossed, lanes '
-    'cover the piece between the two wanted limits, in the direction of the axis, and have no surface';
+    'are a centimetre long, where the limits meet, and have no surface';
 COMMENT ON COLUMN :"model".lane.lane_id IS 'key; kept while the edge has a lane of this ordinality';
 COMMENT ON COLUMN :"model".lane.edge_id IS 'the edge';
 COMMENT ON COLUMN :"model".lane.ordinality IS 'number from 1, from the middle outwards, by setting lane_order';

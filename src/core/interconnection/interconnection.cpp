@@ -15,6 +15,7 @@
 #include "interconnection/taut_path.hpp"
 #include "interconnection/turn.hpp"
 #include "interconnection/turning_back.hpp"
+#include "lane/lane_reach.hpp"
 #include "roundabout/circulation.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -110,10 +111,8 @@ class InterconnectionBuilder {
 
   // The place on the axis of its edge where the lane ends.
   double end_abscissa(const Lane& lane, bool at_front) const {
-    const SectionLimit *start = &streets_.limits[2 * lane.edge], *end = start + 1;
-    if (!limits_crossed(streets_, lane.edge)) return at_front ? start->abscissa : end->abscissa;
-    return at_front ? std::min(start->wanted_abscissa, end->wanted_abscissa)
-                    : std::max(start->wanted_abscissa, end->wanted_abscissa);
+    const LaneReach reach = lane_reach(streets_, lane.edge);
+    return at_front ? reach.from : reach.to;
   }
 
   // The direction of the lane in the point order of the axis.  The axis gives it, so that it does

@@ -1,7 +1,6 @@
 #include "streetgen/lane.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 #include "geometry/geos.hpp"
 #include "geometry/offset.hpp"
@@ -9,6 +8,7 @@
 #include "lane/carried_marks.hpp"
 #include "lane/lane_change.hpp"
 #include "lane/lane_layout.hpp"
+#include "lane/lane_reach.hpp"
 #include "lane/lane_taper.hpp"
 #include "lane/lane_wishes.hpp"
 #include "lane/marking.hpp"
@@ -21,17 +21,15 @@ namespace streetgen {
 
 namespace {
 
-// Metres; where wanted limits nearly meet, lanes still have a direction.
-constexpr double least_length = 0.01;
-
 LaneStrip strip_of(const Streets& streets, int e) {
   const SectionLimit &start = streets.limits[2 * e], &end = streets.limits[2 * e + 1];
+  const LaneReach reach = lane_reach(streets, e);
   const Roadway& roadway = streets.roadways[e];
   LaneStrip strip{distinct(planar(streets.network.edges[e].line)),
                   roadway.width / 2,
                   roadway.width_end / 2,
-                  start.abscissa,
-                  end.abscissa,
+                  reach.from,
+                  reach.to,
                   start.border_line,
                   end.border_line,
                   {},
@@ -40,13 +38,6 @@ LaneStrip strip_of(const Streets& streets, int e) {
     strip.profile = roadway.profile;
     strip.merging = roadway.merging;
     return strip;
-  }
-  const double total = length(strip.axis);
-  std::tie(strip.from, strip.to) = std::minmax({start.wanted_abscissa, end.wanted_abscissa});
-  if (strip.to - strip.from < least_length) {
-    strip.from = std::clamp((strip.from + strip.to - least_length) / 2, 0.0,
-                            std::max(0.0, total - least_length));
-    strip.to = std::min(total, strip.from + least_length);
   }
   strip.from_border =
       border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from), strip.roadway_offset);

@@ -10,6 +10,7 @@
 
 #include "geometry/polyline.hpp"
 #include "interconnection/joined_town.hpp"
+#include "streetgen/trajectory.hpp"
 
 namespace streetgen {
 namespace interconnection_test {
@@ -151,6 +152,26 @@ TEST(Interconnection, ATurnIsAsWideAsTheKerbsAllow) {
     EXPECT_GE(quarter_radius(wide[i].line), 6.5) << turn_name(wide[i].turn);
   }
   EXPECT_GT(turns, 0);
+}
+
+// Streets come from both sides, so near to each other that their corners want the ground twice.
+TEST(Interconnection, TurnsOfNearJunctionsShareTheGroundBetween) {
+  for (const double apart : {12., 16., 20.})
+    for (const bool backward : {false, true}) {
+      Line between{{0, 0, 0}, {apart, 0, 0}};
+      if (backward) between = reversed(between);
+      const JoinedTown town({road(1, west, 1, 1), road(2, between, 1, 1),
+                             road(3, {{apart, 0, 0}, {apart + 100, 0, 0}}, 1, 1),
+                             road(4, north, 1, 1),
+                             road(5, {{apart, 0, 0}, {apart, -100, 0}}, 1, 1)});
+      int turns = 0;
+      for (const Interconnection& i : town.join()) {
+        if (!i.plausible || i.turn == Turn::through || i.turn == Turn::u_turn) continue;
+        EXPECT_GT(quarter_radius(i.line), 3) << apart << ' ' << backward;
+        ++turns;
+      }
+      EXPECT_EQ(turns, 8);
+    }
 }
 
 TEST(Interconnection, APathThatTrafficTakesHasNoCorner) {

@@ -318,11 +318,7 @@ TEST(Lanes, RunBetweenTheLimitsAlongTheAxis) {
       const SectionLimit &start = made.streets.limits[2 * lane.edge],
                          &end = made.streets.limits[2 * lane.edge + 1];
       const Line axis = planar(made.streets.network.edges[lane.edge].line);
-      const bool crossed = start.method == Method::crossed_limits;
-      const double u =
-          crossed ? std::min(start.wanted_abscissa, end.wanted_abscissa) : start.abscissa;
-      const double v =
-          crossed ? std::max(start.wanted_abscissa, end.wanted_abscissa) : end.abscissa;
+      const double u = start.abscissa, v = end.abscissa;
       const Point from = position_at(axis, u).point, to = position_at(axis, v).point;
       EXPECT_NEAR(distance(lane.line.front(), from), std::abs(lane.axis_offset), 0.02);
       EXPECT_LT(distance(lane.line.back(), to), 8);

@@ -1,0 +1,17 @@
+// From where to where along its edge a lane leads.
+#pragma once
+
+#include "streetgen/street.hpp"
+
+namespace streetgen {
+
+// Metres along the edge.
+struct LaneReach {
+  double from = 0, to = 0;
+};
+
+// Between the limits of the edge; where these crossed, about the place where they meet, so that
+// paths of both nodes have as much ground as there is.
+LaneReach lane_reach(const Streets& streets, int edge);
+
+}  // namespace streetgen
