@@ -129,14 +129,56 @@ void each_sample_place(const Stretch& stretch, Use use) {
     use(position_at(line, (stretch.from + stretch.to) / 2).point);
 }
 
-// Those near the box: a section lies within half its width of its axis, an intersection may not.
-void sample(const Claim& claim, const Box& within, bool first, std::vector<Site>& sites) {
-  const double margin = claim.skeleton.size() > 1 ? infinite : claim.width / 2 + 2 * sample_spacing;
+// How far from the box a place of the claim may count: a section lies within half its width of its
+// axis, an intersection may not.
+double margin_of(const Claim& claim) {
+  return claim.skeleton.size() > 1 ? infinite : claim.width / 2 + 2 * sample_spacing;
+}
+
+std::vector<Point> places_near(const Claim& claim, const Box& within) {
+  std::vector<Point> places;
+  const double margin = margin_of(claim);
   for (const Stretch& stretch : claim.skeleton)
     each_sample_place(stretch, [&](const Point& place) {
       const Point p = planar(place);
-      if (within.holds(p, margin)) sites.push_back({p, first});
+      if (within.holds(p, margin)) places.push_back(p);
     });
+  return places;
+}
+
+// Takes off the places beside which the other skeleton runs, nearer than places lie apart, but for
+// a node: the places of two such lines alternate, and the border between them has teeth.
+void leave_out_beside(const Claim& other, const Box& within, const std::optional<Point>& node,
+                      std::vector<Point>& places) {
+  const std::vector<SkeletonSegment> segments =
+      skeleton_within(other, within.grown(margin_of(other)));
+  std::vector<Box> boxes;
+  for (const SkeletonSegment& segment : segments) boxes.push_back(box_of(segment.from, segment.to));
+  const BoxHierarchy index(std::move(boxes));
+  const auto runs_beside = [&](const Point& place) {
+    if (node && distance(place, *node) <= same_place) return false;
+    return index.any_near(box_of(place, place), sample_spacing, [&](std::size_t i) {
+      const auto& [from, to, first, last] = segments[i];
+      const Point foot = nearest_on_segment(place, from, to);
+      return distance(foot, place) < sample_spacing && distance(foot, first) > same_place &&
+             distance(foot, last) > same_place;
+    });
+  };
+  places.erase(std::remove_if(places.begin(), places.end(), runs_beside), places.end());
+}
+
+// Of sites in one place the claim that comes before keeps it, and where levels meet, whose border
+// is a kerb, that claim keeps all ground about axes that run one beside the other.
+std::vector<Site> sites_of(const Claim& winner, const Claim& loser, bool first_wins,
+                           const Box& within) {
+  const std::vector<Point> of_winner = places_near(winner, within);
+  std::vector<Point> of_loser = places_near(loser, within);
+  if (winner.level != loser.level) leave_out_beside(winner, within, loser.node, of_loser);
+  std::vector<Site> sites;
+  sites.reserve(of_winner.size() + of_loser.size());
+  for (const Point& place : of_winner) sites.push_back({place, first_wins});
+  for (const Point& place : of_loser) sites.push_back({place, !first_wins});
+  return sites;
 }
 
 // The parts of the segment on the ground of both; where one ends on a border of the ground, it goes
@@ -197,10 +239,7 @@ Dispute::Dispute(const Disputant& a, const Disputant& b) {
   // Border there is on the ground of both.
   for (const PreparedSurface* ground : {a.ground, b.ground, a.ground, b.ground})
     if (const Box held = ground->box_within(within); held.min_x <= held.max_x) within = held;
-  std::vector<Site> sites;
-  // Of sites in one place the claim that comes before keeps it.
-  sample(*winner.claim, within, first_wins, sites);
-  sample(*loser.claim, within, !first_wins, sites);
+  const std::vector<Site> sites = sites_of(*winner.claim, *loser.claim, first_wins, within);
   if (sites.empty()) return;
   nearest_.emplace(sites, within);
   for (const auto& [from, to] : nearest_->border()) {
