@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "streetgen/beside.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/method.hpp"
 
@@ -36,7 +37,8 @@ struct Kerb {
   // That of the corner; contested where others take part of the side, and level_change where the
   // roadway goes on on another level.
   Method method = Method::hypothesis;
-  double stone_width = 0;  // metres
+  double stone_width = 0;         // metres
+  Beside beside = Beside::outer;  // what lies behind it
 };
 
 // The strip of kerb stones on its left, round about bends, flat at its ends.

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "streetgen/beside.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/kerb.hpp"
 #include "streetgen/method.hpp"
@@ -46,9 +47,10 @@ struct StreetAxis {
   double speed = 50;          // km/h
   double roadway_offset = 0;  // metres from the axis to the middle of the roadway, left positive
   bool leads_forward = true, leads_backward = true;  // whether traffic runs along it, against it
-  bool on_ring = false;  // its source says that it is part of a roundabout
-  bool changed = true;   // false: as it was when the streets about it were computed
-  bool outer = false;    // beyond reach of the change: the others are computed with it
+  bool on_ring = false;     // its source says that it is part of a roundabout
+  std::int64_t street = 0;  // a number of its name, 0: none
+  bool changed = true;      // false: as it was when the streets about it were computed
+  bool outer = false;       // beyond reach of the change: the others are computed with it
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };
@@ -85,6 +87,8 @@ struct StreetSettings {
   double follow_length = 10;          // metres along the kerbs; may be infinite
   double follow_area = 20;            // square metres; may be infinite
   double median_width_minimal = 0.5;  // metres, positive
+  // Ground between two carriageways of one street is a median up to this width, kerb to kerb.
+  double median_width_maximal = 20;  // metres
   // The ground in a face between axes that is smaller than this stays ground where it has room for
   // a disc of 1 m: the face's corners are noses where their fillets would take that. The middle of
   // two dual carriageways that cross is roadway. 0: neither, as the paper has it.
@@ -210,6 +214,7 @@ struct FormerEdge {
   FormerLimit start, end;
   FormerSurface section;
   WidthProfile borders{};  // of the section
+  Beside beside_left = Beside::outer, beside_right = Beside::outer;
 };
 struct FormerNode {
   Point point;
@@ -261,6 +266,7 @@ struct Streets {
   std::vector<Ramp> ramps;        // by node
   std::vector<Corner> corners;
   std::vector<SectionLimit> limits;  // two per edge: 2 * edge, 2 * edge + 1
+  BesideEdges beside;                // what lies beside edges; unknown beyond reach of the change
   // All that changed axes can change, and only for that sections and intersections come out: their
   // edges and nodes, edges that they cut otherwise and where these meet others, corners that follow
   // an axis to there, limits that move, and claims on the same ground whose surface is not what it

@@ -124,7 +124,8 @@ BEGIN
         SELECT streetgen._network(Find_SRID(model::text, 'axis', 'geom'),
             (SELECT jsonb_object_agg(name, value) || '{"trajectory": "arcs"}' FROM setting),
             array_agg(ROW (axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, 0, importance,
-                speed, lanes_forward, lanes_backward, lanes_both, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, false,
+                speed, lanes_forward, lanes_backward, lanes_both, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
+                false, 0,
                 true, false)::streetgen.street_axis ORDER BY axis_id)) AS number FROM axis_used),
     missed AS (SELECT r.issue, r.measure, coalesce(a.source_ref, a.axis_id::text) AS source_ref
         FROM streetgen._computed_report((SELECT number FROM network)) r JOIN axis a ON a.axis_id = r.axis_a)

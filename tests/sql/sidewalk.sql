@@ -62,7 +62,7 @@ SELECT 'a picture shows it below the streets', regexp_count(substring(drawing, '
 DO $$ BEGIN
   PERFORM streetgen.create_model('rings', 2154, subjects => '{sidewalk}');
   INSERT INTO rings.axis (axis_id, geom, width, direction, roundabout_tag)
-    SELECT i, pg_temp.line(CASE i WHEN 2 THEN 'LINESTRING(415 0,400 -15,385 0,400 15,415 0)' ELSE format('LINESTRING(%1$s 0,%2$s -15,%3$s 0,%2$s 15,%1$s 0)', 200 * i - 15, 200 * i, 200 * i + 15) END), 6,
+    SELECT i, pg_temp.line(CASE i WHEN 2 THEN 'LINESTRING(425 0,400 -25,375 0,400 25,425 0)' ELSE format('LINESTRING(%1$s 0,%2$s -25,%3$s 0,%2$s 25,%1$s 0)', 200 * i - 25, 200 * i, 200 * i + 25) END), 6,
       CASE i WHEN 2 THEN 'reverse' ELSE 'direct' END, CASE WHEN i < 3 THEN 'roundabout' END FROM generate_series(1, 3) i;
 END $$;
 CREATE FUNCTION pg_temp.sides(axis bigint) RETURNS text LANGUAGE sql AS $$ SELECT string_agg(DISTINCT side, ' ' ORDER BY side) FROM rings.sidewalk JOIN rings.edge USING (edge_id) WHERE axis_id = axis AND side IN ('left', 'right') $$;
@@ -73,7 +73,31 @@ UPDATE rings.axis SET roundabout_tag = NULL WHERE axis_id = 2;
 SELECT 'a loop that is called a roundabout no more has one', pg_temp.sides(2) = 'left right';
 SELECT FROM streetgen.set('rings', 'driving_side', 'left'), streetgen.generate('rings', wait => true);
 UPDATE rings.axis SET sidewalk_left = NULL, roundabout_tag = 'circular' WHERE axis_id = 3;
-SELECT 'where one drives on the left traffic goes round the other way', pg_temp.sides(3) = 'left';
+SELECT 'the island lies within the ring, whichever side traffic keeps to', pg_temp.sides(3) = 'right';
+
+-- Two carriageways of one street, parted by a median: axes 1 and 2 far, 3 and 4 within 20 m.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('dual', 2154, subjects => '{sidewalk,interconnection}'), streetgen.create_model('anew', 2154, subjects => '{sidewalk,interconnection}');
+  INSERT INTO dual.axis (axis_id, geom, width, direction, importance, name) VALUES
+    (1, pg_temp.line('LINESTRING(0 0,200 0)'), 7, 'direct', 4, 'Ring'), (2, pg_temp.line('LINESTRING(0 40,200 40)'), 7, 'reverse', 4, 'ring'),
+    (3, pg_temp.line('LINESTRING(0 200,200 200)'), 7, 'direct', 4, 'Quay'), (4, pg_temp.line('LINESTRING(0 215,200 215)'), 7, 'reverse', 4, 'quay'),
+    (5, pg_temp.line('LINESTRING(0 300,200 300)'), 7, 'direct', 4, 'North bank'), (6, pg_temp.line('LINESTRING(0 315,200 315)'), 7, 'reverse', 4, 'South bank');
+END $$;
+CREATE FUNCTION pg_temp.walks(axes bigint[]) RETURNS text LANGUAGE sql AS $$ SELECT string_agg(format('%s%s', axis_id, left(side, 1)), ' ' ORDER BY axis_id, side) FROM dual.sidewalk JOIN dual.edge USING (edge_id) WHERE axis_id = ANY (axes) AND side IN ('left', 'right') $$;
+SELECT 'no sidewalk is estimated on a median', pg_temp.walks('{3,4}') = '3r 4l';
+SELECT 'kerbs there say so', bool_and(k.beside = CASE WHEN (axis_id, side) IN ((3, 'left'), (4, 'right')) THEN 'median' ELSE 'outer' END) AND count(*) = 12 FROM dual.kerb k JOIN dual.edge USING (edge_id) WHERE side IN ('left', 'right');
+SELECT 'and so do edges, whose widths are those that hold', (SELECT (sidewalk_left, beside_left, beside_right) = (0, 'median', 'outer') AND sidewalk_right > 0 FROM dual.edge WHERE axis_id = 3);
+SELECT 'ground between streets of two names is none, nor is wide ground', pg_temp.walks('{1,2,5,6}') = '1l 1r 2l 2r 5l 5r 6l 6r';
+UPDATE dual.axis SET geom = ST_Translate(geom, 0, -25) WHERE axis_id = 2;
+SELECT 'a carriageway that comes near takes the sidewalk off the other', pg_temp.walks('{1,2}') = '1r 2l' AND test.followed('dual', 'anew');
+UPDATE dual.axis SET name = 'South Bank' WHERE axis_id = 5;
+SELECT 'and so does a name', pg_temp.walks('{5,6}') = '5r 6l' AND test.followed('dual', 'anew');
+UPDATE dual.axis SET sidewalk_left = 1 WHERE axis_id = 3;
+SELECT 'what an axis says holds', pg_temp.walks('{3,4}') = '3l 3r 4l' AND test.followed('dual', 'anew');
+UPDATE dual.axis SET direction = 'both' WHERE axis_id = 4;
+SELECT 'a street of both directions is no carriageway of another', pg_temp.walks('{4}') = '4l 4r' AND (SELECT beside_left = 'outer' FROM dual.edge WHERE axis_id = 3) AND test.followed('dual', 'anew');
+DELETE FROM dual.axis WHERE axis_id = 2;
+SELECT 'nor is one that is gone', pg_temp.walks('{1}') = '1l 1r' AND test.followed('dual', 'anew');
 
 -- Edits: as from scratch, and no row without need.
 CREATE FUNCTION pg_temp.sidewalks(model name) RETURNS SETOF text LANGUAGE plpgsql AS $$ BEGIN

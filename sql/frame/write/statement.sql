@@ -8,7 +8,7 @@ former_edge AS MATERIALIZED (
            t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
                c.contested_area > 0 AS contested, c.level, coalesce((
                SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(c.borders) WITH ORDINALITY
-                   b(number, place)), '') AS borders
+                   b(number, place)), '') AS borders, e.beside_left, e.beside_right
     FROM {model}.edge e,
         LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
@@ -29,7 +29,7 @@ used AS MATERIALIZED (
         lanes_both, kind_forward,
         kind_backward,
            lane_width_forward, lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access,
-           on_ring, sidewalk_left, sidewalk_right, speed,
+           on_ring, street, sidewalk_left, sidewalk_right, speed,
            importance, radius, direction, estimated,
                CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
     FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
@@ -44,7 +44,7 @@ computed AS MATERIALIZED (
             SELECT array_agg(ROW (
                 axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, radius, importance, speed,
                 lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
-                    lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access, on_ring,
+                    lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access, on_ring, street,
                 {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
@@ -55,7 +55,8 @@ computed AS MATERIALIZED (
                 WHERE {whole} AND axis_id IS NOT NULL OR axis_id = ANY ($2) {yields}) c),
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
-                wanted_end, "end", border_end, surface, contested, level, borders)::streetgen.former_edge)
+                wanted_end, "end", border_end, surface, contested, level, borders, beside_left,
+                beside_right)::streetgen.former_edge)
             FROM former_edge),
         former_nodes => (
             SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface::bytea,

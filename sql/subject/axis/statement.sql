@@ -40,6 +40,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
            # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
+           -- Carriageways of one street are told by its name.
+           # CASE WHEN name <> '' AND direction_used <> 'both' THEN hashtextextended(lower(name), 8) ELSE 0 END
            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
@@ -51,8 +53,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    class_parking_right), 7) END)
            AS input_hash,
        setting_hash,
-       coalesce(sidewalk_left, CASE island_side WHEN 'left' THEN 0 ELSE sidewalk_usual END) AS sidewalk_left,
-       coalesce(sidewalk_right, CASE island_side WHEN 'right' THEN 0 ELSE sidewalk_usual END) AS sidewalk_right,
+       coalesce(sidewalk_left, sidewalk_usual) AS sidewalk_left,
+       coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,
        access,
@@ -60,7 +62,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        CASE WHEN lanes_by_width IS NOT FALSE AND coalesce(kerb_width, believed) IS NOT NULL AND kerbside = 0
            AND num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) > 0 THEN widest_lane END
            AS lane_width_maximal,
-       coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring
+       coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring,
+       CASE WHEN name <> '' THEN hashtextextended(lower(name), 0) ELSE 0 END AS street
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,

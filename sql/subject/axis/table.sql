@@ -177,7 +177,7 @@ COMMENT ON COLUMN :"model".axis.lanes_both IS
 COMMENT ON CONSTRAINT axis_lanes_both_check ON :"model".axis IS '0 to 30. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.sidewalk_left IS
     'width of the sidewalk on the left of geom, metres; 0: none; NULL: estimated, by setting sidewalk_by_importance; '
-    'none on the island of a roundabout by roundabout_tag';
+    'none on medians, splitters and islands';
 COMMENT ON CONSTRAINT axis_sidewalk_left_check ON :"model".axis IS
     '0 to 50 m, 0 for none. Leave it empty to have it estimated.';
 COMMENT ON COLUMN :"model".axis.sidewalk_right IS 'the same on the right of geom';

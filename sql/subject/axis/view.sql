@@ -51,14 +51,16 @@ BEGIN
     COMMENT ON COLUMN axis_used.access IS 'who may drive, as in axis; NULL: all';
     COMMENT ON COLUMN axis_used.on_ring IS
         'does the source say that it is part of a roundabout, where setting roundabout_tags is true?';
+    COMMENT ON COLUMN axis_used.street IS 'a number of its name, whatever its case; 0: none';
     COMMENT ON COLUMN axis_used.speed IS 'speed of the traffic, km/h';
     COMMENT ON COLUMN axis_used.importance IS 'importance, 1 the highest';
     COMMENT ON COLUMN axis_used.radius IS 'wanted radius of its corners, metres, 0: none';
     COMMENT ON COLUMN axis_used.estimated IS 'which of these values are estimated';
     COMMENT ON COLUMN axis_used.input_hash IS 'hash of the axis and the values used';
     COMMENT ON COLUMN axis_used.setting_hash IS 'hash of the settings';
-    COMMENT ON COLUMN axis_used.sidewalk_left IS 'width of the sidewalk on the left, metres; 0: none';
-    COMMENT ON COLUMN axis_used.sidewalk_right IS 'width of the sidewalk on the right, metres; 0: none';
+    COMMENT ON COLUMN axis_used.sidewalk_left IS
+        'width of the sidewalk on the left, metres; 0: none; an estimate holds where the city lies beside';
+    COMMENT ON COLUMN axis_used.sidewalk_right IS 'the same on its right';
     COMMENT ON COLUMN axis_used.roadway_offset IS 'metres from the axis to the middle of the roadway, left positive';
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_views(name) IS

@@ -10,7 +10,7 @@ COMMENT ON FUNCTION streetgen._kerb_computed_table() IS 'The computed table of k
 
 CREATE OR REPLACE FUNCTION streetgen._computed_kerb(streets bigint, nodes bigint[], edges bigint[])
     RETURNS TABLE(number integer, edge_id bigint, node_id bigint, level integer, side text, part integer, geom geometry,
-        curve geometry, surface geometry, method text)
+        curve geometry, surface geometry, method text, beside text)
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_kerb';
 COMMENT ON FUNCTION streetgen._computed_kerb(bigint, bigint[], bigint[]) IS
     'The kerbs of streets computed in this statement: of sections, where node_id is NULL, and of intersections.';
@@ -25,9 +25,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_kerb(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('kerb'), places),
     streetgen._upsert_rows(places, 'kerb',
-        columns => 'edge_id, node_id, level, side, part, geom, curve, surface, method',
+        columns => 'edge_id, node_id, level, side, part, geom, curve, surface, method, beside',
         read => places -> 'subjects' ? 'sidewalk', rows => $part$
-        SELECT number, edge_id, node_id, level, side, part, geom, curve, surface, method
+        SELECT number, edge_id, node_id, level, side, part, geom, curve, surface, method, beside
         FROM streetgen._computed_kerb((SELECT streets FROM computed), (SELECT ids FROM node_ids),
             (SELECT ids FROM kerb_edge_ids))$part$,
         there => streetgen._part('kerb_there'))) $$;

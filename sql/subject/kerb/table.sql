@@ -32,3 +32,9 @@ COMMENT ON COLUMN :"model".kerb.method IS
     'hypothesis; radius_reduced: of the corner; followed: of the corner; nose: of the corner; radius_minimal: of the '
     'corner; no_arc: of the corner; transition: the width changes; contested: other surfaces take part of the side; '
     'level_change: the roadway goes on there on another level; by_hand';
+
+ALTER TABLE :"model".kerb ADD COLUMN IF NOT EXISTS beside text NOT NULL DEFAULT 'outer'
+    CHECK (beside IN ('outer', 'median', 'splitter', 'island'));
+COMMENT ON COLUMN :"model".kerb.beside IS
+    'what lies behind it: median, between the two carriageways of one street; splitter, between arms of one junction; '
+    'island, of a roundabout or a slip lane; outer, all else';

@@ -50,8 +50,12 @@ FROM (SELECT n.number, n.affected, n.kerbs_affected, n.geom, anchor_axis[1] AS a
 SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affected, kerbs_affected, axis_id,
        (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
        level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
-       width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left,
-       sidewalk_right, speed, importance, estimated,
+       width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both,
+       -- None is estimated on medians and islands.
+       CASE WHEN beside_left <> 'outer' AND 'sidewalk_left' = ANY (estimated) THEN 0 ELSE sidewalk_left END
+           AS sidewalk_left,
+       CASE WHEN beside_right <> 'outer' AND 'sidewalk_right' = ANY (estimated) THEN 0 ELSE sidewalk_right END
+           AS sidewalk_right, beside_left, beside_right, speed, importance, estimated,
            input_hash, setting_hash
 FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
     u.sidewalk_left, u.sidewalk_right, u.speed, u.importance,

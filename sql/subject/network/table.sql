@@ -48,7 +48,8 @@ COMMENT ON COLUMN :"model".edge.lane_count IS
 COMMENT ON COLUMN :"model".edge.lanes_forward IS 'general, bus and carpool lanes along the axis that were used';
 COMMENT ON COLUMN :"model".edge.lanes_backward IS 'general, bus and carpool lanes against the axis that were used';
 COMMENT ON COLUMN :"model".edge.lanes_both IS 'lanes that both directions use';
-COMMENT ON COLUMN :"model".edge.sidewalk_left IS 'width of the sidewalk on its left that was used, metres; 0: none';
+COMMENT ON COLUMN :"model".edge.sidewalk_left IS
+    'width of the sidewalk on its left that was used, metres; 0: none; none is estimated where the city is not beside';
 COMMENT ON COLUMN :"model".edge.sidewalk_right IS 'the same on its right';
 COMMENT ON COLUMN :"model".edge.speed IS 'speed that was used, km/h';
 COMMENT ON COLUMN :"model".edge.importance IS 'importance that was used';
@@ -57,6 +58,16 @@ COMMENT ON COLUMN :"model".edge.input_hash IS
     'hash of the axis and the values used: check_model sees what changed since; 0: what is said of its turns, or a '
     'neighbour, did';
 COMMENT ON COLUMN :"model".edge.setting_hash IS 'hash of the settings used';
+
+ALTER TABLE :"model".edge
+    ADD COLUMN IF NOT EXISTS beside_left text NOT NULL DEFAULT 'outer'
+        CHECK (beside_left IN ('outer', 'median', 'splitter', 'island')),
+    ADD COLUMN IF NOT EXISTS beside_right text NOT NULL DEFAULT 'outer'
+        CHECK (beside_right IN ('outer', 'median', 'splitter', 'island'));
+COMMENT ON COLUMN :"model".edge.beside_left IS
+    'what lies on its left: median, between the two carriageways of one street; splitter, between arms of one '
+    'junction; island, of a roundabout or a slip lane; outer, all else';
+COMMENT ON COLUMN :"model".edge.beside_right IS 'the same on its right';
 
 CREATE TABLE :"model".report (
     issue text NOT NULL, axis_a bigint NOT NULL, axis_b bigint NOT NULL, measure float8 NOT NULL,

@@ -1,13 +1,5 @@
 -- The width of a sidewalk that nobody stated.
 
-CREATE OR REPLACE FUNCTION streetgen._island_side(roundabout_tag text, direction text, driving_side text) RETURNS text
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN roundabout_tag IS NOT NULL AND direction <> 'both'
-        THEN CASE WHEN (direction = 'direct') = (driving_side <> 'left') THEN 'left' ELSE 'right' END END;
-COMMENT ON FUNCTION streetgen._island_side(text, text, text) IS
-    'On which side of its axis a roundabout has its island, left or right. NULL where the source names no roundabout, '
-    'or no direction of the traffic that goes round.';
-
 CREATE OR REPLACE FUNCTION streetgen.estimated_sidewalk(importance integer, walked_along boolean, widths float8[])
     RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -20,8 +12,7 @@ COMMENT ON FUNCTION streetgen.estimated_sidewalk(integer, boolean, float8[]) IS
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_value_used(places jsonb) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT 'LEFT JOIN LATERAL (SELECT streetgen.estimated_sidewalk(coalesce(importance_known, '
-        'importance_default), walked_along, sidewalks) AS sidewalk_usual, '
-        'streetgen._island_side(CASE WHEN tags_count THEN roundabout_tag END, direction_used, driving_side) '
-        'AS island_side HAVING true) sidewalk ON true' $$;
+        'importance_default), walked_along, sidewalks) AS sidewalk_usual HAVING true) '
+        'sidewalk ON true' $$;
 COMMENT ON FUNCTION streetgen._sidewalk_value_used(jsonb) IS
-    'The step of view axis_used that gives the usual width of sidewalks, and on which side an island has none.';
+    'The step of view axis_used that gives the usual width of sidewalks.';

@@ -4,7 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
-    ('sidewalk_by_importance', '{"1": 3, "2": 3, "3": 2.5, "4": 2, "5": 1.5}', 'm',
+    ('sidewalk_by_importance', '{"1": 3, "2": 3, "3": 2.5, "4": 2, "5": 1.5, "6": 0}', 'm',
         'width of the sidewalks of an axis that says none, by importance; an entry holds up to the next one, the '
         'first also before itself; motorways, their links, runways and taxiways have none', NULL::float8, NULL::float8,
         NULL::text[]),

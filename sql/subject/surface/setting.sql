@@ -25,6 +25,9 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
     ('median_width_minimal', '0.5', 'm',
         'such a corner becomes the nose of a median where the ground between the kerbs is this wide', 0.02, 100,
         NULL),
+    ('median_width_maximal', '20', 'm',
+        'ground between the two carriageways of one street is a median where they lie no farther apart, kerb to kerb; '
+        'wider ground is a block; 0: none', 0, 100, NULL),
     ('island_area', '1000', 'm2',
         'in a face smaller than this between axes of one level, no longer about than twice the reach, ground with '
         'room for a disc of 1 m stays: its corners become noses where their arcs would leave none, or close over '

@@ -26,7 +26,7 @@ COMMENT ON COLUMN streetgen.street_corner.radius IS 'm';
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
         border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea,
-        contested boolean, level integer, borders bytea
+        contested boolean, level integer, borders bytea, beside_left text, beside_right text
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
@@ -44,6 +44,8 @@ COMMENT ON COLUMN streetgen.former_edge.contested IS 'did part of the section''s
 COMMENT ON COLUMN streetgen.former_edge.level IS 'level of the section';
 COMMENT ON COLUMN streetgen.former_edge.borders IS
     'numbers of column borders of the section, each as float8send writes it; empty: there were none';
+COMMENT ON COLUMN streetgen.former_edge.beside_left IS 'what lay beside it on its left, as in table edge';
+COMMENT ON COLUMN streetgen.former_edge.beside_right IS 'what lay beside it on its right';
 
 CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean, level integer);
 COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with its intersection.';

@@ -88,6 +88,10 @@ class RoadwayBorder {
 
   void want_affected() {
     for (int i = 0; i < count(); ++i) wanted_[i] = !outer(i) && affected(i);
+    for (int e = 0; e < edges_; ++e)
+      if (moved_.beside[e])
+        for (const int i : beside(e))
+          if (!outer(i)) wanted_[i] = true;
   }
 
   void want_beside_changes() {

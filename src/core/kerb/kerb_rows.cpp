@@ -12,7 +12,8 @@ namespace streetgen {
 namespace {
 
 // The arc of the corner, from the first point of the line to its last. A kerb goes
-// counter-clockwise about the centre, and vertices say nothing of its middle: crumbs are among them.
+// counter-clockwise about the centre, and vertices say nothing of its middle: crumbs are among
+// them.
 Arc curve_of(const Corner& corner, const Line& line) {
   const Point& centre = *corner.centre;
   const Point start = unit(line.front() - centre), end = unit(line.back() - centre);
@@ -20,6 +21,21 @@ Arc curve_of(const Corner& corner, const Line& line) {
   if (sweep < -M_PI_2) sweep += 2 * M_PI;
   const Point middle = start * std::cos(sweep / 2) + left_normal(start) * std::sin(sweep / 2);
   return {line.front(), centre + middle * corner.radius, line.back()};
+}
+
+Beside beside(const BesideEdges& all, const KerbPlace& place) {
+  switch (place.side) {
+    case KerbSide::left:
+      return all.sides[2 * place.edge];
+    case KerbSide::right:
+      return all.sides[2 * place.edge + 1];
+    case KerbSide::corner_at_start:
+      return all.corners[2 * place.edge];
+    case KerbSide::corner_at_end:
+      return all.corners[2 * place.edge + 1];
+    default:
+      return Beside::outer;  // ahead of a street, not beside it
+  }
 }
 
 }  // namespace
@@ -73,6 +89,7 @@ void KerbRows::append_row(const KerbPlace& place, Line line) {
   kerb.line = std::move(line);
   kerb.method = place.method;
   kerb.stone_width = layout_.settings.kerb_stone_width;
+  kerb.beside = beside(layout_.streets.beside, place);
   kerbs_.push_back(std::move(kerb));
 }
 

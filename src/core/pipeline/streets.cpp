@@ -13,6 +13,7 @@
 #include "ramp/merging_lanes.hpp"
 #include "roadway/check_roadway.hpp"
 #include "roadway/find_affected.hpp"
+#include "roadway/ground_beside.hpp"
 #include "roadway/settle_limits.hpp"
 #include "roadway/solve_corners.hpp"
 #include "roadway/street_override.hpp"
@@ -47,6 +48,7 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   settle_limits(layout, limits_by_hand(layout, overrides.limits));
   solve_joints(layout, radii);
   check_limits(layout.streets);
+  layout.streets.beside = ground_beside(layout);
   const Affected moved = find_affected(layout, former, leads_on);
   stay_within(layout.streets, former);
   const std::map<int, MultiPolygon> beyond_reach =

@@ -46,7 +46,8 @@ class Change {
         room_before_(edges_.size(), std::numeric_limits<double>::infinity()),
         moved_{std::vector<bool>(edges_.size()), std::vector<bool>(nodes_.size()),
                std::vector<const FormerSurface*>(edges_.size()),
-               std::vector<const FormerSurface*>(nodes_.size())} {}
+               std::vector<const FormerSurface*>(nodes_.size()), std::vector<bool>(edges_.size())} {
+  }
 
   Affected moved(const LeadsOn& leads_on) {
     compare_edges();
@@ -274,6 +275,9 @@ class Change {
     const SectionLimit &start = layout_.streets.limits[2 * e],
                        &end = layout_.streets.limits[2 * e + 1];
     room_before_[e] = before.end.abscissa - before.start.abscissa;
+    const std::vector<Beside>& beside = layout_.streets.beside.sides;
+    moved_.beside[e] =
+        beside[2 * e] != before.beside_left || beside[2 * e + 1] != before.beside_right;
     const bool same_start = stays(before.start, start), same_end = stays(before.end, end);
     // Where another edge comes to a dead end, its round end goes.
     const bool rounded =
@@ -411,6 +415,8 @@ Affected find_affected(Layout& layout, const Former& former, const LeadsOn& lead
   Affected moved = change.moved(leads_on);
   auto &edges = layout.streets.affected_edges, &nodes = layout.streets.affected_nodes;
   edges = moved.edges;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    if (moved.beside[e]) edges[e] = true;
   nodes = moved.nodes;
   layout.streets.spreads_to = change.spreads_to();
   mark_by(change.given_up(), moved.sections, edges);

@@ -25,6 +25,7 @@ struct GivenUp {
 struct Affected {
   std::vector<bool> edges, nodes;
   std::vector<const FormerSurface*> sections, intersections;  // nullptr: none, or it moved
+  std::vector<bool> beside;  // by edge: the ground beside it is of another kind
   std::vector<GivenUp> given_up{};
   std::vector<Turned> turned{};
 };

@@ -8,6 +8,28 @@ namespace streetgen {
 
 namespace {
 
+std::size_t index_of(const Layout& layout, int node, const EdgeEnd& end) {
+  const auto& ends = layout.junctions[node].ends;
+  std::size_t i = 0;
+  while (slot(ends[i]) != slot(end)) ++i;
+  return i;
+}
+
+// The corner at the far end of a corner's first street, on the same face.
+CornerPlace onwards(const Layout& layout, const CornerPlace& corner) {
+  const EdgeEnd& end = layout.junctions[corner.node].ends[corner.gap];
+  const int node = far_node(layout, end);
+  const std::size_t count = layout.junctions[node].ends.size();
+  return {node, (index_of(layout, node, {end.edge, !end.at_start}) + count - 1) % count};
+}
+
+// At the far end of its second one.
+CornerPlace backwards(const Layout& layout, const CornerPlace& corner) {
+  const EdgeEnd& end = layout.junctions[corner.node].next(corner.gap);
+  const int node = far_node(layout, end);
+  return {node, index_of(layout, node, {end.edge, !end.at_start})};
+}
+
 class Faces {
  public:
   explicit Faces(Layout& layout) : layout_(layout) {
@@ -21,7 +43,7 @@ class Faces {
       for (std::size_t i = 0; i < seen_[n].size(); ++i) {
         look_about({n, i});
         if (seen_[n][i]) continue;
-        StreetFace face = face_from({n, i});
+        StreetFace face = face_about(layout_, {n, i});
         for (const FaceSide& side : face) seen_[side.corner.node][side.corner.gap] = true;
         if (is_small(face)) found.push_back(std::move(face));
       }
@@ -30,28 +52,6 @@ class Faces {
   }
 
  private:
-  std::size_t index_of(int node, const EdgeEnd& end) const {
-    const auto& ends = layout_.junctions[node].ends;
-    std::size_t i = 0;
-    while (slot(ends[i]) != slot(end)) ++i;
-    return i;
-  }
-
-  // The corner at the far end of a corner's first street, on the same face.
-  CornerPlace onwards(const CornerPlace& corner) const {
-    const EdgeEnd& end = layout_.junctions[corner.node].ends[corner.gap];
-    const int node = far_node(layout_, end);
-    const std::size_t count = layout_.junctions[node].ends.size();
-    return {node, (index_of(node, {end.edge, !end.at_start}) + count - 1) % count};
-  }
-
-  // At the far end of its second one.
-  CornerPlace backwards(const CornerPlace& corner) const {
-    const EdgeEnd& end = layout_.junctions[corner.node].next(corner.gap);
-    const int node = far_node(layout_, end);
-    return {node, index_of(node, {end.edge, !end.at_start})};
-  }
-
   double length_of(const EdgeEnd& end) const { return length(layout_.arm(end).line); }
 
   // The nodes on both sides of a face that may once have been small, or become so.
@@ -63,7 +63,7 @@ class Faces {
     do {
       about += length_of(layout_.junctions[at.node].ends[at.gap]);
       if (about > reach) break;
-      at = onwards(at);
+      at = onwards(layout_, at);
       followed.push_back(at.node);
     } while (!(at == corner));
     about = 0;
@@ -71,26 +71,9 @@ class Faces {
     do {
       about += length_of(layout_.junctions[at.node].next(at.gap));
       if (about > reach) break;
-      at = backwards(at);
+      at = backwards(layout_, at);
       followed.push_back(at.node);
     } while (!(at == corner));
-  }
-
-  // Counter-clockwise about an inner face; none about a long one, or of several levels.
-  StreetFace face_from(const CornerPlace& start) const {
-    StreetFace face;
-    const auto& edges = layout_.streets.network.edges;
-    double about = 0;
-    CornerPlace at = start;
-    do {
-      const EdgeEnd& end = layout_.junctions[at.node].ends[at.gap];
-      about += length_of(end);
-      if (about > 2 * layout_.settings.reach) return {};
-      face.push_back({end, at});
-      if (edges[end.edge].level != edges[face.front().end.edge].level) return {};
-      at = onwards(at);
-    } while (!(at == start));
-    return face;
   }
 
   bool is_small(const StreetFace& face) const {
@@ -112,6 +95,38 @@ std::optional<CornerArc> kerb_crossing(const Layout& layout, const CornerPlace& 
 }  // namespace
 
 std::vector<StreetFace> small_faces(Layout& layout) { return Faces(layout).small(); }
+
+CornerPlace corner_beside(const Layout& layout, const EdgeEnd& end) {
+  const Edge& edge = layout.streets.network.edges[end.edge];
+  const int node = end.at_start ? edge.from_node : edge.to_node;
+  return {node, index_of(layout, node, end)};
+}
+
+FaceSide side_after(const Layout& layout, const FaceSide& side) {
+  const CornerPlace corner = onwards(layout, side.corner);
+  return {layout.junctions[corner.node].ends[corner.gap], corner};
+}
+
+FaceSide side_before(const Layout& layout, const FaceSide& side) {
+  const CornerPlace corner = backwards(layout, side.corner);
+  return {layout.junctions[corner.node].ends[corner.gap], corner};
+}
+
+StreetFace face_about(const Layout& layout, const CornerPlace& start) {
+  StreetFace face;
+  const auto& edges = layout.streets.network.edges;
+  double about = 0;
+  CornerPlace at = start;
+  do {
+    const EdgeEnd& end = layout.junctions[at.node].ends[at.gap];
+    about += length(layout.arm(end).line);
+    if (about > 2 * layout.settings.reach) return {};
+    face.push_back({end, at});
+    if (edges[end.edge].level != edges[face.front().end.edge].level) return {};
+    at = onwards(layout, at);
+  } while (!(at == start));
+  return face;
+}
 
 int far_node(const Layout& layout, const EdgeEnd& end) {
   const Edge& edge = layout.streets.network.edges[end.edge];

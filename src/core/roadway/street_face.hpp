@@ -28,6 +28,15 @@ using StreetFace = std::vector<FaceSide>;
 // nodes that it looked at to Junction::followed: its face may once have been small, or become so.
 std::vector<StreetFace> small_faces(Layout& layout);
 
+// The corner from which an edge leads along a face on its left.
+CornerPlace corner_beside(const Layout& layout, const EdgeEnd& end);
+// The next side of the same face, and the one before it.
+FaceSide side_after(const Layout& layout, const FaceSide& side);
+FaceSide side_before(const Layout& layout, const FaceSide& side);
+// The face at a corner, counter-clockwise about an inner one; none about one that is longer than
+// twice the reach, or of several levels.
+StreetFace face_about(const Layout& layout, const CornerPlace& corner);
+
 // The node at the other end.
 int far_node(const Layout& layout, const EdgeEnd& end);
 // The line of the edges about a face.

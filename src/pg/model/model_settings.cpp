@@ -99,6 +99,7 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.follow_length = given.measure_or_unbounded("follow_length");
   settings.follow_area = given.measure_or_unbounded("follow_area");
   settings.median_width_minimal = given.measure("median_width_minimal", 1e-6);
+  settings.median_width_maximal = given.measure("median_width_maximal");
   settings.island_area = given.measure("island_area", 0, 1e6);
   settings.island_nose_radius = given.measure("island_nose_radius", 1e-6);
   settings.kerb_radius_minimal = given.measure_or_none("kerb_radius_minimal");

@@ -23,7 +23,7 @@ bool fill_kerb(const ComputedStreets& computed, const Named& named, std::size_t 
          put(row, edge, std::move(node), kerb.level, name(kerb_side_name(kerb.side)), kerb.part,
              Geometry{stored_line(kerb.line, flat(computed))}, std::move(curve),
              Geometry{stored_surface(stones_of(kerb), flat(computed))},
-             name(method_name(kerb.method)));
+             name(method_name(kerb.method)), name(beside_name(kerb.beside)));
 }
 
 const Table kerb_table{[](Computed c) { return c.streets.kerbs.size(); }, fill_kerb,

@@ -32,6 +32,12 @@ bool lanes_affected(const Streets& streets, const Edge& edge) {
 
 bool marked(const std::vector<bool>& marks, std::size_t i) { return !marks.empty() && marks[i]; }
 
+// A network without streets says nothing of what lies beside it.
+Beside side(const Streets& streets, std::size_t slot) {
+  const std::vector<Beside>& sides = streets.beside.sides;
+  return sides.empty() ? Beside::outer : sides[slot];
+}
+
 bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const auto& node = computed.streets.network.nodes[i];
   std::vector<std::int64_t> axes;
@@ -53,7 +59,9 @@ bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row
              marked(computed.streets.edges_with_kerbs, i), bool(computed.streets.spreads_to[i]),
              edge.axis_id, number(edge.from_node), number(edge.to_node), edge.level,
              edge.start_abscissa, edge.end_abscissa,
-             Geometry{stored_line(edge.line, with_z(computed))}, std::move(curve));
+             Geometry{stored_line(edge.line, with_z(computed))}, std::move(curve),
+             name(beside_name(side(computed.streets, 2 * i))),
+             name(beside_name(side(computed.streets, 2 * i + 1))));
 }
 
 bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {

@@ -81,6 +81,7 @@ void take_network(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column_or_null(axes, "turn_backward", TEXTOID),
                 column_or_null(axes, "access", TEXTOID),
                 column(axes, "on_ring", BOOLOID),
+                column(axes, "street", INT8OID),
                 column(axes, "changed", BOOLOID),
                 column(axes, "outer_axis", BOOLOID)};
 }
@@ -140,7 +141,9 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(edges, "surface", BYTEAOID),
                         column(edges, "contested", BOOLOID),
                         column(edges, "level", INT4OID),
-                        column(edges, "borders", BYTEAOID)};
+                        column(edges, "borders", BYTEAOID),
+                        column(edges, "beside_left", TEXTOID),
+                        column(edges, "beside_right", TEXTOID)};
 
   const Rows nodes = rows(fcinfo, 9, "former nodes");
   call->former_nodes = {nodes.count,

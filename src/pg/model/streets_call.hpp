@@ -19,7 +19,7 @@ struct StreetsCall {
     Column lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward;
     Column lane_width_forward, lane_width_backward, lane_width_maximal;
     Column turn_forward, turn_backward, access;
-    Column on_ring, changed, outer_axis;
+    Column on_ring, street, changed, outer_axis;
   } axes;
   struct {
     int count;
@@ -45,7 +45,7 @@ struct StreetsCall {
     int count;
     Column axis_id, start_abscissa, end_abscissa, geom;
     Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested,
-        level, borders;
+        level, borders, beside_left, beside_right;
   } former_edges;
   struct {
     int count;

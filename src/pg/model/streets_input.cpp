@@ -87,6 +87,7 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.leads_forward = leads(rows.lanes_forward);
     axis.leads_backward = leads(rows.lanes_backward);
     axis.on_ring = DatumGetBool(rows.on_ring.values[i]);
+    axis.street = DatumGetInt64(rows.street.values[i]);
     axis.changed = DatumGetBool(rows.changed.values[i]);
     axis.outer = DatumGetBool(rows.outer_axis.values[i]);
     axis.transition_start = own(axis.axis_id, true);
@@ -304,6 +305,12 @@ WidthProfile borders_of(std::string_view bytes) {
   return borders;
 }
 
+Beside beside_of(const std::string& word) {
+  for (const Beside beside : {Beside::median, Beside::splitter, Beside::island})
+    if (word == beside_name(beside)) return beside;
+  return Beside::outer;
+}
+
 Former former_of(const StreetsCall& call) {
   Former former;
   const auto& edges = call.former_edges;
@@ -319,7 +326,9 @@ Former former_of(const StreetsCall& call) {
                             limit(edges.wanted_start, edges.start, edges.border_start),
                             limit(edges.wanted_end, edges.end, edges.border_end),
                             former_surface(edges.surface, edges.contested, edges.level, i),
-                            borders_of(bytes_of(edges.borders.values[i]))});
+                            borders_of(bytes_of(edges.borders.values[i])),
+                            beside_of(text_of(edges.beside_left.values[i])),
+                            beside_of(text_of(edges.beside_right.values[i]))});
   }
   const auto& nodes = call.former_nodes;
   for (int i = 0; i < nodes.count; ++i)

@@ -5,7 +5,7 @@ CREATE FUNCTION test.content(model name) RETURNS TABLE (content text) LANGUAGE p
 BEGIN
   RETURN QUERY EXECUTE replace($q$
     SELECT concat_ws(' ', 'node', geom::text) FROM @.node
-    UNION ALL SELECT concat_ws(' ', 'edge', e.axis_id, e.start_abscissa, e.end_abscissa, e.level, e.width, e.width_end, e.lanes_both, e.geom::text) FROM @.edge e
+    UNION ALL SELECT concat_ws(' ', 'edge', e.axis_id, e.start_abscissa, e.end_abscissa, e.level, e.width, e.width_end, e.lanes_both, e.beside_left, e.beside_right, e.geom::text) FROM @.edge e
     UNION ALL SELECT concat_ws(' ', 'limit', e.axis_id, e.start_abscissa, l.which, l.wanted_abscissa, l.abscissa, l.method, l.border_line::text)
       FROM @.section_limit l JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'section', e.axis_id, e.start_abscissa, s.method, s.contested_area, s.surface::text) FROM @.section s JOIN @.edge e USING (edge_id)
@@ -25,7 +25,7 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'adjacency', e.axis_id, e.start_abscissa, a.side, l.lane_position, a.change, a.by_hand)
       FROM @.lane_adjacency a JOIN @.lane l ON l.lane_id = a.lane_a JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.kerb', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.geom::text, k.curve IS NOT NULL, k.surface::text)
+    UNION ALL SELECT concat_ws(' ', 'kerb', e.axis_id, e.start_abscissa, n.geom::text, k.level, k.side, k.part, k.method, k.beside, k.geom::text, k.curve IS NOT NULL, k.surface::text)
       FROM @.kerb k JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
     || CASE WHEN to_regclass(format('%I.sidewalk', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'sidewalk', e.axis_id, e.start_abscissa, n.geom::text, s.side, s.part, s.width, s.method, s.surface::text)

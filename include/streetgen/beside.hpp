@@ -1,0 +1,22 @@
+// What lies beside a kerb.
+#pragma once
+
+#include <vector>
+
+namespace streetgen {
+
+enum class Beside {
+  outer,     // a block of the city, or open ground
+  median,    // between the two carriageways of one street
+  splitter,  // between arms of one junction
+  island,    // of a roundabout, or of a slip lane
+};
+const char* beside_name(Beside beside) noexcept;
+
+// By slot, that is 2 * edge for the start of an edge and 2 * edge + 1 for its end.
+struct BesideEdges {
+  std::vector<Beside> sides;    // on the left, seen from that end: of 2 * edge the edge's left side
+  std::vector<Beside> corners;  // counter-clockwise from that end
+};
+
+}  // namespace streetgen
