@@ -45,6 +45,7 @@ class GroundBeside {
       widest_ = std::max(widest_, farthest_kerb(static_cast<int>(boxes.size()) - 1));
     }
     index_ = BoxIndex(boxes);
+    walk_small_faces();
   }
 
   BesideEdges find() const {
@@ -80,8 +81,7 @@ class GroundBeside {
 
   Beside beside(const EdgeEnd& end) const {
     if (lies_within_ring(end)) return Beside::island;
-    const StreetFace face = face_about(layout_, corner_beside(layout_, end));
-    if (const std::optional<Beside> small = beside_small(face)) return *small;
+    if (const std::optional<Beside> small = small_[slot(end)]) return *small;
     return runs_beside_other(end) || closes_median(end) ? Beside::median : Beside::outer;
   }
 
@@ -149,6 +149,25 @@ class GroundBeside {
         runs.push_back({flow, size, layout_.axis_of(side.end.edge).street});
     }
     return runs;
+  }
+
+  // Each face once.
+  void walk_small_faces() {
+    small_.resize(2 * edges_.size());
+    std::vector<bool> seen(2 * edges_.size());
+    for (int n = 0; n < static_cast<int>(layout_.junctions.size()); ++n) {
+      poll_cancel();
+      const auto& ends = layout_.junctions[n].ends;
+      for (std::size_t gap = 0; gap < ends.size(); ++gap) {
+        if (seen[slot(ends[gap])]) continue;
+        const StreetFace face = face_about(layout_, {n, gap});
+        const std::optional<Beside> beside = beside_small(face);
+        for (const FaceSide& side : face) {
+          seen[slot(side.end)] = true;
+          small_[slot(side.end)] = beside;
+        }
+      }
+    }
   }
 
   // Of a face no longer about than twice the reach.
@@ -292,8 +311,7 @@ class GroundBeside {
     const EdgeEnd &first = junction.ends[corner.gap], &second = junction.next(corner.gap);
     const EdgeEnd arrives{second.edge, !second.at_start};
     if (lies_within_ring(first) || lies_within_ring(arrives)) return Beside::island;
-    if (const std::optional<Beside> small = beside_small(face_about(layout_, corner)))
-      return *small;
+    if (const std::optional<Beside> small = small_[slot(first)]) return *small;
     if (parts_at_corner(first, second)) return Beside::median;
     return lies_at_median(first, false) && lies_at_median(arrives, true) ? Beside::median
                                                                          : Beside::outer;
@@ -316,6 +334,7 @@ class GroundBeside {
 
   const Layout& layout_;
   const std::vector<Edge>& edges_;
+  std::vector<std::optional<Beside>> small_;  // by slot: what small faces are
   BoxIndex index_;
   double widest_ = 0;  // metres from an edge to its farther kerb
 };
