@@ -280,6 +280,8 @@ CREATE FUNCTION public.broken(arms streetgen.junction_arm[]) RETURNS text LANGUA
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.broken'), streetgen.generate('town', wait => true); END $$;
 SELECT 'one that raises is named with its words, its SQLSTATE and the junction', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier public.broken fails at junction %: too wide' AND test.state($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) = '22003' AND (SELECT width = 7 FROM town.axis WHERE axis_id = 5);
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind'), streetgen.generate('town', wait => true); END $$;
+SELECT 'an arm by which nobody comes claims no priority', array_agg(streetgen.junction_kind(ARRAY[ROW (1, NULL, 2, 50, 7, 1, 1, 0, NULL, false, NULL), ROW (2, NULL, 2, 50, 7, 1, 1, 180, NULL, false, NULL), ROW (3, NULL, 1, 50, 7, lanes_in, 1, 90, NULL, false, NULL)]::streetgen.junction_arm[]) ORDER BY lanes_in) = '{right_before_left,priority,priority}'
+    FROM unnest('{0,1,NULL}'::integer[]) lanes_in;
 SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
 -- Switched off and on.
 DROP VIEW pg_temp.across, pg_temp.side, pg_temp.link;

@@ -34,6 +34,11 @@ SELECT 'who comes along keeps his lanes', pg_temp.reached('right_hand', 1, 2) = 
     FROM right_hand.interconnection JOIN right_hand.lane ON lane_id = lane_in JOIN right_hand.edge USING (edge_id) WHERE axis_id = 1 AND plausible;
 SELECT 'so on the left', pg_temp.reached('left_hand', 4, 2) = '12' AND (SELECT count(*) FROM left_hand.interconnection WHERE plausible AND reason = 'look_ahead') = 1;
 SELECT 'as from scratch', test.followed('right_hand', 'scratch');
+SELECT * FROM pg_temp.edited('a street comes onto it at 40 degrees', $$UPDATE right_hand.axis SET geom = pg_temp.line(-92, -77, 0, 0) WHERE axis_id = 4$$);
+SELECT 'it crosses who goes on', pg_temp.reached('right_hand', 4, 2) = '12';
+SELECT * FROM pg_temp.edited('at 30 degrees', $$UPDATE right_hand.axis SET geom = pg_temp.line(-104, -60, 0, 0) WHERE axis_id = 4$$);
+SELECT 'it merges', pg_temp.reached('right_hand', 4, 2) = '2';
+SELECT * FROM pg_temp.edited('at a right angle', $$UPDATE right_hand.axis a SET geom = s.geom FROM street s WHERE s.axis_id = a.axis_id AND a.axis_id = 4$$);
 SELECT * FROM pg_temp.edited('the street to the left comes in', $$UPDATE right_hand.axis SET direction = 'reverse' WHERE axis_id = 5$$);
 SELECT 'nobody turns off', pg_temp.reached('right_hand', 4, 2) = '2';
 SELECT * FROM pg_temp.edited('it goes off again', $$UPDATE right_hand.axis SET direction = 'direct' WHERE axis_id = 5$$);

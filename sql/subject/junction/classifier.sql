@@ -14,16 +14,17 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
         WHEN bool_and(a.kind IS NULL) AND count(*) = 3 AND bool_and(a.lanes_in = 0 OR a.lanes_out = 0)
             AND max(a.speed) >= 80 AND streetgen._least_angle(array_agg(a.azimuth)) <= 30 THEN 'ramp'
         WHEN bool_or(a.control = 'stop') THEN 'stop'
-        WHEN bool_or(a.control = 'yield') OR min(a.importance) <> max(a.importance) THEN 'priority'
+        WHEN bool_or(a.control = 'yield') OR min(p.coming) <> max(p.coming) THEN 'priority'
         ELSE 'right_before_left' END
-    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind, a.highway_role, a.speed) AS part) p $$;
+    FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind, a.highway_role, a.speed) AS part,
+        CASE WHEN a.lanes_in IS DISTINCT FROM 0 THEN a.importance END AS coming) p $$;
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
     'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
     'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (by the roles of classes: a link at a '
     'highway or at a fast_road of 60 km/h and more, or highways and links alone; where '
     'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
-    'yield sign, or arms of different importance), right_before_left. No arms: end. An argument that is NULL is '
-    'unknown, and gives end; an arm may leave out all that is unknown.';
+    'yield sign, or traffic that comes by arms of different importance), right_before_left. No arms: end. An argument '
+    'that is NULL is unknown, and gives end; an arm may leave out all that is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen._least_angle(azimuths float8[]) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -35,7 +35,7 @@ std::optional<LanePair> nearest_to(const Ways& of_node, const Way& way, unsigned
   each_pair(way, [&](int in, int out) {
     if (!(way.to->out[out].ahead & missing) || !for_cars(way, in, out) ||
         !wide_enough(way, in, out) || way.forbidden(in, out) || way.from->in[in].middle ||
-        crosses_beside(of_node, way, out))
+        crosses_beside(of_node, way, in, out))
       return;
     bool takes = false, crosses = false;
     int aside = 0;

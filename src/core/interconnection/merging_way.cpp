@@ -1,13 +1,22 @@
 #include "interconnection/merging_way.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "interconnection/movement_angle.hpp"
 #include "interconnection/turn.hpp"
 
 namespace streetgen {
 
 namespace {
+
+constexpr double slanting = 35;  // degrees: who turns more gives way to all lanes of the street
+
+bool slants_in(const Way& way, int in, int out) {
+  const double angle = turn_angle(way.from->in[in].direction, way.to->out[out].direction);
+  return in_steps(std::abs(angle)) <= in_steps(slanting);
+}
 
 // From where a movement comes, as its street that goes out looks back along itself: degrees, the
 // greater, the farther to the left.
@@ -54,14 +63,14 @@ std::optional<bool> entered_from_left(const Ways& of_node, const Way& way) {
   return left == right ? std::nullopt : std::optional(left);
 }
 
-bool crosses_beside(const Ways& of_node, const Way& way, int out) {
-  if (!way.nearly_straight()) return false;
+bool crosses_beside(const Ways& of_node, const Way& way, int in, int out) {
+  if (!slants_in(way, in, out)) return false;
   for (const Way& other : of_node) {
-    if (other.from == way.from || !enters_beside(other, way) || !other.nearly_straight()) continue;
+    if (other.from == way.from || !enters_beside(other, way)) continue;
     const int side = comes_from(other) > comes_from(way) ? 1 : -1;
-    for (int in = 0; in < static_cast<int>(other.from->in.size()); ++in)
+    for (int i = 0; i < static_cast<int>(other.from->in.size()); ++i)
       for (int o = 0; o < static_cast<int>(other.to->out.size()); ++o)
-        if (other.at(in, o).plausible && (o - out) * side > 0) return true;
+        if (other.at(i, o).plausible && slants_in(other, i, o) && (o - out) * side > 0) return true;
   }
   return false;
 }

@@ -15,8 +15,8 @@ void leave_to_main(const Ways& of_node, Way& way);
 // sides or from neither.
 std::optional<bool> entered_from_left(const Ways& of_node, const Way& way);
 
-// Whether a path to a lane of its street would cross one of a way that enters the street beside it,
-// where both go nearly straight on.
-bool crosses_beside(const Ways& of_node, const Way& way, int out);
+// Whether a path from lane to lane would cross one of a way that enters the street beside it, where
+// both slant into it and turn no more.
+bool crosses_beside(const Ways& of_node, const Way& way, int in, int out);
 
 }  // namespace streetgen

@@ -259,7 +259,7 @@ class LaneBuilder {
         carried_(streets.network, streets.roadways, wishes_, settings) {}
 
   Lanes run() {
-    const std::vector<NodeRank> ranks = ranks_of(streets_);
+    const std::vector<NodeRank> ranks = ranks_of(streets_, ends_that_traffic_comes_by());
     const RingEntries rings(streets_, wishes_);
     Lanes out;
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
@@ -297,6 +297,18 @@ class LaneBuilder {
   bool meets_affected(int e) const {
     const Edge& edge = streets_.network.edges[e];
     return streets_.affected_nodes[edge.from_node] || streets_.affected_nodes[edge.to_node];
+  }
+
+  std::vector<bool> ends_that_traffic_comes_by() const {
+    std::vector<bool> comes;
+    for (const Edge& edge : streets_.network.edges) {
+      const std::vector<LaneWish> lanes = wishes_.of(edge).lanes;
+      for (const bool at_start : {true, false})
+        comes.push_back(std::any_of(lanes.begin(), lanes.end(), [&](const LaneWish& lane) {
+          return carries_traffic(lane.kind) && (lane.both_ways || lane.along_axis != at_start);
+        }));
+    }
+    return comes;
   }
 
   TaperedLanes tapered_lanes(const WidthProfile& profile,

@@ -23,9 +23,7 @@ constexpr double arrow_before_end = 5;  // a crossing before the line has its ro
 constexpr double shortest_band = 1e-9;
 constexpr double least_paint = 0.5;  // lanes narrower than this bear none
 
-bool painted(const Lane& lane) {
-  return carries_traffic(lane.kind) && lane.width >= least_paint;
-}
+bool painted(const Lane& lane) { return carries_traffic(lane.kind) && lane.width >= least_paint; }
 
 // Gives the pieces of a line between abscissas that grow, in one walk.
 template <class Use>
@@ -202,13 +200,16 @@ RingEntries::Place at_limit(const LaneStrip& strip, const Lane& lane, bool at_st
 
 }  // namespace
 
-std::vector<NodeRank> ranks_of(const Streets& streets) {
+std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& comes) {
   std::vector<NodeRank> ranks(streets.network.nodes.size());
   for (std::size_t e = 0; e < streets.network.edges.size(); ++e)
-    for (const int node : {streets.network.edges[e].from_node, streets.network.edges[e].to_node}) {
-      ++ranks[node].degree;
-      ranks[node].importance = std::min(ranks[node].importance, streets.roadways[e].importance);
-      ranks[node].lowest = std::max(ranks[node].lowest, streets.roadways[e].importance);
+    for (const bool at_start : {true, false}) {
+      const Edge& edge = streets.network.edges[e];
+      NodeRank& rank = ranks[at_start ? edge.from_node : edge.to_node];
+      ++rank.degree;
+      if (!comes[2 * e + (at_start ? 0 : 1)]) continue;
+      rank.importance = std::min(rank.importance, streets.roadways[e].importance);
+      rank.lowest = std::max(rank.lowest, streets.roadways[e].importance);
     }
   for (const Ramp& ramp : streets.ramps)
     if (ramp.on &&

@@ -15,11 +15,12 @@ namespace streetgen {
 // The rank by which traffic waits at a node.
 struct NodeRank {
   int degree = 0;
-  int importance = 99;    // of its most important edge
-  int lowest = 1;         // of its least important one
+  int importance = 99;    // of the most important edge by which traffic comes
+  int lowest = 1;         // of the least important one
   int merging_link = -1;  // a link whose lanes all have lanes of their own behind the node
 };
-std::vector<NodeRank> ranks_of(const Streets& streets);
+// `comes` by slot: whether traffic comes to the node by that end.
+std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& comes);
 
 // Across each lane that comes to a node of three and more edges: what its control point says, a
 // stop line for signals; a stop line where another end of the node has signals.  Without a control

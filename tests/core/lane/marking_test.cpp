@@ -22,20 +22,23 @@ struct Lines {
   bool operator==(const Lines& other) const { return stop == other.stop && yield == other.yield; }
 };
 
-Lines lines(int importance_of_south, std::optional<JunctionKind> by_hand,
-            const std::vector<ControlPoint>& signs = {}) {
-  PaintRules paint;
-  if (by_hand) paint.junctions.push_back({3, {1, 1, 0}, *by_hand});
-  const AxisLanes two_way{std::vector<LaneWish>(1), std::vector<LaneWish>(1)};
+const AxisLanes two_way{std::vector<LaneWish>(1), std::vector<LaneWish>(1)};
+
+Lines lines_of(const Lanes& made) {
   Lines found;
-  for (const Marking& marking :
-       lanes(tee(importance_of_south), {{1, two_way}, {2, two_way}, {3, two_way}}, {}, {}, signs,
-             {}, paint)
-           .markings) {
+  for (const Marking& marking : made.markings) {
     found.stop += marking.kind == MarkingKind::stop;
     found.yield += marking.kind == MarkingKind::yield;
   }
   return found;
+}
+
+Lines lines(int importance_of_south, std::optional<JunctionKind> by_hand,
+            const std::vector<ControlPoint>& signs = {}) {
+  PaintRules paint;
+  if (by_hand) paint.junctions.push_back({3, {1, 1, 0}, *by_hand});
+  return lines_of(lanes(tee(importance_of_south), {{1, two_way}, {2, two_way}, {3, two_way}}, {},
+                        {}, signs, {}, paint));
 }
 
 const ControlPoint signals{3, 0, ControlKind::signals};
@@ -63,6 +66,15 @@ TEST(Marking, OfPriorityByHandLetsWhoIsLessImportantYield) {
   EXPECT_EQ(lines(3, JunctionKind::priority), (Lines{0, 0}));
   EXPECT_EQ(lines(3, JunctionKind::priority, {signals}), (Lines{0, 0}));
   EXPECT_EQ(lines(5, JunctionKind::priority, {stop_sign}), (Lines{1, 0}));
+}
+
+TEST(Marking, LetsNobodyYieldToAStreetByWhichNobodyComes) {
+  const AxisLanes away{std::vector<LaneWish>(1), {}}, towards{{}, std::vector<LaneWish>(1)};
+  const auto waits = [&](const AxisLanes& of_south) {
+    return lines_of(lanes(tee(2), {{1, two_way}, {2, two_way}, {3, of_south}}, {}, {}));
+  };
+  EXPECT_EQ(waits(away), (Lines{0, 0}));
+  EXPECT_EQ(waits(towards), (Lines{0, 2}));
 }
 
 TEST(Marking, OfRightBeforeLeftByHandIsNone) {
