@@ -161,12 +161,15 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
-SELECT geom, name, ref, way_id::text, way_id::text, m.width, m.roadway_offset, m.lane_count, m.direction,
-    m.roundabout_tag, m.speed, m.level, l.class, m.lanes_forward, m.lanes_backward, m.lanes_both, m.kind_forward,
-    m.kind_backward, m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward,
-    m.change_backward, m.sidewalk_left, m.sidewalk_right, m.unread, NULL,
+SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
+    m.direction, m.roundabout_tag, m.speed, m.level, l.class, m.lanes_forward, m.lanes_backward, m.lanes_both,
+    CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_forward) ELSE m.kind_forward END,
+    CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_backward) ELSE m.kind_backward END,
+    m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward, m.change_backward,
+    m.sidewalk_left, m.sidewalk_right, m.unread, NULL,
     streetgen._osm_access(l.tags, l.class)
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
+    LEFT JOIN pg_temp._import_room r USING (way_id)
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';
@@ -210,6 +213,7 @@ BEGIN
     driving_side := streetgen._driving_side(model);
     PERFORM streetgen._take_osm_lines(source), streetgen._read_osm_tags(model);
     RETURN QUERY SELECT * FROM streetgen._settle_osm_classes(model);
+    RETURN QUERY SELECT * FROM streetgen._settle_carriageways(model);
     -- A way of which a file lacks all nodes but one has not gone.
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, 'SELECT * FROM streetgen._osm_rows()',
         shapeless_stay => true);
@@ -227,7 +231,7 @@ BEGIN
             unnest(m.unread_tags, m.unread_reasons) u(tag, reason);
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
     RETURN QUERY SELECT * FROM streetgen._tell_osm_lines(model, source::text);
-    DROP TABLE pg_temp._import_line, pg_temp._import_meaning, pg_temp._import_unread;
+    DROP TABLE pg_temp._import_line, pg_temp._import_meaning, pg_temp._import_room, pg_temp._import_unread;
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model, streetgen._osm_table('_control', prefix, schemas));
