@@ -12,7 +12,8 @@ CREATE OR REPLACE FUNCTION streetgen._network_setting()
         NULL, ARRAY['none', 'arcs']),
     ('smoothing_shift', '0.5', 'm', 'such a line leaves the points of the axis by at most this', 0.001, 100, NULL),
     ('ring_shift', '1', 'm',
-        'round a roundabout by its tag, edges are arcs of one circle that leave none of their points by more; 0: none',
+        'round a roundabout by its tag, edges are arcs of one circle that leave none of their points by more, or '
+        'smooth curves that leave none of their chords by more; 0: neither',
         0, 10, NULL),
     ('smoothing_tolerance', '0.01', 'm', 'chords of such a line leave its arcs by at most this', 0.0001, 1, NULL) $$;
 COMMENT ON FUNCTION streetgen._network_setting() IS
