@@ -16,14 +16,14 @@ namespace streetgen {
 // A block is what its rectangle tells: the one with the area and the perimeter of its ground.
 enum class BlockKind {
   block,
-  island,   // small
+  island,   // small, or what a roundabout goes round
   strip,    // narrow and long: between carriageways
   roadway,  // no ground is left
 };
 const char* block_kind_name(BlockKind kind) noexcept;
 
 struct BlockSettings {
-  double island_area = 300;     // square metres; a block with less is an island, 0: none is
+  double island_area = 300;     // square metres; a block with less is an island, 0: no block is
   double strip_width = 12;      // metres; a strip's rectangle is no wider, 0: none is a strip
   double strip_elongation = 4;  // and at least so many times as long as wide
 };
@@ -36,6 +36,7 @@ struct BlockOverride {
 
 struct BlocksInput {
   std::vector<Line> edges;  // of one level, in the order of their places
+  std::vector<bool> on_rings{};  // by edge, whether it is part of a roundabout; empty: none is
   // The border of the roadway of that level, in pieces whose ends meet; of an edge that is not
   // given, edge is -1.
   std::vector<Kerb> kerbs;

@@ -94,6 +94,15 @@ DELETE FROM town.block_editing WHERE block_id = 1;
 SELECT 'and can be taken back', (SELECT kind = 'block' FROM town.block WHERE block_id = 1) AND NOT EXISTS (SELECT FROM town.block_override);
 SELECT 'another kind is refused', pg_temp.refused($$UPDATE town.block_editing SET kind = 'park' WHERE block_id = 1$$, '23514');
 SELECT 'a block cannot be drawn', pg_temp.refused($$INSERT INTO town.block_editing (kind) VALUES ('block')$$, '0A000');
+-- A ring of a width of its own: the tag changes the kind alone.
+INSERT INTO town.axis (axis_id, geom, width, direction) VALUES (20, ST_Translate(ST_GeomFromText('LINESTRING(325 0,318 18,300 25,282 18,275 0,282 -18,300 -25,318 -18,325 0)', 2154), 650000, 6860000), 6, 'direct');
+CREATE FUNCTION pg_temp.kind_within() RETURNS text LANGUAGE sql AS $$ SELECT kind FROM town.block WHERE ST_Covers(surface, 'SRID=2154;POINT(650300 6860000)') $$;
+SELECT 'what a loop goes round is a block', pg_temp.kind_within() = 'block';
+UPDATE town.axis SET roundabout_tag = 'roundabout' WHERE axis_id = 20;
+SELECT 'what a roundabout goes round is an island', pg_temp.kind_within() = 'island' AND test.followed('town', 'anew');
+UPDATE town.axis SET roundabout_tag = NULL WHERE axis_id = 20;
+SELECT 'as long as it is one', pg_temp.kind_within() = 'block' AND test.followed('town', 'anew');
+DELETE FROM town.axis WHERE axis_id = 20;
 SELECT streetgen.set('town', 'block_island_area', '100000') \g /dev/null
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'settings tell the kinds', bool_and(kind = 'island') FROM town.block;

@@ -9,21 +9,22 @@ CREATE OR REPLACE FUNCTION streetgen._block_computed_table()
     (31, 'block_edge', 'block', NULL, NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._block_computed_table() IS 'The computed tables of city blocks.';
 
-CREATE OR REPLACE FUNCTION streetgen._blocks(edges bigint[], edge_lines bytea[], kerb_edges bigint[],
-    kerb_sides text[], kerbs_contested boolean[], kerbs_change_level boolean[], kerb_lines bytea[],
+CREATE OR REPLACE FUNCTION streetgen._blocks(edges bigint[], edge_lines bytea[], on_rings boolean[],
+    kerb_edges bigint[], kerb_sides text[], kerbs_contested boolean[], kerbs_change_level boolean[], kerb_lines bytea[],
     kept_edges bigint[], kept_left boolean[], kept_starts float8[], kept_ends float8[],
     places_x float8[], places_y float8[], kinds text[],
     island_area float8, strip_width float8, strip_elongation float8)
     RETURNS TABLE(number integer, kind text, method text, surface bytea, has_all_kerbs boolean, edge_ids bigint[],
         lefts boolean[], rings integer[], starts float8[], ends float8[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 ROWS 100 AS 'MODULE_PATHNAME', 'streetgen_blocks';
-COMMENT ON FUNCTION streetgen._blocks(bigint[], bytea[], bigint[], text[], boolean[], boolean[], bytea[], bigint[],
-    boolean[], float8[], float8[], float8[], float8[], text[], float8, float8, float8) IS
-    'The blocks of edges of one level (ids and EWKB, in the order of their places) and the kerbs of that level, '
-    'numbered from 1 in the order of their smallest places. kept: sides of the edges, or parts of these, beside faces '
-    'that stay as they are; such faces do not come out. places and kinds: decided by hand. Each block has its ground '
-    '(MULTIPOLYGON, EWKB) and the sides about it: edge, left or right of it, the ring (1 goes about the block), and '
-    'from where to where, m along the edge. has_all_kerbs: no ring of kerbs has a gap, and no axis bounds '
+COMMENT ON FUNCTION streetgen._blocks(bigint[], bytea[], boolean[], bigint[], text[], boolean[], boolean[], bytea[],
+    bigint[], boolean[], float8[], float8[], float8[], float8[], text[], float8, float8, float8) IS
+    'The blocks of edges of one level (ids and EWKB, in the order of their places; on_rings: whether they are '
+    'parts of roundabouts) and the kerbs of that level, numbered from 1 in the order of their smallest places. kept: '
+    'sides of the edges, or parts of these, beside faces that stay as they are; such faces do not come out. places '
+    'and kinds: decided by hand. Each block has its ground (MULTIPOLYGON, EWKB) and the sides about it: '
+    'edge, left or right of it, the ring (1 goes about the block), and from where to where, m along the edge. '
+    'has_all_kerbs: no ring of kerbs has a gap, and no axis bounds '
     'it. The last row, number 0, has the sides that lie in no block. Lists of different length: 2202E; NULL in one: '
     '22004; bad geometry, or a number out of its range: 22023.';
 

@@ -5,7 +5,9 @@ CREATE OR REPLACE FUNCTION streetgen._block_setting()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
     ('ground_level', '0', NULL::text, 'level of which the faces are blocks', -100, 100, NULL::text[]),
-    ('block_island_area', '300', 'm2', 'a block with less ground is an island; 0: none is', 0, 100000, NULL),
+    ('block_island_area', '300', 'm2',
+        'a block with less ground is an island, as is what a tagged roundabout goes round; 0: none is', 0, 100000,
+        NULL),
     ('block_strip_width', '12', 'm',
         'a block is a strip where the rectangle of its area and perimeter is no wider, and long; 0: none is', 0, 1000,
         NULL),

@@ -5,16 +5,19 @@ WITH ground AS MATERIALIZED (
     SELECT max(value) FILTER (WHERE name = 'ground_level')::integer AS level,
         max(value) FILTER (WHERE name = 'block_island_area')::float8 AS island_area,
         max(value) FILTER (WHERE name = 'block_strip_width')::float8 AS strip_width,
-        max(value) FILTER (WHERE name = 'block_strip_elongation')::float8 AS strip_elongation
-    FROM {model}.setting WHERE name = 'ground_level' OR name LIKE 'block%'),
+        max(value) FILTER (WHERE name = 'block_strip_elongation')::float8 AS strip_elongation,
+        bool_or(value = 'true') FILTER (WHERE name = 'roundabout_tags') AS tags_count
+    FROM {model}.setting WHERE name IN ('ground_level', 'roundabout_tags') OR name LIKE 'block%'),
 -- The rows that may change.
 old_side AS MATERIALIZED (
     SELECT * FROM {model}.block_edge WHERE {whole} OR block_id = ANY ($1)
     UNION ALL SELECT * FROM {model}.block_edge WHERE NOT {whole} AND 0 = ANY ($1) AND block_id IS NULL),
 street AS MATERIALIZED (
     SELECT e.edge_id, e.geom, e.from_node, e.to_node,
-        row_number() OVER (ORDER BY e.axis_id, e.start_abscissa) AS number
-    FROM ground, {model}.edge e
+        row_number() OVER (ORDER BY e.axis_id, e.start_abscissa) AS number,
+        coalesce(ground.tags_count, false) AND streetgen._names_ring(a.roundabout_tag) AS on_ring
+    FROM ground, {model}.edge e,
+        LATERAL (SELECT roundabout_tag FROM {model}.axis a WHERE a.axis_id = e.axis_id {by_key}) a
     WHERE e.level = ground.level AND ({whole} OR e.edge_id = ANY (ARRAY(SELECT edge_id FROM old_side
         UNION SELECT n.edge_id FROM {model}.edge n WHERE n.axis_id = ANY ($2)
             AND (SELECT true FROM {model}.block_edge b WHERE b.edge_id = n.edge_id LIMIT 1) IS NULL)))),
@@ -49,8 +52,9 @@ beside AS MATERIALIZED (
     WHERE k.level = ground.level AND $3),
 found AS MATERIALIZED (
     SELECT b.* FROM ground g,
-        (SELECT array_agg(edge_id ORDER BY number) AS ids, array_agg(ST_Force2D(geom)::bytea ORDER BY number) AS lines
-            FROM street) s,
+        (SELECT array_agg(edge_id ORDER BY number) AS ids,
+            array_agg(ST_Force2D(geom)::bytea ORDER BY number) AS lines,
+            array_agg(on_ring ORDER BY number) AS on_rings FROM street) s,
         (SELECT coalesce(array_agg(edge_id), ARRAY[]::bigint[]) AS edges,
             coalesce(array_agg(side), ARRAY[]::text[]) AS sides,
             coalesce(array_agg(method = 'contested'), ARRAY[]::boolean[]) AS contested,
@@ -64,8 +68,9 @@ found AS MATERIALIZED (
             coalesce(array_agg(ST_Y(geom) ORDER BY block_override_id), ARRAY[]::float8[]) AS y,
             coalesce(array_agg(kind ORDER BY block_override_id), ARRAY[]::text[]) AS kinds
             FROM {model}.block_override) o,
-        LATERAL streetgen._blocks(s.ids, s.lines, k.edges, k.sides, k.contested, k.change_level, k.lines, t.edges,
-            t.lefts, t.starts, t.ends, o.x, o.y, o.kinds, g.island_area, g.strip_width, g.strip_elongation) b),
+        LATERAL streetgen._blocks(s.ids, s.lines, s.on_rings, k.edges, k.sides, k.contested, k.change_level,
+            k.lines, t.edges, t.lefts, t.starts, t.ends, o.x, o.y, o.kinds, g.island_area, g.strip_width,
+            g.strip_elongation) b),
 -- Without all kerbs nothing is written: they are then asked for by place. What an axis bounds depends on blocks across.
 given AS MATERIALIZED (
     SELECT $3 OR coalesce(bool_and(has_all_kerbs), true) AND NOT EXISTS (SELECT FROM {model}.block

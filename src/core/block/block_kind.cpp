@@ -19,8 +19,9 @@ const char* block_kind_name(BlockKind kind) noexcept {
   return "";
 }
 
-BlockKind kind_of(const MultiPolygon& surface, const BlockSettings& settings) {
+BlockKind kind_of(const MultiPolygon& surface, const BlockSettings& settings, bool within_ring) {
   if (surface.empty()) return BlockKind::roadway;
+  if (within_ring && settings.island_area > 0) return BlockKind::island;
   const double ground = area(surface);
   double about = 0;
   for (const Polygon& polygon : surface)

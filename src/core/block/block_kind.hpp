@@ -5,6 +5,6 @@
 
 namespace streetgen {
 
-BlockKind kind_of(const MultiPolygon& surface, const BlockSettings& settings);
+BlockKind kind_of(const MultiPolygon& surface, const BlockSettings& settings, bool within_ring);
 
 }  // namespace streetgen

@@ -176,8 +176,16 @@ class BlockFinder {
       block.method = Method::robust_fallback;
     else if (block.surface.empty())
       block.method = Method::covered;
-    block.kind = kind_of(block.surface, input_.settings);
+    block.kind = kind_of(block.surface, input_.settings, within_ring(found_.faces[f]));
     return block;
+  }
+
+  // Whether all edges about the face are parts of roundabouts.
+  bool within_ring(const Face& face) const {
+    const auto& sides = face.rings.front().sides;
+    return !input_.on_rings.empty() &&
+           std::all_of(sides.begin(), sides.end(),
+                       [&](const EdgeSide& side) { return input_.on_rings[side.edge]; });
   }
 
   void decide_by_hand(std::vector<Block>& blocks) const {

@@ -59,6 +59,7 @@ Values take_words(FunctionCallInfo fcinfo, int argument, const char* name, int c
 struct BlocksCall {
   Values edges;
   LineArray edge_lines;
+  Values on_rings;
   Values kerb_edges, kerb_sides;
   Values kerbs_contested, kerbs_change_level;
   LineArray kerb_lines;
@@ -104,6 +105,8 @@ BlocksInput read_input(const BlocksCall& call, Form* form) {
   BlocksInput input;
   const EdgeNumbers numbers(call.edges);
   input.edges = read_lines(call.edge_lines, "edge", form);
+  for (int i = 0; i < call.on_rings.count; ++i)
+    input.on_rings.push_back(DatumGetBool(call.on_rings.values[i]));
   std::vector<Line> lines = read_lines(call.kerb_lines, "kerb", form);
   for (int i = 0; i < call.kerb_edges.count; ++i) {
     Kerb kerb;
@@ -204,24 +207,25 @@ STREETGEN_FUNCTION(streetgen_blocks) {
   BlocksCall call;
   call.edges = take_ids(fcinfo, 0, "edges");
   call.edge_lines = take_lines(PG_GETARG_ARRAYTYPE_P(1), "edge_lines");
-  call.kerb_edges = take_ids(fcinfo, 2, "kerb_edges");
+  call.on_rings = take_values(fcinfo, 2, BOOLOID, 1, true, 'c', "on_rings", call.edges.count);
+  call.kerb_edges = take_ids(fcinfo, 3, "kerb_edges");
   const int kerbs = call.kerb_edges.count;
-  call.kerb_sides = take_words(fcinfo, 3, "kerb_sides", kerbs);
-  call.kerbs_contested = take_values(fcinfo, 4, BOOLOID, 1, true, 'c', "kerbs_contested", kerbs);
+  call.kerb_sides = take_words(fcinfo, 4, "kerb_sides", kerbs);
+  call.kerbs_contested = take_values(fcinfo, 5, BOOLOID, 1, true, 'c', "kerbs_contested", kerbs);
   call.kerbs_change_level =
-      take_values(fcinfo, 5, BOOLOID, 1, true, 'c', "kerbs_change_level", kerbs);
-  call.kerb_lines = take_lines(PG_GETARG_ARRAYTYPE_P(6), "kerb_lines");
-  call.kept_edges = take_ids(fcinfo, 7, "kept_edges");
+      take_values(fcinfo, 6, BOOLOID, 1, true, 'c', "kerbs_change_level", kerbs);
+  call.kerb_lines = take_lines(PG_GETARG_ARRAYTYPE_P(7), "kerb_lines");
+  call.kept_edges = take_ids(fcinfo, 8, "kept_edges");
   const int kept = call.kept_edges.count;
-  call.kept_left = take_values(fcinfo, 8, BOOLOID, 1, true, 'c', "kept_left", kept);
-  call.kept_starts = take_numbers(fcinfo, 9, "kept_starts", kept);
-  call.kept_ends = take_numbers(fcinfo, 10, "kept_ends", kept);
-  call.places_x = take_numbers(fcinfo, 11, "places_x");
-  call.places_y = take_numbers(fcinfo, 12, "places_y", call.places_x.count);
-  call.kinds = take_words(fcinfo, 13, "kinds", call.places_x.count);
-  call.island_area = PG_GETARG_FLOAT8(14);
-  call.strip_width = PG_GETARG_FLOAT8(15);
-  call.strip_elongation = PG_GETARG_FLOAT8(16);
+  call.kept_left = take_values(fcinfo, 9, BOOLOID, 1, true, 'c', "kept_left", kept);
+  call.kept_starts = take_numbers(fcinfo, 10, "kept_starts", kept);
+  call.kept_ends = take_numbers(fcinfo, 11, "kept_ends", kept);
+  call.places_x = take_numbers(fcinfo, 12, "places_x");
+  call.places_y = take_numbers(fcinfo, 13, "places_y", call.places_x.count);
+  call.kinds = take_words(fcinfo, 14, "kinds", call.places_x.count);
+  call.island_area = PG_GETARG_FLOAT8(15);
+  call.strip_width = PG_GETARG_FLOAT8(16);
+  call.strip_elongation = PG_GETARG_FLOAT8(17);
   if (call.edge_lines.count != call.edges.count || call.kerb_lines.count != kerbs)
     ereport(ERROR,
             (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR), errmsg("ids and lines differ in number")));

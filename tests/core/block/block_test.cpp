@@ -130,6 +130,19 @@ TEST(Block, GoesAboutADeadEndAndAnIslandOfStreets) {
   EXPECT_EQ(found[1].kind, BlockKind::island);
 }
 
+TEST(Block, WithinARoundaboutIsAnIsland) {
+  const Streets town = with_kerbs(rectangle());
+  BlocksInput input = input_of(town);
+  EXPECT_EQ(blocks(input).blocks[0].kind, BlockKind::block);
+  input.on_rings.assign(input.edges.size(), true);
+  EXPECT_EQ(blocks(input).blocks[0].kind, BlockKind::island);
+  input.on_rings[0] = false;
+  EXPECT_EQ(blocks(input).blocks[0].kind, BlockKind::block);
+  input.on_rings[0] = true;
+  input.settings.island_area = 0;
+  EXPECT_EQ(blocks(input).blocks[0].kind, BlockKind::block);
+}
+
 TEST(Block, BetweenCarriagewaysIsAStrip) {
   const std::vector<Block> found =
       blocks_of({street(1, {{0, 0}, {200, 0}}), street(2, {{0, 0}, {0, 12}}),
