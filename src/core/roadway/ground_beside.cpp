@@ -295,10 +295,14 @@ class GroundBeside {
     const double apart = length(across) - on.start_to(+1) - back.end_to(+1);
     const Point away = unit(planar(on.line[1] - on.line[0])),
                 away_too = unit(planar(back.line[back.line.size() - 2] - back.line.back()));
+    // Carriageways spread towards a roundabout, so those of one name may lie farther apart there.
+    const std::int64_t street = layout_.axis_of(after.edge).street;
+    const bool named = street != 0 && street == layout_.axis_of(before.edge).street;
+    const double most = (named ? 2 : 1) * layout_.settings.median_width_maximal;
     // Both lie on the left of it.
     const bool beyond = cross(across.back() - across.front(), away) > 0 &&
                         cross(across.back() - across.front(), away_too) > 0;
-    return beyond && apart <= layout_.settings.median_width_maximal && dot(away, away_too) > spread;
+    return beyond && apart <= most && dot(away, away_too) > spread;
   }
 
   bool are_a_pair(const EdgeEnd& a, const EdgeEnd& b) const {
@@ -312,7 +316,8 @@ class GroundBeside {
     const EdgeEnd arrives{second.edge, !second.at_start};
     if (lies_within_ring(first) || lies_within_ring(arrives)) return Beside::island;
     if (const std::optional<Beside> small = small_[slot(first)]) return *small;
-    if (parts_at_corner(first, second)) return Beside::median;
+    if (parts_at_corner(first, second) || closes_median(first) || closes_median(arrives))
+      return Beside::median;
     return lies_at_median(first, false) && lies_at_median(arrives, true) ? Beside::median
                                                                          : Beside::outer;
   }
@@ -326,7 +331,6 @@ class GroundBeside {
 
   // Near one of its ends.
   bool lies_at_median(const EdgeEnd& end, bool at_far_end) const {
-    if (closes_median(end)) return true;
     if (flow_of(end) == Flow::both) return false;
     const double size = length(layout_.arm(end).line), near = std::min(places_apart, size / 2);
     return faces_other(end, size, at_far_end ? size - near : near);

@@ -104,6 +104,16 @@ TEST(GroundBeside, IsAMedianWhereALinkClosesIt) {
   expect_beside(axes, {{1, {median, outer}}, {2, {median, outer}}, {3, {median, outer}}});
 }
 
+TEST(GroundBeside, IsAMedianToItsEndWhereCarriagewaysOfOneNameSpread) {
+  const auto spreading = [](std::int64_t street) {
+    return std::vector<StreetAxis>{axis(1, {{0, 0, 0}, {250, 0, 0}, {300, -10, 0}}, along, street),
+                                   axis(2, {{300, 26, 0}, {250, 16, 0}, {0, 16, 0}}, along, street),
+                                   axis(3, {{300, -10, 0}, {300, 26, 0}}, both, 9)};
+  };
+  expect_beside(spreading(5), {{1, {median, outer}}, {2, {median, outer}}, {3, {median, outer}}});
+  expect_beside(spreading(0), {{1, {median, outer}}, {2, {median, outer}}, {3, {outer, outer}}});
+}
+
 // A street parts into its two directions before another one.
 std::vector<StreetAxis> parting(double before, double apart) {
   return {axis(1, {{-100, 0, 0}, {0, 0, 0}}, both, 5),
