@@ -65,6 +65,9 @@ INSERT INTO line.axis_route (route, ordinality, axis_id, kind, direction) SELECT
 UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650000 6861000,650100 6861000)';
 INSERT INTO line.axis (geom, kind, level) VALUES ('SRID=2154;LINESTRING(650100 6861000,650200 6861000)', 'footway', 1);
 SELECT 'a bridge that begins where an axis was trimmed is no piece of it', pg_temp.led() = 'mine 1.1 direct at 0';
+INSERT INTO line.axis (geom, kind) VALUES ('SRID=2154;LINESTRING(650100 6861000,650150 6861000)', 'footway');
+SELECT 'nor is a footway on its level', pg_temp.led() = 'mine 1.1 direct at 0';
+DELETE FROM line.axis WHERE kind = 'footway' AND level = 0;
 INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650200 6861000,650400 6861000)');
 SELECT 'nor is a street apart from it', pg_temp.led() = 'mine 1.1 direct at 0';
 INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650200 6861000,650100 6861000)');
@@ -87,6 +90,25 @@ UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860003)
 INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860003,650200 6860006)');
 UPDATE led SET led = '7 1.1 direct at 0, 7 2.1 direct at 100, 7 2.2 reverse at 300, 7 2.3 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400, 8 2.2 both at 300, 8 2.3 both at 100';
 SELECT 'a moved piece is cut like another', pg_temp.led() = led FROM led;
+-- The piece that has the id of the way is deleted.
+DELETE FROM line.axis WHERE source_ref = '2';
+CREATE TABLE stayed AS SELECT pg_temp.led() AS led;
+SELECT 'who deletes a piece leaves the others', led = '7 1.1 direct at 0, 7 2.1 direct at 100, 7 2.2 reverse at 300, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.2 both at 300, 8 2.3 both at 100' FROM stayed;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'also at the next delivery', pg_temp.led() = '7 1.1 direct at 0, 7 2.1 direct at 100, 7 2.2 reverse at 300, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 300, 8 2.2 both at 100';
+UPDATE line_route SET ordinality = ordinality + 1;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+SELECT 'and where their place is another one', pg_temp.led() = '7 2.1 direct at 0, 7 3.1 direct at 100, 7 3.2 reverse at 300, 7 4.1 direct at 400, 8 2.1 both at 400, 8 3.1 both at 300, 8 3.2 both at 100';
+UPDATE line_route SET ordinality = ordinality - 1;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+TRUNCATE line.axis, line.delivered CASCADE;
+SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650200 6860000)' WHERE source_ref = '2';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650100 6860000,650200 6860000)');
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650100 6860000,650200 6860006)' WHERE source_ref IS NULL;
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650200 6860006)' WHERE source_ref = '2';
+UPDATE line.axis SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860003)' WHERE source_ref = '2';
+INSERT INTO line.axis (geom) VALUES ('SRID=2154;LINESTRING(650300 6860003,650200 6860006)');
 -- The end of the whole is moved along with the next street, and a piece becomes a bridge.
 UPDATE line.axis SET geom = ST_SetPoint(geom, CASE source_ref WHEN '1' THEN 1 ELSE 0 END, 'SRID=2154;POINT(650100 6860009)') WHERE source_ref = '1' OR ST_X(ST_StartPoint(geom)) = 650100;
 UPDATE line.axis SET level = 1 WHERE ST_X(ST_StartPoint(geom)) = 650300;
