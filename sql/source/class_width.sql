@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._settle_class_lanes(model name)
 #variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- A number that differs from that of a new model is somebody's, or an import before learned it.
+    -- Models of older builds do not say who put a number that differs from that of a new model.
     RETURN QUERY WITH said AS (
         SELECT i.class, mode() WITHIN GROUP (ORDER BY lanes) AS lanes, count(*) AS lines FROM pg_temp._import i,
             -- Kinds of lanes may be an estimate beside those of the kerbs: these lines do not count.
@@ -16,9 +16,10 @@ BEGIN
         WHERE i.direction IN ('direct', 'reverse') AND i.roundabout_tag IS NULL AND lanes BETWEEN 1 AND 15
         GROUP BY i.class HAVING count(*) >= streetgen._setting_number(model, 'class_lines_minimal')),
     settled AS (
-        UPDATE axis_class c SET lanes_one_way = s.lanes, width_one_way = NULL
+        UPDATE axis_class c SET lanes_one_way = s.lanes, width_one_way = NULL, lanes_one_way_by = 'import'
         FROM said s LEFT JOIN streetgen._default_axis_class() d USING (class)
         WHERE c.class = s.class AND c.lanes_by_width AND c.lanes_one_way IS DISTINCT FROM s.lanes
+            AND c.lanes_one_way_by IS NULL
             AND (c.lanes_one_way, c.width_one_way) IS NOT DISTINCT FROM (d.lanes_one_way, d.width_one_way)
         RETURNING c.class, s.lanes, s.lines)
     SELECT format('one-way and no lanes stated: %s, as most that state them', lanes), class, lines, NULL::text[]

@@ -75,6 +75,15 @@ SELECT 'the others have it', told(axis_id, 'read') = '7.00: general3.50 general3
 UPDATE read.axis_class SET lanes_one_way = 3 WHERE class = 'residential';
 SELECT FROM import_ways() \g /dev/null
 SELECT 'what somebody wrote stays', lanes_one_way = 3 FROM read.axis_class WHERE class = 'residential';
+SELECT 'and says so', lanes_one_way_by = 'hand' FROM read.axis_class WHERE class = 'residential';
+UPDATE read.axis_class SET lanes_one_way = 1 WHERE class = 'residential';
+SELECT FROM import_ways() \g /dev/null
+SELECT 'also where it equals the default', lanes_one_way = 1 FROM read.axis_class WHERE class = 'residential';
+UPDATE read.axis_class SET speed = 20 WHERE class = 'tertiary';
+SELECT 'who puts something else puts no lanes', lanes_one_way_by IS NULL FROM read.axis_class WHERE class = 'tertiary';
+UPDATE read.axis_class SET lanes_one_way_by = NULL WHERE class = 'residential';
+SELECT FROM import_ways() \g /dev/null
+SELECT 'until it is given back to the import', lanes_one_way = 2 AND lanes_one_way_by = 'import' FROM read.axis_class WHERE class = 'residential';
 SELECT 'check_model has no error', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
 
 -- Lines that have a lane at the kerb alone do not state how many others there are.

@@ -73,7 +73,7 @@ ALTER TABLE older.symbol_rule DROP CONSTRAINT mine;
 SELECT 'it gets the settings that came later, and their ranges', NOT EXISTS (SELECT name, unit, description, minimum, maximum, choice FROM streetgen._default_setting() EXCEPT SELECT name, unit, description, minimum, maximum, choice FROM older.setting);
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
 SELECT 'and the indexes and comments of a new one', count(*) > 500 AND NOT EXISTS ((SELECT pg_temp.words() EXCEPT TABLE worded) UNION ALL (TABLE worded EXCEPT SELECT pg_temp.words())) FROM worded;
-CREATE FUNCTION pg_temp.meanings(classes jsonb) RETURNS SETOF jsonb LANGUAGE sql AS $$ SELECT c - '{lanes_one_way,width_one_way,lanes_each_way,parking_left,parking_right}'::text[] FROM jsonb_array_elements(classes) c $$;
+CREATE FUNCTION pg_temp.meanings(classes jsonb) RETURNS SETOF jsonb LANGUAGE sql AS $$ SELECT c - '{lanes_one_way,lanes_one_way_by,width_one_way,lanes_each_way,parking_left,parking_right}'::text[] FROM jsonb_array_elements(classes) c $$;
 SELECT 'its classes are those of a new model, with their meanings', (SELECT jsonb_agg(c ORDER BY c) FROM (SELECT pg_temp.meanings(jsonb_agg(to_jsonb(a))) AS c FROM older.axis_class a) o) = (SELECT jsonb_agg(c ORDER BY c) FROM (SELECT pg_temp.meanings(jsonb_agg(to_jsonb(d))) AS c FROM streetgen._default_axis_class() d) o);
 SELECT 'but its one-way streets have the lanes that they had', bool_and(num_nonnulls(lanes_one_way, width_one_way, lanes_each_way) = 0) FROM older.axis_class WHERE class <> 'busway';
 DELETE FROM older.axis_class WHERE class = 'busway';

@@ -50,3 +50,14 @@ CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     $$;
 COMMENT ON FUNCTION streetgen._default_axis_class() IS
     'The classes of OSM, BD TOPO and Lille''s lines that a new model knows, and what each means.';
+
+CREATE OR REPLACE FUNCTION streetgen._class_by_hand() RETURNS trigger
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    NEW.lanes_one_way_by := 'hand';
+    RETURN NEW;
+END $$;
+COMMENT ON FUNCTION streetgen._class_by_hand() IS
+    'Trigger of axis_class, for an update of the lanes or the width of one-way streets that says no other author: they '
+    'are by hand.';

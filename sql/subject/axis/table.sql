@@ -13,6 +13,8 @@ CREATE TABLE :"model".axis_class (
     parking_left float8 NOT NULL DEFAULT 0 CHECK (parking_left BETWEEN 0 AND 10),
     parking_right float8 NOT NULL DEFAULT 0 CHECK (parking_right BETWEEN 0 AND 10));
 INSERT INTO :"model".axis_class SELECT * FROM streetgen._default_axis_class();
+ALTER TABLE :"model".axis_class ADD COLUMN IF NOT EXISTS lanes_one_way_by text
+    CHECK (lanes_one_way_by IN ('hand', 'import'));
 COMMENT ON TABLE :"model".axis_class IS
     'Classes of a source: whether importers take them, what axes of the class have where the source is silent (width '
     'm, speed km/h, importance 1 highest), and what the class means for ramps, people on foot and lanes';
@@ -42,6 +44,11 @@ COMMENT ON COLUMN :"model".axis_class.lanes_one_way IS
     'at most, and a class without a number has what its width holds';
 COMMENT ON CONSTRAINT axis_class_lanes_one_way_check ON :"model".axis_class IS
     '1 to 15 lanes. Leave it empty to have as many as the width holds.';
+COMMENT ON COLUMN :"model".axis_class.lanes_one_way_by IS
+    'who put lanes_one_way and width_one_way: hand, or import, which learned them and leaves those by hand; NULL: a '
+    'new model has them';
+COMMENT ON CONSTRAINT axis_class_lanes_one_way_by_check ON :"model".axis_class IS
+    'hand or import. Leave it empty for an import to learn lanes_one_way where that is the number of a new model.';
 COMMENT ON COLUMN :"model".axis_class.width_one_way IS
     'width of a one-way street where neither width nor lanes are known, metres; NULL: that of lanes_one_way, else '
     'width';

@@ -53,11 +53,15 @@ BEGIN
             IS DISTINCT FROM (OLD.width, OLD.width_end, OLD.width_by_hand))
         EXECUTE FUNCTION streetgen._width_by_hand();
     COMMENT ON TRIGGER by_hand ON axis IS 'Tells a width put by hand from one of the source';
+    CREATE OR REPLACE TRIGGER by_hand BEFORE UPDATE OF lanes_one_way, width_one_way ON axis_class FOR EACH ROW
+        WHEN (NEW.lanes_one_way_by IS NOT DISTINCT FROM OLD.lanes_one_way_by)
+        EXECUTE FUNCTION streetgen._class_by_hand();
+    COMMENT ON TRIGGER by_hand ON axis_class IS 'Tells lanes put by hand from those that an import learned';
     PERFORM streetgen._make_axis_follower(model);
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_functions(name) IS
-    'Makes the trigger of a model that tells a width put by hand from one of the source, and the function by which '
-    'streets follow axes.';
+    'Makes the triggers of a model that tell widths and lanes of classes put by hand from those of a source, and the '
+    'function by which streets follow axes.';
 
 CREATE OR REPLACE FUNCTION streetgen._unbelieved(model name, axes bigint[] DEFAULT NULL)
     RETURNS TABLE(axis_id bigint, attribute text, width float8, taken float8, too_small boolean, lane_count integer,
