@@ -133,21 +133,18 @@ FROM pg_temp._import_line s,
      LATERAL (SELECT streetgen._within(streetgen._metres(s.width), 0, 200) AS metres,
          streetgen._within(streetgen._kmh(s.speed), 0, 400) AS kmh,
          streetgen._within(streetgen._number(s.lane_count), 0, 30) AS said_lanes) said,
-     streetgen._bdtopo_direction(s.sens) direction,
      LATERAL (SELECT coalesce(greatest(said_lanes::integer, 1), 1) AS lanes,
                      -- What names no direction means that of the traffic: of one lane all of it.
                      said_lanes = 1 AND streetgen._bdtopo_bus_way(s.bus, 'all') = 'all' AS of_buses,
                      streetgen._bdtopo_bus_way(s.bus, direction) AS bus_way,
                      streetgen._bdtopo_way(s.cycle, direction) AS cycle_way) d,
-     streetgen._bdtopo_kerb(s.cycle_right, s.cycle_right_way, 'right', direction, driving_side) on_right,
-     streetgen._bdtopo_kerb(s.cycle_left, s.cycle_left_way, 'left', direction, driving_side) on_left,
      LATERAL (SELECT coalesce(bus_way IN ('direct', 'both'), false) AS bus_forward,
          coalesce(bus_way IN ('reverse', 'both'), false) AS bus_backward,
-         coalesce('direct' IN (on_right.near, on_left.near) OR cycle_way IN ('direct', 'both'), false) AS near_forward,
-         coalesce('reverse' IN (on_right.near, on_left.near) OR cycle_way IN ('reverse', 'both'), false)
+         coalesce('direct' IN (right_near, left_near) OR cycle_way IN ('direct', 'both'), false) AS near_forward,
+         coalesce('reverse' IN (right_near, left_near) OR cycle_way IN ('reverse', 'both'), false)
              AS near_backward,
-         coalesce('direct' IN (on_right.far, on_left.far), false) AS far_forward,
-         coalesce('reverse' IN (on_right.far, on_left.far), false) AS far_backward) w,
+         coalesce('direct' IN (right_far, left_far), false) AS far_forward,
+         coalesce('reverse' IN (right_far, left_far), false) AS far_backward) w,
      -- A bus lane against a one-way street takes one of its lanes.
      -- One lane in all, unless buses have one of their own, is of both directions.
      LATERAL (SELECT direction = 'both' AND said_lanes = 1 AND NOT bus_forward
@@ -161,27 +158,22 @@ $$;
 COMMENT ON FUNCTION streetgen._bdtopo_rows(text) IS
     'The rows of the import that the lines of a BD TOPO table become, where one drives on a side, left or right.';
 
-CREATE OR REPLACE FUNCTION streetgen._bdtopo_unread(driving_side text)
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_unread()
     RETURNS TABLE(source_ref text, tag text, value text, reason text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
     SELECT s.id, u.columns[1], u.value, u.reason
-    FROM pg_temp._import_line s, streetgen._bdtopo_direction(s.sens) direction,
-        streetgen._bdtopo_kerb(s.cycle_right, s.cycle_right_way, 'right', direction, driving_side) on_right,
-        streetgen._bdtopo_kerb(s.cycle_left, s.cycle_left_way, 'left', direction, driving_side) on_left,
-        LATERAL (SELECT c.columns, w.* FROM streetgen._bdtopo_column() c JOIN (VALUES
+    FROM pg_temp._import_line s, LATERAL (SELECT c.columns, w.* FROM streetgen._bdtopo_column() c JOIN (VALUES
             ('bus', s.bus, CASE WHEN streetgen._bdtopo_says(s.bus)
                 AND streetgen._bdtopo_bus_way(s.bus, direction) IS NULL THEN 'it says no lane of buses' END),
             ('cycle', s.cycle, CASE WHEN streetgen._bdtopo_says(s.cycle)
                 AND streetgen._bdtopo_way(s.cycle, NULL) IS NULL THEN 'it says no direction' END),
-            ('cycle_right', s.cycle_right, on_right.unread),
-            ('cycle_right_way', s.cycle_right_way, on_right.unread_way),
-            ('cycle_left', s.cycle_left, on_left.unread),
-            ('cycle_left_way', s.cycle_left_way, on_left.unread_way))
+            ('cycle_right', s.cycle_right, right_unread), ('cycle_right_way', s.cycle_right_way, right_unread_way),
+            ('cycle_left', s.cycle_left, left_unread), ('cycle_left_way', s.cycle_left_way, left_unread_way))
             w(name, value, reason) USING (name)) u
     WHERE u.reason IS NOT NULL AND coalesce(s.bus, s.cycle, s.cycle_right, s.cycle_right_way,
         s.cycle_left, s.cycle_left_way) IS NOT NULL $$;
-COMMENT ON FUNCTION streetgen._bdtopo_unread(text) IS
+COMMENT ON FUNCTION streetgen._bdtopo_unread() IS
     'What the lines of a BD TOPO table say of lanes that were not made, or not as it is said, with the reason.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_bdtopo(model name, source regclass)
@@ -193,9 +185,11 @@ DECLARE
         AND attnum > 0 AND NOT attisdropped);
     shape text := (SELECT attname FROM pg_attribute a JOIN pg_type t ON t.oid = a.atttypid WHERE attrelid = source
         AND t.typname = 'geometry' AND NOT attisdropped ORDER BY attnum LIMIT 1);
+    driving_side text;
     found jsonb;
 BEGIN
     PERFORM streetgen._take_classes(model), streetgen._check_given('source', source::text);
+    driving_side := streetgen._driving_side(model);
     SELECT jsonb_object_agg(name, streetgen._bdtopo_expression(columns, present)) INTO found
         FROM streetgen._bdtopo_column();
     IF shape IS NULL OR found ->> 'class' IS NULL OR coalesce(found ->> 'width', found ->> 'lane_count') IS NULL THEN
@@ -205,9 +199,14 @@ BEGIN
             HINT = 'streetgen.import_axes, or data/streetgen load with --mapping, takes any line table whose columns '
                 'a mapping names, such as {"width": "breite"}.';
     END IF;
-    EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS SELECT %I AS geom, %s FROM %s', shape,
+    EXECUTE format('CREATE TEMPORARY TABLE _import_line ON COMMIT DROP AS SELECT s.*, direction, r.near AS right_near, '
+        'r.far AS right_far, r.unread AS right_unread, r.unread_way AS right_unread_way, l.near AS left_near, '
+        'l.far AS left_far, l.unread AS left_unread, l.unread_way AS left_unread_way '
+        'FROM (SELECT %I AS geom, %s FROM %s) s, streetgen._bdtopo_direction(sens) direction, '
+        'streetgen._bdtopo_kerb(cycle_right, cycle_right_way, ''right'', direction, %L) r, '
+        'streetgen._bdtopo_kerb(cycle_left, cycle_left_way, ''left'', direction, %4$L) l', shape,
         (SELECT string_agg(format('%s AS %I', coalesce(found ->> key, 'NULL::text'), key), ', ')
-        FROM jsonb_object_keys(found) key), source);
+        FROM jsonb_object_keys(found) key), source, driving_side);
     -- What the table has no column for it does not mention.
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT geom, %s, source_ref, label, '
         'left_out, unread FROM streetgen._bdtopo_rows(%L)', (SELECT string_agg(name, ', ')
@@ -216,9 +215,9 @@ BEGIN
             ('level', '{level}'),
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
             ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}')) c(name, wants)
-        WHERE jsonb_strip_nulls(found) ?| wants), streetgen._driving_side(model)));
+        WHERE jsonb_strip_nulls(found) ?| wants), driving_side));
     CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
-        SELECT * FROM streetgen._bdtopo_unread(streetgen._driving_side(model));
+        SELECT * FROM streetgen._bdtopo_unread();
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
     RETURN QUERY SELECT 'column with a shortened name that several have, not read', there, 1::bigint, NULL::text[]
         FROM unnest(present) there WHERE 1 < (SELECT count(DISTINCT c.name)
