@@ -1,7 +1,8 @@
 -- Every highway and aeroway line of an OSM file, with the tags that speak of its street, its turn
 -- restrictions, a row for each pair of ways, its signals, signs and crossings, what stands at
--- streets, and routes, a row for each way.  STREETGEN_PREFIX names the tables (PREFIX_line,
--- PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route), STREETGEN_SRID their projection.
+-- streets, routes, a row for each way, and tags that are misspelt.  STREETGEN_PREFIX names the tables
+-- (PREFIX_line, PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route, PREFIX_misspelt),
+-- STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
@@ -43,6 +44,59 @@ local speaks_of_street = setmetatable({}, { __index = function(known, key)
     return speaks
 end })
 
+local misspelt = osm2pgsql.define_table({ name = prefix .. '_misspelt', columns = {
+    { column = 'node_id', type = 'bigint' }, -- one of these is the object's
+    { column = 'way_id', type = 'bigint' },
+    { column = 'relation_id', type = 'bigint' },
+    { column = 'tag', type = 'text', not_null = true },
+    { column = 'value', type = 'text', not_null = true },
+    { column = 'meant', type = 'text', not_null = true }, -- the key or the word that is known
+} })
+
+-- What somebody means who wrote a word: one of these in another case, or with one letter more, less or swapped.
+local function meant_by(word, words)
+    local small = word:lower()
+    local worn = {}
+    for i = 1, #small > 3 and #small or 0 do
+        worn[small:sub(1, i - 1) .. small:sub(i + 1)] = true
+    end
+    for _, known in ipairs(words) do
+        if known == word then
+            return nil
+        end
+    end
+    for _, known in ipairs(words) do
+        local near = known == small or #known > 2 and worn[known]
+        if #known > 3 then
+            each_worn(known, function(each) near = near or each == small or worn[each] end)
+        end
+        if near then
+            return known
+        end
+    end
+end
+
+-- Tags of an object (node, way or relation) that nobody reads since a key, or a word of a key, is misspelt.
+local function tell_misspelt(object, kind, known)
+    for key, value in pairs(object.tags) do
+        local words = known.words[key]
+        local meant = meant_by(words and value or key, words or known.keys)
+        if meant and (words or not object.tags[meant]) then
+            misspelt:insert({ [kind .. '_id'] = object.id, tag = key, value = value, meant = meant })
+        end
+    end
+end
+
+-- The words of each key that are looked for.
+local function known_tags(words)
+    local keys = {}
+    for key in pairs(words) do
+        keys[#keys + 1] = key
+    end
+    table.sort(keys)
+    return { keys = keys, words = words }
+end
+
 local line = osm2pgsql.define_way_table(prefix .. '_line', {
     { column = 'class', type = 'text', not_null = true },
     { column = 'name', type = 'text' },
@@ -62,8 +116,13 @@ local function node_count(object)
     return count
 end
 
+local known_of_way = known_tags({ highway = {}, aeroway = {} })
+
 function osm2pgsql.process_way(object)
     local class = object.tags.highway or object.tags.aeroway
+    if not class then
+        tell_misspelt(object, 'way', known_of_way)
+    end
     if not class or object.tags.area == 'yes' then
         return
     end
@@ -107,7 +166,16 @@ local function has_lights(tags)
         (tags.crossing == 'traffic_signals' or tags['crossing:signals'] == 'yes')
 end
 
+local known_of_node = known_tags({
+    highway = { 'traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing', 'turning_circle', 'turning_loop',
+                'passing_place', 'street_lamp', 'bus_stop' },
+    natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard' },
+    crossing = { 'traffic_signals' }, ['crossing:signals'] = { 'yes' },
+    direction = { 'forward', 'backward', 'both' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },
+})
+
 function osm2pgsql.process_node(object)
+    tell_misspelt(object, 'node', known_of_node)
     if no_crossing(object.tags) then
         return
     end
@@ -179,7 +247,13 @@ local function held_for(tags)
     return table.concat(traffic, ',')
 end
 
+local known_of_relation = known_tags({
+    type = { 'restriction', 'route' }, route = { 'bus', 'trolleybus', 'tram', 'bicycle', 'truck', 'hgv' },
+    restriction = {}, except = { 'psv', 'bus', 'bicycle', 'hov' },
+})
+
 function osm2pgsql.process_relation(object)
+    tell_misspelt(object, 'relation', known_of_relation)
     insert_route(object)
     if not (object.tags.type or ''):match('^restriction%f[:\0]') then
         return

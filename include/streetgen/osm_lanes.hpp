@@ -60,7 +60,11 @@ struct OsmTagUse {
   // Words that it, or each lane of a list, may have, parted by spaces; null: a number, or what the
   // reader judges by itself.
   const char* words = nullptr;
+  // Words among others that mean something, of which one that is misspelt is told.
+  const char* meant = nullptr;
 };
 const std::vector<OsmTagUse>& osm_tag_uses();
+// Of the tags of a way that do not speak of its lanes.
+const std::vector<OsmTagUse>& osm_way_tag_uses();
 
 }  // namespace streetgen

@@ -12,7 +12,8 @@ COMMENT ON FUNCTION streetgen._osm_lanes(text[], text[], text, float8, float8, f
     'drives on a side and lanes have these widths, metres; roadway_width 0 is unknown. usual_lanes: of a street '
     'of that width that says none. Tags that were not read so come with their reasons.';
 
-CREATE OR REPLACE FUNCTION streetgen._osm_tag_use() RETURNS TABLE(tag text, becomes text)
+CREATE OR REPLACE FUNCTION streetgen._osm_tag_use() RETURNS TABLE(of text, tag text, becomes text)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 40 AS 'MODULE_PATHNAME', 'streetgen_osm_tag_use';
 COMMENT ON FUNCTION streetgen._osm_tag_use() IS
-    'What becomes of each tag that the reader of lanes looks at; alternatives of a key stand in brackets.';
+    'What becomes of each tag of ways that importers look at: of lanes, or of ways; alternatives of a key stand in '
+    'brackets.';

@@ -84,9 +84,11 @@ CREATE TABLE :"model".unread_tag (
     source text NOT NULL, source_ref text NOT NULL, tag text NOT NULL, value text NOT NULL, reason text NOT NULL,
     PRIMARY KEY (source, source_ref, tag));
 COMMENT ON TABLE :"model".unread_tag IS
-    'Tags of lanes that the last import did not make lanes of, or not as they are written; importers write it';
+    'Tags of lanes that the last import did not make lanes of, or not as they are written, and misspelt tags; '
+    'importers write it';
 COMMENT ON COLUMN :"model".unread_tag.source IS 'key: the source, as in axis';
-COMMENT ON COLUMN :"model".unread_tag.source_ref IS 'key: its identity in the source';
+COMMENT ON COLUMN :"model".unread_tag.source_ref IS
+    'key: its identity in the source, after the kind of object where that is no axis, such as node 7';
 COMMENT ON COLUMN :"model".unread_tag.tag IS 'key: the tag, such as turn:lanes';
 COMMENT ON COLUMN :"model".unread_tag.value IS 'what it says';
 COMMENT ON COLUMN :"model".unread_tag.reason IS 'why it was not read so';

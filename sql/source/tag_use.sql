@@ -3,27 +3,8 @@
 CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag text, becomes text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 100 SET search_path = pg_catalog
     AS $$
-    SELECT 'OpenStreetMap, lanes', u.* FROM streetgen._osm_tag_use() u
+    SELECT 'OpenStreetMap, ' || of, u.tag, u.becomes FROM streetgen._osm_tag_use() u
     UNION ALL VALUES
-    ('OpenStreetMap, ways', 'width:carriageway, width, est_width',
-        'The width of the roadway from kerb to kerb: the first of them that is a length.'),
-    ('OpenStreetMap, ways', 'maxspeed[|:lanes][|:forward|:backward], zone:maxspeed, source:maxspeed, maxspeed:type',
-        'The speed: of the way, else the highest of its directions, else of its lanes, else that of its zone.'),
-    ('OpenStreetMap, ways', '[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]',
-        'Who may drive, column access: the tag nearest to cars counts, and of one tag that of the direction.'),
-    ('OpenStreetMap, ways', '[bus|psv|hov|bicycle][|:forward|:backward], taxi',
-        'Who alone may drive where cars may not: buses with taxis, carpools or bicycles.'),
-    ('OpenStreetMap, ways', 'layer',
-        'The level. A bridge on layer 0 or none is on level 1, a tunnel on level -1; where they contradict it, it '
-        'stands, and the way is named.'),
-    ('OpenStreetMap, ways', 'bridge', 'Level 1 where layer says 0 or none.'),
-    ('OpenStreetMap, ways', 'tunnel', 'Level -1 where layer says 0 or none; building_passage is on the ground.'),
-    ('OpenStreetMap, ways', 'name', 'The name of the street.'),
-    ('OpenStreetMap, ways', 'ref', 'The number of the route.'),
-    ('OpenStreetMap, ways', 'area', 'A way with value yes is no street.'),
-    ('OpenStreetMap, ways', 'aeroway', 'The class, where there is no highway.'),
-    ('OpenStreetMap, ways', 'sidewalk[|:left|:right|:both]', 'Whether there are sidewalks.'),
-    ('OpenStreetMap, ways', 'sidewalk[:left|:right|:both]:width', 'The widths of the sidewalks.'),
     ('OpenStreetMap, nodes', 'highway',
         'A control point: traffic_signals, stop, give_way, mini_roundabout, crossing; an object: these, street_lamp '
         'and bus_stop.'),

@@ -22,7 +22,7 @@ def told(root):
     """Pairs of a scope and a key."""
     core = (root / "src/core/osm/tag_use.cpp").read_text().split("namespace {")[0]
     for first in re.findall(r'\{("[^"]*"(?:\s*"[^"]*")*),\s*"', core):
-        yield from (("ways", key) for key in expanded("".join(re.findall(r'"([^"]*)"', first))))
+        yield from (("ways", key) for pattern in "".join(re.findall(r'"([^"]*)"', first)).split(", ") for key in expanded(pattern))
     for scope, keys in re.findall(r"\('OpenStreetMap, (\w+)',\s*'([^']*)'", (root / "sql/source/tag_use.sql").read_text()):
         yield from ((scope, key) for pattern in keys.split(", ") for key in expanded(pattern))
 

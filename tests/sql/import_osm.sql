@@ -134,3 +134,15 @@ INSERT INTO way_told SELECT * FROM streetgen.import_osm('import_way', 'way');
 SELECT 'a way that lacks nodes is told', (SELECT source_refs = '{1}' FROM way_told WHERE what LIKE 'fewer vertices%') AND (SELECT source_refs = '{14,2,3}' FROM way_told WHERE what = 'row without geometry, left out');
 SELECT 'one that lost all but one of its nodes stays, and is told', (SELECT source_refs = '{2,3}' FROM way_told WHERE what = 'came without geometry, stays as it was') AND (SELECT count(*) = 2 FROM way_axis JOIN import_way.axis a USING (source_ref) WHERE source_ref IN ('2', '3') AND a.geom = way_axis.geom AND a.name IS NOT DISTINCT FROM way_axis.name);
 SELECT 'one that is not in the file has vanished', (SELECT source_refs = '{13}' FROM way_told WHERE what LIKE 'vanished%') AND (SELECT count(*) = 12 FROM import_way.axis);
+-- Misspelt tags of what is no street yet, as the flex file finds them.
+CREATE TABLE way_misspelt (node_id bigint, way_id bigint, relation_id bigint, tag text NOT NULL, value text NOT NULL, meant text NOT NULL);
+INSERT INTO way_misspelt VALUES (NULL, NULL, 7, 'route', 'buss', 'bus'), (NULL, 8, NULL, 'Highway', 'residential', 'highway'), (5, NULL, NULL, 'crosing', 'traffic_signals', 'crossing'), (6, NULL, NULL, 'crosing', 'traffic_signals', 'crossing');
+TRUNCATE way_told;
+INSERT INTO way_told SELECT * FROM streetgen.import_osm('import_way', 'way');
+SELECT 'a misspelt tag is told with all objects that have it', string_agg(concat(class, ' ', count, source_refs), ', ' ORDER BY class COLLATE "C") = 'Highway=residential 1{"way 8"}, crosing=traffic_signals 2{"node 5","node 6"}, route=buss 1{"relation 7"}'
+  FROM way_told WHERE what = 'tag misspelt, all in table unread_tag';
+SELECT 'and stands with what is meant', string_agg(concat_ws(' ', source_ref, tag, value, reason), ', ' ORDER BY source_ref) = 'node 5 crosing traffic_signals it is not known; crossing is, node 6 crosing traffic_signals it is not known; crossing is, '
+  'relation 7 route buss it is not known; bus is, way 8 Highway residential it is not known; highway is' FROM import_way.unread_tag WHERE source = 'way_misspelt';
+DELETE FROM way_misspelt;
+SELECT 'what the source mends is told no more', NOT EXISTS (SELECT FROM streetgen.import_osm('import_way', 'way') WHERE what LIKE 'tag misspelt%');
+SELECT 'and stands no more', NOT EXISTS (SELECT FROM import_way.unread_tag WHERE source = 'way_misspelt');

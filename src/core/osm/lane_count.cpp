@@ -231,8 +231,7 @@ int middle_lanes(const WayLanes& lanes, WayTags& tags) {
     if (static_cast<int>(words.size()) != middle)
       tags.name("turn:lanes:both_ways", "the lanes in the middle are others");
     for (const std::string& word : words)
-      if (!word.empty() && word != "none" && word != "reverse" && word != turned &&
-          word != turned + ";reverse" && word != "reverse;" + turned)
+      if (!word.empty() && word != "none" && word != turned)
         tags.name("turn:lanes:both_ways", "a lane in the middle leads to the " + turned + " alone");
   }
   return middle;

@@ -24,7 +24,8 @@ constexpr const char* cycleways =
 const std::vector<OsmTagUse>& osm_tag_uses() {
   static const std::vector<OsmTagUse> uses = {
       {"highway", "Class busway: all lanes are bus lanes. Motorways run one way."},
-      {"junction", "A roundabout or a circular junction runs one way."},
+      {"junction", "A roundabout or a circular junction runs one way.", nullptr,
+       "roundabout circular"},
       {"oneway",
        "The direction of the traffic. All lanes of a reversible or alternating way are for both "
        "directions."},
@@ -38,9 +39,8 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "So many lanes at the near kerb are bus lanes, unless a list says which."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
       {"turn:lanes:both_ways",
-       "The number of lanes in the middle, which lead to the left; to the right where one drives "
-       "on "
-       "the left."},
+       "The number of lanes in the middle, which lead to the left, and to the right where one "
+       "drives on the left. Another turn is named."},
       {"change:lanes[|:forward|:backward]", "Where one may leave each lane."},
       {"width:lanes[|:forward|:backward]", "The width of each lane."},
       {"[access|vehicle|motor_vehicle|motorcar]:lanes[|:forward|:backward]",
@@ -100,7 +100,45 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
   return uses;
 }
 
+const std::vector<OsmTagUse>& osm_way_tag_uses() {
+  static const std::vector<OsmTagUse> uses = {
+      {"width:carriageway, width, est_width",
+       "The width of the roadway from kerb to kerb: the first of them that is a length."},
+      {"maxspeed[|:lanes][|:forward|:backward], zone:maxspeed, source:maxspeed, maxspeed:type",
+       "The speed: of the way, else the highest of its directions, else of its lanes, else that "
+       "of its zone."},
+      {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
+       "Who may drive, column access: the tag nearest to cars counts, and of one tag that of the"
+       " direction."},
+      {"[bus|psv|hov|bicycle][|:forward|:backward], taxi",
+       "Who alone may drive where cars may not: buses with taxis, carpools or bicycles."},
+      {"layer",
+       "The level. A bridge on layer 0 or none is on level 1, a tunnel on level -1; where they "
+       "contradict it, it stands, and the way is named."},
+      {"bridge", "Level 1 where layer says 0 or none."},
+      {"tunnel", "Level -1 where layer says 0 or none; building_passage is on the ground.", nullptr,
+       "building_passage"},
+      {"name", "The name of the street."},
+      {"ref", "The number of the route."},
+      {"area", "A way with value yes is no street."},
+      {"aeroway", "The class, where there is no highway."},
+      {"sidewalk[|:left|:right|:both]", "Whether there are sidewalks."},
+      {"sidewalk[:left|:right|:both]:width", "The widths of the sidewalks."},
+  };
+  return uses;
+}
+
 namespace {
+
+std::vector<std::string> parted(const std::string& text, const std::string& mark) {
+  std::vector<std::string> parts;
+  for (std::size_t from = 0; from <= text.size();) {
+    const std::size_t to = std::min(text.find(mark, from), text.size());
+    parts.push_back(text.substr(from, to - from));
+    from = to + mark.size();
+  }
+  return parts;
+}
 
 // All keys of a pattern with alternatives in brackets.
 void expand(const std::string& start, const std::string& rest, std::set<std::string>& keys) {
@@ -121,11 +159,12 @@ void expand(const std::string& start, const std::string& rest, std::set<std::str
 const std::map<std::string, const OsmTagUse*>& told_keys() {
   static const std::map<std::string, const OsmTagUse*> told = [] {
     std::map<std::string, const OsmTagUse*> uses;
-    for (const OsmTagUse& use : osm_tag_uses()) {
-      std::set<std::string> keys;
-      expand("", use.keys, keys);
-      for (const std::string& key : keys) uses.emplace(key, &use);
-    }
+    for (const auto* some : {&osm_tag_uses(), &osm_way_tag_uses()})
+      for (const OsmTagUse& use : *some) {
+        std::set<std::string> keys;
+        for (const std::string& pattern : parted(use.keys, ", ")) expand("", pattern, keys);
+        for (const std::string& key : keys) uses.emplace(key, &use);
+      }
     return uses;
   }();
   return told;
@@ -142,13 +181,27 @@ void each_worn(const std::string& key, const Take& take) {
   for (std::size_t i = 0; i < key.size(); ++i) take(key.substr(0, i) + key.substr(i + 1));
 }
 
+// One of the words, but for a letter.
+bool misspells(const std::string& said, const std::vector<std::string>& words) {
+  std::set<std::string> worn;
+  each_worn(said, [&](const std::string& each) { worn.insert(each); });
+  bool near = false;
+  for (const std::string& word : words) {
+    if (word == said) return false;
+    each_worn(word, [&](const std::string& each) { near = near || worn.count(each) > 0; });
+  }
+  return near;
+}
+
 }  // namespace
 
 bool tag_is_told(const std::string& key) { return told_keys().count(key) > 0; }
 
 std::string strange_word(const std::string& key, const std::string& said) {
   const auto told = told_keys().find(key);
-  if (told == told_keys().end() || !told->second->words) return {};
+  if (told == told_keys().end()) return {};
+  if (told->second->meant && misspells(said, parted(told->second->meant, " "))) return said;
+  if (!told->second->words) return {};
   const std::string known = " " + std::string(told->second->words) + " ";
   for (std::size_t from = 0; from <= said.size();) {
     const std::size_t to = std::min(said.find_first_of("|;", from), said.size());

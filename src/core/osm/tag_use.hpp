@@ -1,4 +1,4 @@
-// The keys that the reader of lanes looks at.
+// The keys of ways that importers look at, and slips in them.
 #pragma once
 
 #include <string>

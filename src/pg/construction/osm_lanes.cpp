@@ -180,10 +180,15 @@ STREETGEN_FUNCTION(streetgen_osm_tag_use) {
   using namespace streetgen;
   InitMaterializedSRF(fcinfo, 0);
   const auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
-  for (const OsmTagUse& use : osm_tag_uses()) {
-    Datum values[2] = {CStringGetTextDatum(use.keys), CStringGetTextDatum(use.becomes)};
-    bool nulls[2] = {false, false};
-    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
-  }
+  const auto tell = [&](const char* of, const std::vector<OsmTagUse>& uses) {
+    for (const OsmTagUse& use : uses) {
+      Datum values[3] = {CStringGetTextDatum(of), CStringGetTextDatum(use.keys),
+                         CStringGetTextDatum(use.becomes)};
+      bool nulls[3] = {};
+      tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+    }
+  };
+  tell("lanes", osm_tag_uses());
+  tell("ways", osm_way_tag_uses());
   PG_RETURN_NULL();
 }

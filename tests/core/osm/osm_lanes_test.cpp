@@ -439,6 +439,9 @@ TEST(OsmLanes, ParkingLanesLieOutermost) {
 
 TEST(OsmLanes, LanesInTheMiddle) {
   EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:both_ways", "left"}}), "general | general | 1");
+  EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:both_ways", "left;reverse"}}),
+            "general | general | 1 ?turn:lanes:both_ways")
+      << "nobody turns back there but where one may everywhere";
   EXPECT_EQ(read({{"lanes", "3"}, {"turn:lanes:both_ways", "through"}}),
             "general | general | 1 ?turn:lanes:both_ways");
   EXPECT_EQ(read({{"lanes", "5"}, {"centre_turn_lane", "yes"}}),
@@ -573,6 +576,20 @@ TEST(OsmLanes, NonsenseIsNamedAndRaisesNothing) {
     EXPECT_LE(lanes.forward.size() + lanes.backward.size() + lanes.both_ways, 30u);
     EXPECT_TRUE(std::isfinite(lanes.roadway_offset.value_or(0)));
   }
+}
+
+TEST(OsmLanes, NameSlipsOfTagsThatSpeakOfTheWay) {
+  const auto named = [](const char* key, const char* word) { return read({{key, word}}); };
+  for (const char* key : {"wdith", "Width", "maxsped", "layr", "Maxspeed:forward", "est_widht"})
+    EXPECT_EQ(named(key, "7"), std::string("general | general ?") + key);
+  for (const char* key : {"name", "length", "lit", "surface", "width:source", "bridge:name"})
+    EXPECT_EQ(named(key, "7"), "general | general") << key;
+  for (const char* word : {"roundabut", "roundabouts", "cicular"})
+    EXPECT_EQ(named("junction", word), "general | general ?junction") << word;
+  for (const char* word : {"approach", "jughandle", "yes"})
+    EXPECT_EQ(named("junction", word), "general | general") << word;
+  EXPECT_EQ(named("tunnel", "buildingpassage"), "general | general ?tunnel");
+  EXPECT_EQ(named("tunnel", "culvert"), "general | general");
 }
 
 }  // namespace osm_lanes_test
