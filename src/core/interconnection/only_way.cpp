@@ -48,16 +48,29 @@ Astray astray(const Way& way, int in, int out) {
   return {alone + (in_steps(way.angle) > 0 ? in + out : n - 1 - in + m - 1 - out), false};
 }
 
+// Whether the pair crosses what lanes beside it take to other streets.
+bool crosses_lanes_beside(const Ways& of_node, const Way& way, int in) {
+  if (!drives(way.from->in[in].kind)) return false;
+  for (const Way& other : of_node) {
+    const auto aside = in_steps(other.angle) - in_steps(way.angle);  // positive: to the left
+    if (other.from != way.from || other.turns_back() || aside == 0) continue;
+    for (int i = 0; i < static_cast<int>(way.from->in.size()); ++i)
+      if (i != in && (i < in) == (aside < 0) && drives(way.from->in[i].kind) && takes(other, i))
+        return true;
+  }
+  return false;
+}
+
 // The less, the likelier.  Of equals the first in the order of legs and lanes.
 using Cost = std::tuple<bool, bool, bool, bool, bool, long long>;
 
-Cost cost(const Way& way, int in, int out) {
+Cost cost(const Ways& of_node, const Way& way, int in, int out) {
   const Verdict& verdict = way.at(in, out);
   const Astray beside = astray(way, in, out);
   return {verdict.reason == Reason::turn_lanes && !takes(way, in),
           way.turns_back(),
           leaves_cars_behind(way, in, out),
-          beside.crosses,
+          beside.crosses || crosses_lanes_beside(of_node, way, in),
           way.tight(in, out),
           in_steps(std::abs(way.angle) + lane_weight * beside.lanes)};
 }
@@ -78,7 +91,7 @@ LikelyPair likeliest(const Ways& of_node, Wanted wanted) {
     for (int i = 0; i < static_cast<int>(way.from->in.size()); ++i)
       for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o) {
         if (!wanted(way, i, o) || !may(way, i, o)) continue;
-        const Cost now = cost(way, i, o);
+        const Cost now = cost(of_node, way, i, o);
         if (best.verdict && !(now < least)) continue;
         best = {&way.at(i, o), !way.tight(i, o) && !way.turns_back()};
         least = now;
