@@ -78,7 +78,8 @@ struct StreetSettings {
   double radius_minimal = 0.15;  // metres, the kerb stone's radius
   double reach = 60;             // metres along the network: how far a corner follows its axes
   // The arc of a corner ends no farther from the crossing of its kerbs, and closes no more ground
-  // from there on; the paper has no such bounds: both may be infinite.
+  // from there on, and two arcs on one kerb share it; the paper has no such bounds: both may be
+  // infinite.
   double corner_length = 15;  // metres along the kerbs
   double corner_area = 50;    // square metres
   // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.

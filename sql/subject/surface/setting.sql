@@ -13,8 +13,8 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow '
         '(the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),
     ('corner_length', '15', 'm',
-        'the arc of a corner ends no farther than this from the crossing of its kerbs, whatever radius is wanted; '
-        'NULL: however far, as the paper has it', 1, 1000, NULL),
+        'the arc of a corner ends no farther than this from the crossing of its kerbs, whatever radius is wanted, '
+        'and two arcs on one kerb share it; NULL: however far, as the paper has it', 1, 1000, NULL),
     ('corner_area', '50', 'm2', 'nor does it close more ground than this between the kerbs; NULL: however much', 0.1,
         100000, NULL),
     ('follow_length', '10', 'm',
@@ -29,8 +29,8 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         'ground between the two carriageways of one street is a median where they lie no farther apart, kerb to kerb; '
         'wider ground is a block; 0: none', 0, 100, NULL),
     ('island_area', '1000', 'm2',
-        'in a face smaller than this between axes of one level, no longer about than twice the reach, ground with '
-        'room for a disc of 1 m stays: its corners become noses where their arcs would leave none, or close over '
+        'in a face smaller than this between axes of one level, all within the reach of each of its nodes, ground '
+        'with room for a disc of 1 m stays: its corners become noses where their arcs would leave none, or close over '
         '15 % of the ground between the kerbs. The middle of two dual carriageways that cross is roadway; 0: neither, '
         'as the paper has it', 0, 100000, NULL),
     ('island_nose_radius', '0.75', 'm', 'radius of those noses', 0.05, 15, NULL),

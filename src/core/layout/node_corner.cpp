@@ -165,10 +165,13 @@ Fillet fillet_at(double angle) {
 }
 
 // The largest radius of straight streets whose arc keeps to the bounds, by the angle from a to b.
-double bounded_radius(double angle, const CornerWish& wish) {
+double bounded_radius(double angle, const CornerArc& arc, const CornerWish& wish) {
   const Fillet unit_fillet = fillet_at(angle);
-  return std::min(wish.corner_length / unit_fillet.length,
-                  std::sqrt(wish.corner_area / unit_fillet.area));
+  const double along = arc.radius * unit_fillet.length;
+  const double room = along + std::min(wish.ends.until_a - arc.abscissa_a,
+                                       wish.ends.until_b - arc.abscissa_b);
+  return std::min({wish.corner_length / unit_fillet.length, room / unit_fillet.length,
+                   std::sqrt(wish.corner_area / unit_fillet.area)});
 }
 
 // The arc itself, or the one of the largest radius that ends no farther from the crossing of the
@@ -178,20 +181,23 @@ std::optional<CornerArc> within_bounds(const Street& a, const Street& b, const C
                                        const CornerWish& wish) {
   constexpr double precision = 1e-7;
   const double farthest = std::max(arc.abscissa_a, arc.abscissa_b);
-  if (farthest <= wish.corner_length && farthest * arc.radius <= wish.corner_area) return arc;
+  if (farthest <= wish.corner_length && farthest * arc.radius <= wish.corner_area &&
+      wish.ends.hold(arc))
+    return arc;
   const Line &on_a = first_line(a), &on_b = first_line(b);
   if (straight_until(on_a, arc.abscissa_a) && straight_until(on_b, arc.abscissa_b)) {
     const Point u = on_a[1] - on_a[0], v = on_b[1] - on_b[0];
     const double angle = std::atan2(cross(u, v), dot(u, v));
     if (angle <= 0) return arc;
-    const double radius = bounded_radius(angle, wish);
+    const double radius = bounded_radius(angle, arc, wish);
+    if (radius <= 0) return std::nullopt;
     return radius < arc.radius ? corner_arc(a, b, radius) : arc;
   }
   const auto crossing = kerb_crossing(a, b);
   if (!crossing) return std::nullopt;
   const Course course_a = course_of(a, +1), course_b = course_of(b, -1);
   const auto fits = [&](const CornerArc& tried) {
-    if (tried.abscissa_a - crossing->abscissa_a > wish.corner_length ||
+    if (!wish.ends.hold(tried) || tried.abscissa_a - crossing->abscissa_a > wish.corner_length ||
         tried.abscissa_b - crossing->abscissa_b > wish.corner_length)
       return false;
     const Polygon ground = cusp(course_a, course_b, *crossing, tried);

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/tolerance.hpp"
 #include "layout/surface_ring.hpp"
 #include "streetgen/street.hpp"
 #include "support/infinite.hpp"
@@ -17,6 +18,16 @@ std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms);
 // Counter-clockwise from a to b about the node, radians, 0 to 2 pi; seen 1 m away from it.
 double angle_between(const Arm& a, const Arm& b);
 
+// Metres along both streets of a corner from its node, past which its arc may not end.
+struct ArcEnds {
+  double until_a = infinite, until_b = infinite;
+
+  bool bound() const { return until_a < infinite || until_b < infinite; }
+  bool hold(const CornerArc& arc) const {
+    return arc.abscissa_a <= until_a + same_place && arc.abscissa_b <= until_b + same_place;
+  }
+};
+
 struct CornerWish {
   double radius = 0;
   double max_arc_distance = 60;
@@ -24,6 +35,7 @@ struct CornerWish {
   bool by_hand = false;  // of a centre too far the largest radius that is near, not the minimal
   double corner_length = infinite;  // metres along the kerbs from their crossing to the arc's end
   double corner_area = infinite;    // square metres between the kerbs and the arc
+  ArcEnds ends{};
 };
 
 struct SolvedCorner {
@@ -31,6 +43,7 @@ struct SolvedCorner {
   Method method = Method::hypothesis;
   double limit_a = 0;  // what the corner asks of the two arms' limits, metres
   double limit_b = 0;
+  ArcEnds ends{};
   bool too_short = false;  // an axis is too short for the radius that is wanted and may be
 };
 

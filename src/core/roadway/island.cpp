@@ -74,10 +74,14 @@ class Islands {
     const std::vector<Polygon> paved = fillets(face, crossings);
     if (paved.empty()) return false;
     if (!has_room(face, {ring}, paved, frame, box)) return true;
-    double all = 0;
-    for (const Polygon& fillet : paved) all += std::abs(signed_area(fillet.front()));
     const double ground = ground_within(face, crossings);
-    return ground > 0 && all > most_paved * ground;
+    return ground > 0 && area_of(paved) > most_paved * ground;
+  }
+
+  bool leave_hole(const StreetFace& face) const {
+    const KerbCrossings crossings = kerb_crossings(layout_, face);
+    const double ground = ground_within(face, crossings);
+    return ground > 0 && ground - area_of(fillets(face, crossings)) < layout_.settings.max_hole_area;
   }
 
  private:
@@ -86,13 +90,23 @@ class Islands {
     return std::max(arm.start_to(+1), arm.end_to(+1));
   }
 
-  // The area between the kerbs, from crossing to crossing; 0 where kerbs leave none.
+  static double area_of(const std::vector<Polygon>& fillets) {
+    double all = 0;
+    for (const Polygon& fillet : fillets) all += std::abs(signed_area(fillet.front()));
+    return all;
+  }
+
+  // The area between the kerbs, from crossing to crossing; 0 where kerbs leave none.  Along a side
+  // whose crossings pass each other the kerb leads back.
   double ground_within(const StreetFace& face, const KerbCrossings& crossings) const {
     Ring ring;
-    const std::vector<KerbStretch> stretches = kerbs_about(layout_, face, crossings);
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
-      const Course course = course_of(layout_.arm(face[i].end), +1);
-      const Line kerb = kerb_line(course, stretches[i].from, stretches[i].until, +1).line;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const auto &from = crossings[i], &to = crossings[(i + 1) % face.size()];
+      if (!from || !to) return 0;
+      const Arm& arm = layout_.arm(face[i].end);
+      const Line kerb =
+          kerb_line(course_of(arm, +1), from->abscissa_a, length(arm.line) - to->abscissa_b, +1)
+              .line;
       ring.insert(ring.end(), kerb.begin(), kerb.end());
     }
     ring = closed(std::move(ring));
@@ -155,6 +169,10 @@ class Islands {
 };
 
 }  // namespace
+
+bool leaves_hole(const Layout& layout, const SolvedCorners& corners, const StreetFace& face) {
+  return face.size() > 1 && Islands(layout, corners).leave_hole(face);
+}
 
 bool swallowed_island(const Layout& layout, const SolvedCorners& corners, const StreetFace& face) {
   return face.size() > 1 && Islands(layout, corners).swallowed(face);

@@ -63,7 +63,7 @@ std::optional<SolvedCorner> nose(const Course& a, const Course& b, const SolvedC
     return std::nullopt;
   const Point node = planar(a.front().line.front());
   const auto near = [&](const CornerArc& arc) {
-    return distance(arc.centre, node) <= wish.max_arc_distance;
+    return distance(arc.centre, node) <= wish.max_arc_distance && wish.ends.hold(arc);
   };
   auto found = corner_arc(a, b, least);
   if (!found || (too_far && !near(*found))) return std::nullopt;

@@ -12,8 +12,10 @@
 #include "roadway/crossing_middle.hpp"
 #include "roadway/island.hpp"
 #include "roadway/nose.hpp"
+#include "roadway/shared_kerb.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -34,14 +36,20 @@ double wanted_radius(const StreetAxis& a, const StreetAxis& b, RadiusRule rule) 
 
 // Between ends[i] and the next.
 SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, double radius,
-                   bool by_hand) {
+                   bool by_hand, const ArcEnds& ends = {}) {
   const StreetSettings& settings = layout.settings;
   std::vector<const Arm*> arms;
   arms.reserve(junction.ends.size());
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
-  const CornerWish wish{radius,  settings.max_arc_distance, settings.radius_minimal,
-                        by_hand, settings.corner_length,    settings.corner_area};
+  const CornerWish wish{radius,
+                        settings.max_arc_distance,
+                        settings.radius_minimal,
+                        by_hand,
+                        settings.corner_length,
+                        settings.corner_area,
+                        ends};
   SolvedCorner solved = solve_corner(arms, i, wish);
+  solved.ends = ends;
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
   // By hand, a corner is as it is wanted.
@@ -51,7 +59,7 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   };
   const bool follows = solved.method == Method::no_arc ||
                        (solved.too_short && settings.short_axis == ShortAxis::follow);
-  if (follows && may_follow(arm_a, arm_b)) {
+  if (follows && !ends.bound() && may_follow(arm_a, arm_b)) {
     const Course on_a = continued_course(layout, a, +1, junction.followed);
     const Course on_b = continued_course(layout, b, -1, junction.followed);
     const auto followed = follow_corner(arm_a, arm_b, on_a, on_b, wish);
@@ -84,6 +92,18 @@ SolvedCorners solve_all(Layout& layout) {
   return solved;
 }
 
+// The arcs of two corners do not lie upon each other on the kerb between them.
+void part_arcs(Layout& layout, SolvedCorners& solved) {
+  share_kerbs(layout, solved);
+  for (int n = 0; n < static_cast<int>(solved.size()); ++n)
+    for (std::size_t i = 0; i < solved[n].size(); ++i) {
+      const ArcEnds ends = solved[n][i].ends;
+      if (ends.bound())
+        solved[n][i] =
+            solve(layout, layout.junctions[n], i, wanted_at(layout, {n, i}), false, ends);
+    }
+}
+
 // On an island that its fillets would swallow each corner is a nose.
 void keep_island(Layout& layout, const StreetFace& face, SolvedCorners& solved) {
   const double radius = layout.settings.island_nose_radius;
@@ -92,15 +112,16 @@ void keep_island(Layout& layout, const StreetFace& face, SolvedCorners& solved) 
     if (junction.dead_end()) continue;
     SolvedCorner& corner = solved[at.node][at.gap];
     if (corner.gap.corner.radius <= radius) continue;
-    const SolvedCorner nose = solve(layout, junction, at.gap, radius, false);
+    const SolvedCorner nose = solve(layout, junction, at.gap, radius, false, corner.ends);
     if (nose.gap.corner.radius <= 0) continue;
     corner = nose;
     corner.method = Method::nose;
   }
 }
 
-// The middle of two dual carriageways that cross is roadway, which has no corners.
-void pave_middle(Layout& layout, const StreetFace& face, SolvedCorners& solved) {
+// The middle of two dual carriageways that cross is roadway, which has no corners; so is ground of
+// which fillets would leave no more than a hole.
+void pave(Layout& layout, const StreetFace& face, SolvedCorners& solved) {
   const std::vector<MiddlePart> parts = parts_of_middle(layout, face);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const auto& [node, gap] = face[i].corner;
@@ -114,14 +135,16 @@ void pave_middle(Layout& layout, const StreetFace& face, SolvedCorners& solved) 
 }
 
 void settle_small_faces(Layout& layout, SolvedCorners& solved) {
-  std::vector<StreetFace> islands, middles;
+  std::vector<StreetFace> islands, paved;
   for (StreetFace& face : small_faces(layout))
     if (is_middle_of_crossing(layout, face))
-      middles.push_back(std::move(face));
+      paved.push_back(std::move(face));
     else if (swallowed_island(layout, solved, face))
       islands.push_back(std::move(face));
+    else if (leaves_hole(layout, solved, face))
+      paved.push_back(std::move(face));
   for (const StreetFace& face : islands) keep_island(layout, face, solved);
-  for (const StreetFace& face : middles) pave_middle(layout, face, solved);
+  for (const StreetFace& face : paved) pave(layout, face, solved);
 }
 
 // Whether a kerb goes on nearly straight farther from or nearer to the axis, where none leaves.
@@ -366,6 +389,7 @@ void solve_joints(Layout& layout, const RadiiByHand& by_hand) {
 void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   choose_transitions(layout);
   SolvedCorners solved = solve_all(layout);
+  if (layout.settings.corner_length < infinite) part_arcs(layout, solved);
   if (layout.settings.island_area > 0) settle_small_faces(layout, solved);
   if (!layout.settings.transition.length) make_tapers(layout, solved);
   bend_ramps(layout, solved);

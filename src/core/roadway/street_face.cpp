@@ -1,5 +1,7 @@
 #include "roadway/street_face.hpp"
 
+#include <algorithm>
+
 #include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
 #include "streetgen/cancel.hpp"
@@ -43,7 +45,7 @@ class Faces {
       for (std::size_t i = 0; i < seen_[n].size(); ++i) {
         look_about({n, i});
         if (seen_[n][i]) continue;
-        StreetFace face = face_about(layout_, {n, i});
+        StreetFace face = face_from({n, i});
         for (const FaceSide& side : face) seen_[side.corner.node][side.corner.gap] = true;
         if (is_small(face)) found.push_back(std::move(face));
       }
@@ -52,28 +54,48 @@ class Faces {
   }
 
  private:
-  double length_of(const EdgeEnd& end) const { return length(layout_.arm(end).line); }
+  // Whether all of a side of the face lies within reach of a node.
+  bool is_near(int node, const EdgeEnd& end) const {
+    const Point& from = layout_.streets.network.nodes[node].point;
+    const Line& line = layout_.arm(end).line;
+    return std::all_of(line.begin(), line.end(), [&](const Point& p) {
+      return distance(from, p) <= layout_.settings.reach;
+    });
+  }
 
   // The nodes on both sides of a face that may once have been small, or become so.
   void look_about(const CornerPlace& corner) {
     auto& followed = layout_.junctions[corner.node].followed;
-    const double reach = layout_.settings.reach;
-    double about = 0;
     CornerPlace at = corner;
     do {
-      about += length_of(layout_.junctions[at.node].ends[at.gap]);
-      if (about > reach) break;
+      if (!is_near(corner.node, layout_.junctions[at.node].ends[at.gap])) break;
       at = onwards(layout_, at);
       followed.push_back(at.node);
     } while (!(at == corner));
-    about = 0;
     at = corner;
     do {
-      about += length_of(layout_.junctions[at.node].next(at.gap));
-      if (about > reach) break;
+      if (!is_near(corner.node, layout_.junctions[at.node].next(at.gap))) break;
       at = backwards(layout_, at);
       followed.push_back(at.node);
     } while (!(at == corner));
+  }
+
+  // Counter-clockwise about an inner face; none about a wide one, or of several levels.
+  StreetFace face_from(const CornerPlace& start) const {
+    StreetFace face;
+    const auto& edges = layout_.streets.network.edges;
+    CornerPlace at = start;
+    do {
+      const EdgeEnd& end = layout_.junctions[at.node].ends[at.gap];
+      if (!is_near(start.node, end)) return {};
+      face.push_back({end, at});
+      if (edges[end.edge].level != edges[face.front().end.edge].level) return {};
+      at = onwards(layout_, at);
+    } while (!(at == start));
+    for (const FaceSide& from : face)
+      for (const FaceSide& side : face)
+        if (!is_near(from.corner.node, side.end)) return {};
+    return face;
   }
 
   bool is_small(const StreetFace& face) const {
@@ -85,12 +107,6 @@ class Faces {
   Layout& layout_;
   std::vector<std::vector<bool>> seen_;
 };
-
-std::optional<CornerArc> kerb_crossing(const Layout& layout, const CornerPlace& corner) {
-  const Junction& junction = layout.junctions[corner.node];
-  return corner_arc(course_of(layout.arm(junction.ends[corner.gap]), +1),
-                    course_of(layout.arm(junction.next(corner.gap)), -1), 0);
-}
 
 }  // namespace
 
@@ -140,6 +156,12 @@ Ring ring_of(const Layout& layout, const StreetFace& face) {
     ring.insert(ring.end(), line.begin(), line.end());
   }
   return closed(std::move(ring));
+}
+
+std::optional<CornerArc> kerb_crossing(const Layout& layout, const CornerPlace& corner) {
+  const Junction& junction = layout.junctions[corner.node];
+  return corner_arc(course_of(layout.arm(junction.ends[corner.gap]), +1),
+                    course_of(layout.arm(junction.next(corner.gap)), -1), 0);
 }
 
 KerbCrossings kerb_crossings(const Layout& layout, const StreetFace& face) {

@@ -24,8 +24,9 @@ struct FaceSide {
 // Counter-clockwise about its ground.
 using StreetFace = std::vector<FaceSide>;
 
-// The faces smaller than island_area and no longer about than twice the reach. Each corner adds the
-// nodes that it looked at to Junction::followed: its face may once have been small, or become so.
+// The faces smaller than island_area all of which lies within reach of each of their nodes. Each
+// corner adds the nodes that it looked at to Junction::followed: its face may once have been small,
+// or become so.
 std::vector<StreetFace> small_faces(Layout& layout);
 
 // The corner from which an edge leads along a face on its left.
@@ -42,7 +43,9 @@ int far_node(const Layout& layout, const EdgeEnd& end);
 // The line of the edges about a face.
 Ring ring_of(const Layout& layout, const StreetFace& face);
 
-// Where the flat kerbs cross, by corner of the face.
+// Where the flat kerbs cross.
+std::optional<CornerArc> kerb_crossing(const Layout& layout, const CornerPlace& corner);
+// By corner of the face.
 using KerbCrossings = std::vector<std::optional<CornerArc>>;
 KerbCrossings kerb_crossings(const Layout& layout, const StreetFace& face);
 // A stretch of a side's left kerb, by abscissas from its corner.

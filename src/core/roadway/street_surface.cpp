@@ -18,12 +18,14 @@ Surface transition_of(Geos& geos, const Junction& junction, const std::vector<Ar
           Method::transition};
 }
 
-// The border lines of the arms, and the corners that are wanted sharp.
+// The border lines of the arms, the corners that are wanted sharp, and the parts of paved ground.
 std::vector<Line> unrounded(const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   std::vector<Line> lines;
   for (const Arm& arm : arms) lines.push_back(arm.border);
-  for (const Gap& gap : gaps)
+  for (const Gap& gap : gaps) {
     if (gap.meets && gap.sharp) lines.push_back({gap.corner.centre, gap.corner.centre});
+    if (gap.meets && !gap.beyond.empty()) lines.push_back(gap.beyond.front());
+  }
   return lines;
 }
 

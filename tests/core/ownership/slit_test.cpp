@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
@@ -79,7 +80,8 @@ TEST(Slit, StaysBetweenLevelsAndWhereAnotherStreetLies) {
   EXPECT_NEAR(ground_of(crossed), 1200 + 94 * 0.1 + 6 * 70 - 6 * 12, 1e-5);
 }
 
-// Two side streets 7 m apart: the limits between their nodes cross, and so do their corners' arcs.
+// Two side streets 7 m apart: the limits between their nodes cross, and so do their corners' arcs,
+// where these have no bound.
 TEST(Notch, BetweenCornersOfNeighboursIsRound) {
   const std::vector<StreetAxis> beside = {
       axis(1, {{0, 0, 0}, {50, 0, 0}}), axis(2, {{50, 0, 0}, {57, 0, 0}}),
@@ -87,6 +89,7 @@ TEST(Notch, BetweenCornersOfNeighboursIsRound) {
       axis(5, {{57, 0, 0}, {57, 40, 0}})};
   StreetSettings settings = with_slits_up_to(0.2);
   settings.island_area = 0;
+  settings.corner_length = std::numeric_limits<double>::infinity();
   for (const double radius : {0.2, 0.4}) {
     settings.kerb_radius_minimal = 0;
     std::vector<StreetAxis> axes = beside;

@@ -56,6 +56,7 @@ std::vector<StreetAxis> turned(std::vector<StreetAxis> axes, double angle) {
 // Every half metre between the axes, off the borders between the surfaces.
 void expect_paved(const std::vector<StreetAxis>& axes, double apart, double across, double angle) {
   const Streets town = streets(axes, splitting());
+  EXPECT_TRUE(is_roadway(town, turned({0.02, 0.03, 0}, angle))) << apart;
   for (double x = -across / 2 + 0.13; x <= across / 2; x += 0.5)
     for (double y = -apart / 2 + 0.17; y <= apart / 2; y += 0.5)
       ASSERT_TRUE(is_roadway(town, turned({x, y, 0}, angle))) << x << ' ' << y << ' ' << apart;
@@ -86,6 +87,7 @@ TEST(CrossingMiddle, IsRoadwayBehindACornerByHand) {
   const Streets town = streets(axes, splitting(), overrides);
   EXPECT_TRUE(std::any_of(town.corners.begin(), town.corners.end(),
                           [](const Corner& c) { return c.method == Method::by_hand; }));
+  EXPECT_TRUE(is_roadway(town, {0.02, 0.03, 0}));
   for (double x = -9.87; x < 10; x += 0.5)
     for (double y = -7.83; y < 8; y += 0.5)
       ASSERT_TRUE(is_roadway(town, {x, y, 0})) << x << ' ' << y;

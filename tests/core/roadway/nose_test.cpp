@@ -133,7 +133,7 @@ TEST(Island, StaysWhereItsFilletsWouldSwallowIt) {
 }
 
 TEST(Island, OfLargeGroundKeepsItsCorners) {
-  for (const auto& corner : streets(triangle(40), {}).corners)
+  for (const auto& corner : streets(triangle(60), {}).corners)
     EXPECT_NE(corner.method, Method::nose);
   StreetSettings settings;
   settings.island_area = 90;  // The face has 98 m2.
@@ -143,7 +143,7 @@ TEST(Island, OfLargeGroundKeepsItsCorners) {
 
 // Of the triangle between the kerbs, whose circle has a radius of size (1 - 1 / sqrt 2) - 2.
 TEST(Island, KeepsMostOfItsGround) {
-  for (double size = 12; size <= 30; size += 3) {
+  for (double size = 12; size <= 42; size += 3) {
     const Streets kept = streets(triangle(size), {});
     const double radius = size * (1 - std::sqrt(0.5)) - 2, leg = radius * (2 + std::sqrt(2));
     int all = 0, left = 0;

@@ -31,7 +31,7 @@ std::vector<StreetAxis> grid(int count) {
       const double at = 12.0 * i, end = 12.0 * count;
       axis.axis_id = static_cast<std::int64_t>(axes.size()) + 1;
       axis.line = east ? Line{{0, at, 0}, {end, at, 0}} : Line{{at, 0, 0}, {at, end, 0}};
-      axis.width = axis.width_end = 11.5;
+      axis.width = axis.width_end = 12.5;
       axis.radius = 6;
       axes.push_back(axis);
     }
