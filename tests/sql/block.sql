@@ -180,3 +180,21 @@ SELECT 'a run over nothing changed looks at the two blocks beside its street', (
 CREATE TEMPORARY TABLE before AS SELECT block_id, xmin AS writer, ST_AsBinary(surface) AS surface FROM grid.block;
 UPDATE grid.axis SET width = 9 WHERE axis_id = 203;
 SELECT 'a width writes the blocks whose ground moved and no other', count(*) FILTER (WHERE b.xmin <> writer) BETWEEN 2 AND 6 AND bool_and((b.xmin <> writer) = (ST_AsBinary(b.surface) <> before.surface)) FROM grid.block b JOIN before USING (block_id);
+
+-- A triangle of streets of 80, 80 and 41 m that leaves room for a disc of 12 m. The corner by hand lies beyond that disc.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('paved', 2154, subjects => '{block}'), streetgen.set('paved', 'max_arc_distance', '200');
+  INSERT INTO paved.axis (axis_id, geom, width) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650080 6860000)', 6), (2, 'SRID=2154;LINESTRING(650080 6860000,650069.282 6860040)', 6),
+    (3, 'SRID=2154;LINESTRING(650069.282 6860040,650000 6860000)', 6), (4, 'SRID=2154;LINESTRING(650000 6860000,649950 6859990)', 6), (5, 'SRID=2154;LINESTRING(650080 6860000,650130 6859980)', 6),
+    (6, 'SRID=2154;LINESTRING(650069.282 6860040,650110 6860090)', 6);
+END $$;
+CREATE FUNCTION pg_temp.paved(model name) RETURNS SETOF streetgen.finding LANGUAGE sql AS $$ SELECT severity, rule, relation, id, measure, geom FROM streetgen.check_model(model) WHERE rule = 'block that is roadway, m2' $$;
+SELECT 'a block of ground is not told as roadway', NOT EXISTS (SELECT FROM pg_temp.paved('paved'));
+INSERT INTO paved.corner_override (geom, axis_a, axis_b, radius) VALUES ('SRID=2154;POINT(650000 6860000)', 1, 3, 18);
+SELECT 'one that a corner paves is', count(*) = 1 AND bool_and(measure BETWEEN 1599 AND 1601) FROM pg_temp.paved('paved');
+DO $$ BEGIN
+  PERFORM streetgen.create_model('middle', 2154, subjects => '{block}'), streetgen.set('middle', 'crossing', 'split');
+  INSERT INTO middle.axis (geom, width, direction) SELECT ST_SetSRID(ST_GeomFromText(line), 2154), 7, 'direct' FROM (VALUES ('LINESTRING(649880 6859990,650120 6859990)'), ('LINESTRING(650120 6860010,649880 6860010)'),
+    ('LINESTRING(650010 6859880,650010 6860120)'), ('LINESTRING(649990 6860120,649990 6859880)')) a(line);
+END $$;
+SELECT 'the middle of dual carriageways that cross is roadway by right', (SELECT count(*) FROM middle.block WHERE kind = 'roadway') = 1 AND NOT EXISTS (SELECT FROM pg_temp.paved('middle'));

@@ -8,6 +8,20 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
+    WITH face AS MATERIALIZED (
+        SELECT block_id, b.surface, ST_GeometryN(ring, 1) AS face, half, edges
+        FROM block b, LATERAL (SELECT ST_Polygonize(e.geom) AS ring, array_agg(e.edge_id) AS edges,
+                max(greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)) AS half
+            FROM block_edge s JOIN edge e USING (edge_id) WHERE s.block_id = b.block_id AND s.ring = 1) r
+        WHERE ST_NumGeometries(ring) = 1),
+    -- Where dual carriageways cross no corner about the middle has an arc, and it is roadway by right.
+    paved AS MATERIALIZED (
+        SELECT block_id, face, center FROM face f, LATERAL ST_MaximumInscribedCircle(face) disc
+        WHERE ST_Area(surface) < ST_Area(face) / 2 AND radius > half + 2 AND NOT ST_Intersects(surface, center)
+            AND NOT EXISTS (SELECT FROM edge e WHERE e.edge_id = ANY (edges)
+                AND ST_Distance(e.geom, center) < greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset))
+            AND EXISTS (SELECT FROM corner c WHERE c.edge_a = ANY (edges) AND c.edge_b = ANY (edges)
+                AND c.method <> 'no_arc'))
     SELECT 'error', 'invalid surface', 'block', block_id, ST_Area(surface), surface FROM block
         WHERE NOT streetgen._surely_valid(surface::bytea) AND NOT ST_IsValid(surface)
     UNION ALL
@@ -21,6 +35,8 @@ BEGIN
     UNION ALL
     SELECT 'notice', 'kerbs of a block cross or are missing', 'block', block_id, ST_Area(surface), surface
         FROM block WHERE method = 'robust_fallback'
+    UNION ALL
+    SELECT 'notice', 'block that is roadway, m2', 'block', block_id, ST_Area(face), face FROM paved
     UNION ALL
     SELECT 'warning', 'block override on no block', 'block_override', o.block_override_id, 0, o.geom
         FROM block_override o WHERE NOT EXISTS (SELECT FROM block b WHERE b.surface && o.geom
@@ -62,5 +78,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('kerbs of a block cross or are missing',
         'its ground was put together from pieces of the arrangement of its kerbs',
         'nothing, where the ground is right; else move the axes apart'),
+    ('block that is roadway, m2',
+        'a disc 2 m wider than the streets fits between the axes, and its middle is roadway',
+        'look at the corners about it, and at the widths of the streets'),
     ('block override on no block', 'its place lies on the roadway, or outside of all streets',
         'move or delete the override');
