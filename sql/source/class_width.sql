@@ -22,7 +22,8 @@ BEGIN
             AND c.lanes_one_way_by IS NULL
             AND (c.lanes_one_way, c.width_one_way) IS NOT DISTINCT FROM (d.lanes_one_way, d.width_one_way)
         RETURNING c.class, s.lanes, s.lines)
-    SELECT format('one-way and no lanes stated: %s, as most that state them', lanes), class, lines, NULL::text[]
+    SELECT format('%s lanes on one-way lines that state none, as on most of so many that do', lanes), class, lines,
+            NULL::text[]
         FROM settled ORDER BY class;
 END $$;
 COMMENT ON FUNCTION streetgen._settle_class_lanes(name) IS

@@ -152,7 +152,7 @@ BEGIN
         THEN
         RAISE EXCEPTION 'the mapping gives "%" the unit "%"', target, unit USING ERRCODE = '22023',
             HINT = CASE WHEN read_as = 'kmh' THEN 'Speeds are in km/h, mph, kn or m/s.'
-                WHEN read_as IN ('metres', 'width') THEN 'Lengths are in m, cm, ft, us-ft, yd or in.'
+                WHEN read_as IN ('metres', 'width') THEN 'Lengths are in m, dm, cm, ft, us-ft, yd or in.'
                 ELSE 'Lengths and speeds alone have units.' END;
     ELSIF entry ? 'values' AND (jsonb_typeof(entry -> 'values') <> 'object' OR entry -> 'values' = '{}') THEN
         RAISE EXCEPTION 'the values of "%" are %, expected an object', target, entry -> 'values'
@@ -202,6 +202,9 @@ BEGIN
             unread := unread || format('CASE WHEN btrim(%1$I::text) <> '''' AND NOT %2$L::jsonb ? btrim(%1$I::text) '
                 'THEN %3$L || left(btrim(%1$I::text), 40) || ''"'' END', entry ->> 'column', entry -> 'values',
                 target.name || ' "');
+        ELSIF entry ? 'column' AND target.read_as = 'direction' THEN
+            unread := unread || format('CASE WHEN btrim(%1$I::text) <> '''' AND %2$s IS NULL '
+                'THEN %3$L || left(btrim(%1$I::text), 40) || ''"'' END', entry ->> 'column', meant, 'direction "');
         ELSIF entry ? 'column' AND target.read_as <> 'text' THEN
             unread := unread || format('CASE WHEN btrim(%I::text) <> '''' AND %s IS NULL THEN %L END',
                 entry ->> 'column', meant, target.name);

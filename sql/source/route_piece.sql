@@ -101,6 +101,11 @@ CREATE OR REPLACE FUNCTION streetgen._source_axis_follower() RETURNS TABLE(relat
     AS $$ VALUES ('axis_route'::name, '_follow_routes'::name) $$;
 COMMENT ON FUNCTION streetgen._source_axis_follower() IS 'Routes stay on the pieces of their axes.';
 
+CREATE OR REPLACE FUNCTION streetgen._source_edited() RETURNS TABLE(relation name)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('axis_route'::name) $$;
+COMMENT ON FUNCTION streetgen._source_edited() IS 'The tables of imports that an editor may write: routes.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_route_follower(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -118,7 +118,19 @@ UPDATE line_line SET geom = 'SRID=2154;LINESTRING(650400 6860000,650300 6860000,
 SELECT FROM streetgen.set('line', 'delivery_wins', 'source') \g /dev/null
 SELECT FROM streetgen.import_osm('line', 'line') \g /dev/null
 SELECT 'an axis that the source makes whole again is one piece', pg_temp.led() LIKE '%, 7 2.1 reverse at 400, 7 3.1 direct at 400, 8 1.1 both at 400, 8 2.1 both at 400';
+CREATE ROLE route_editor; CREATE ROLE route_reader;
+SELECT streetgen.grant('line', 'route_editor', 'editor'), streetgen.grant('line', 'route_reader', 'reader') \g /dev/null
+SET ROLE route_editor;
+INSERT INTO line.axis_route (route, ordinality, axis_id, kind) SELECT 'theirs', 1, min(axis_id), 'bus' FROM line.axis;
+UPDATE line.axis_route SET name = 'ring' WHERE route = 'theirs';
+SELECT 'an editor writes a route', name = 'ring' FROM line.axis_route WHERE route = 'theirs';
+DELETE FROM line.axis_route WHERE route = 'theirs';
+SET ROLE route_reader;
+SELECT 'a reader does not', test.state($$DELETE FROM line.axis_route$$) = '42501';
+RESET ROLE;
 SELECT FROM streetgen.drop_model('line') \g /dev/null
+DROP OWNED BY route_editor, route_reader;
+DROP ROLE route_editor, route_reader;
 -- Crossings.
 CREATE TABLE town_control (node_id bigint, class text NOT NULL, direction text, traffic_signals_direction text, geom geometry(Point, 2154));
 INSERT INTO town_control (node_id, class, geom) VALUES (1, 'crossing', 'SRID=2154;POINT(650088 6860000)'), (2, 'crossing', 'SRID=2154;POINT(650150 6860000)');

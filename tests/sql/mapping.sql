@@ -12,7 +12,7 @@ CREATE TEMPORARY TABLE told AS SELECT * FROM streetgen.import_axes('town', 'regi
 SELECT 'texts are read' AS name, array_agg(ROW(source_ref, round(width::numeric, 4), lane_count, round(speed::numeric, 2), direction, level, kind_forward, lane_width_forward)::text ORDER BY source_ref)
   = '{"(a,7.5000,2,50.00,both,0,general|bus,3.5|3)","(b,7.5000,2,48.28,direct,1,,)","(c,7.3152,2,50.00,reverse,-1,,)"}' AS holds FROM town.axis WHERE source_ref < 'd';
 SELECT 'what is empty or means nothing is unknown', count(*) = 4 AND bool_and(num_nulls(width, lane_count, speed, kind_forward, lane_width_forward) = 5 AND direction = 'both' AND level = 0) FROM town.axis WHERE source_ref >= 'd';
-SELECT 'each such value is named by its row, and nothing else', array_agg(what || ' ' || array_to_string(source_refs, ',') ORDER BY what) = ARRAY['direction not understood, taken as unknown e,f,g', 'kind_forward not understood, taken as unknown e,f',
+SELECT 'each such value is named by its row, and nothing else', array_agg(what || ' ' || array_to_string(source_refs, ',') ORDER BY what) = ARRAY['direction "2" not understood, taken as unknown g', 'direction "FT" not understood, taken as unknown e', 'direction "oneway" not understood, taken as unknown f', 'kind_forward not understood, taken as unknown e,f',
   'lane_count not understood, taken as unknown e,f,g', 'lane_width_forward not understood, taken as unknown e,f', 'level not understood, taken as unknown e,f,g',
   'speed not understood, taken as unknown e,f,g', 'width not understood, taken as unknown e,f,g'] FROM told WHERE what NOT IN ('taken', 'new or changed', 'generate is due') AND what NOT LIKE 'neither width nor lanes stated%';
 SELECT streetgen.create_model('nameless', 32631) \g /dev/null
@@ -77,7 +77,7 @@ SELECT streetgen.create_model('odd', 32631) \g /dev/null
 CREATE TEMPORARY TABLE told_of_nonsense AS SELECT * FROM streetgen.import_axes('odd', 'nonsense', '{"source_ref": "id", "width": {"column": "w", "unit": "ft"}, "speed": {"column": "s", "unit": "mph"}, "lane_count": "n", "direction": "d", "kind_forward": "k", "lane_width_forward": "l"}');
 SELECT 'nonsense stops no import', count(*) = 10000 FROM odd.axis;
 SELECT format('each %s is read, empty, or named by its row', name), count(*) = 300 AND bool_and((value IS NULL OR name = 'direction') = (btrim(said) = '' OR named) OR name = 'direction') AND bool_or(named)
-  FROM (SELECT v.name, v.value, v.said, EXISTS (SELECT FROM told_of_nonsense t WHERE t.what IN (v.name || ' not understood, taken as unknown', v.name || ' of zero, taken as unknown')
+  FROM (SELECT v.name, v.value, v.said, EXISTS (SELECT FROM told_of_nonsense t WHERE t.what IN (v.name || ' not understood, taken as unknown', format('%s "%s" not understood, taken as unknown', v.name, btrim(v.said)), v.name || ' of zero, taken as unknown')
       AND n.id::text = ANY (t.source_refs)) AS named FROM nonsense n JOIN odd.axis a ON a.source_ref = n.id::text,
     LATERAL (VALUES ('width', a.width::text, n.w), ('speed', a.speed::text, n.s), ('lane_count', a.lane_count::text, n.n), ('direction', a.direction, n.d), ('kind_forward', a.kind_forward, n.k),
       ('lane_width_forward', a.lane_width_forward, n.l)) v(name, value, said) WHERE n.id <= 300) r GROUP BY name ORDER BY name;

@@ -45,12 +45,13 @@ CREATE TABLE seen AS SELECT id, axes[1] AS axis FROM town.axis_to_mend;
 GRANT SELECT ON seen TO mend_editor, mend_reader;
 SET ROLE mend_reader;
 SELECT 'a reader sees proposals', count(*) = 7 FROM town.axis_to_mend;
-SELECT 'and may not accept one', test.state($$SELECT streetgen.accept_mend('town', ARRAY[(SELECT id FROM seen WHERE axis = 4)])$$) = '42501';
+SELECT 'and may not accept one: one line says so, and who allows it', (r).state = '42501' AND (r).said = 'role "mend_reader" may not edit model "town"' AND (r).hint LIKE '%editor%'
+  FROM (SELECT test.refusal($$SELECT streetgen.accept_mend('town', ARRAY[(SELECT id FROM seen WHERE axis = 4)])$$) AS r) t;
 RESET ROLE;
 SELECT 'one that never was: 22023, named, with the way out', (r).state = '22023' AND (r).said LIKE '%no proposal 7' AND (r).hint LIKE 'SELECT * FROM town.axis_to_mend%'
   FROM (SELECT test.refusal($$SELECT streetgen.accept_mend('town', array_append((SELECT array_agg(id) FROM seen), 7))$$) AS r) t;
 SELECT 'then none is done', (SELECT count(*) FROM town.axis_to_mend) = 7;
-SELECT 'no list: 22004', test.state($$SELECT streetgen.accept_mend('town', NULL)$$) = '22004';
+SELECT 'no list, as of an empty view, does nothing', streetgen.accept_mend('town', NULL) = 0;
 SELECT 'NULL is no proposal', test.state($$SELECT streetgen.accept_mend('town', '{NULL}')$$) = '22023';
 SELECT 'an unknown model: 3F000', test.state($$SELECT streetgen.accept_mend('no such', '{1}')$$) = '3F000';
 SELECT 'no proposal does nothing', streetgen.accept_mend('town', '{}') = 0;

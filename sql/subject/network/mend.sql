@@ -153,7 +153,11 @@ DECLARE
     unknown bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_reader(model), streetgen._check_given('ids', ids::text);
+    PERFORM streetgen._require_reader(model);
+    IF NOT has_table_privilege(format('%I.axis', model), 'UPDATE') THEN
+        PERFORM streetgen._refuse('42501', format('role "%s" may not edit model "%s"', current_user, model),
+            hint => format('SELECT streetgen.grant(%L, %L, ''editor'') by its owner allows it.', model, current_user));
+    END IF;
     wanted := ARRAY(SELECT DISTINCT unnest(ids));
     PERFORM streetgen._lock_axes(model,
         format('SELECT unnest(axes) FROM %I.axis_to_mend WHERE id = ANY (%L)', model, wanted));
@@ -184,5 +188,5 @@ END $$;
 COMMENT ON FUNCTION streetgen.accept_mend(name, bigint[]) IS
     'Does what view axis_to_mend of a model proposes under these ids, as an edit by hand would: the streets follow, '
     'decisions by hand stay on what is left, and a delivery of the source keeps it. Returns how many it did: a join '
-    'that the others made needless is none. An unknown model: 3F000; a proposal that is not there, or no more: 22023; '
-    'no ids: 22004; who may not edit the model: 42501.';
+    'that the others made needless is none, and NULL is no proposal. An unknown model: 3F000; a proposal that is not '
+    'there, or no more: 22023; who may not edit the model: 42501.';
