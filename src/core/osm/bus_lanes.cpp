@@ -22,11 +22,12 @@ void count_bus_lanes(WayTags& tags, BusWishes& wishes) {
 }
 
 void look_at_kerb(RoadSide kerb, WayTags& tags, BusWishes& wishes) {
-  std::string key = tags.said_of("busway", kerb), word = tags.value(key);
+  std::string key = tags.said_of("busway", kerb),
+              word = word_among(tags.value(key), {"lane", "opposite_lane"});
   const bool near = kerb == RoadSide::near;
   if (word.empty()) {
     key = "busway";
-    word = tags.value(key);
+    word = word_among(tags.value(key), {"lane", "opposite_lane"});
     // Without a side it speaks of the near kerb of each direction.
     if (tags.one_way() && (word == "opposite_lane") == near) return;
   }
@@ -94,7 +95,7 @@ void give_to_buses(HeadingLanes& lanes, const WayTags& tags) {
   const bool buses = lets_in(nearest_word({"bus"}, lanes.heading, tags)) ||
                      lets_in(nearest_word({"psv"}, lanes.heading, tags));
   const bool alone = tags.value("highway") == "busway" || (closed && buses);
-  const bool shared = !alone && tags.value("hov") == "designated";
+  const bool shared = !alone && nearest_word({"hov"}, lanes.heading, tags) == "designated";
   if (!alone && !shared) return;
   for (OsmLane& lane : lanes.lanes)
     if (lane.kind == LaneKind::general) lane.kind = alone ? LaneKind::bus : LaneKind::carpool;

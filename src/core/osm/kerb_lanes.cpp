@@ -9,14 +9,19 @@ namespace {
 // Metres from the kerb to the end of a car that stands so.
 constexpr double depth_of_diagonal = 4.5, depth_of_perpendicular = 5;
 
+// Words of which several may stand in one value: those that make a lane.
+constexpr std::initializer_list<const char*> cycle_words = {"lane", "soft_lane", "opposite_lane"};
+constexpr std::initializer_list<const char*> parking_words = {"parallel", "diagonal",
+                                                              "perpendicular", "marked"};
+
 CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
   CycleWish wish;
   wish.key = tags.said_of("cycleway", kerb);
-  std::string word = tags.value(wish.key);
+  std::string word = word_among(tags.value(wish.key), cycle_words);
   const bool near = kerb == RoadSide::near, sided = !word.empty();
   if (!sided) {
     wish.key = "cycleway";
-    word = tags.value(wish.key);
+    word = word_among(tags.value(wish.key), cycle_words);
     // Without a side it speaks of the near kerb of each direction.
     if (tags.one_way() && (word == "opposite_lane") == near) return wish;
     if (!tags.one_way() && word == "opposite_lane") {
@@ -24,7 +29,8 @@ CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
       return wish;
     }
   }
-  if (word != "lane" && word != "opposite_lane") return wish;
+  if (word == "yes") tags.name(wish.key, "it says neither lane nor track");
+  if (word != "lane" && word != "soft_lane" && word != "opposite_lane") return wish;
   std::string oneway = tags.value(tags.key_of("cycleway", kerb) + ":oneway");
   if (oneway.empty()) oneway = tags.value("cycleway:both:oneway");
   const bool usual_against =
@@ -113,8 +119,11 @@ void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) 
 
 void lay_parking_lanes(WayLanes& lanes, WayTags& tags) {
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
-    const std::string place = tags.value(tags.said_of("parking", kerb)),
-                      stands = tags.value(tags.said_of("parking:lane", kerb));
+    const std::string place = word_among(tags.value(tags.said_of("parking", kerb)), {"lane"}),
+                      stands =
+                          word_among(tags.value(tags.said_of("parking:lane", kerb)), parking_words);
+    if (place == "yes")
+      tags.name(tags.said_of("parking", kerb), "it does not say whether cars stand on a lane");
     if (place != "lane" && stands != "parallel" && stands != "diagonal" &&
         stands != "perpendicular" && stands != "marked")
       continue;

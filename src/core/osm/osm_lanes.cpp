@@ -97,6 +97,20 @@ void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
   }
 }
 
+// A mark of a whole direction is that of each of its lanes, unless a list marks them.
+void take_marks(HeadingLanes& lanes, WayTags& tags) {
+  const std::string key = tags.said_of("turn", lanes.heading), said = tags.value(key);
+  if (said.empty()) return;
+  const std::optional<std::string> marks = marks_of(said);
+  if (!marks) return tags.name(key, means_nothing(said));
+  if (!lanes.known) return tags.name(key, "nothing says how many lanes are so marked");
+  if (std::any_of(lanes.lanes.begin(), lanes.lanes.end(),
+                  [](const OsmLane& lane) { return !lane.turn.empty(); }))
+    return;
+  for (OsmLane& lane : lanes.lanes)
+    if (drives(lane.kind)) lane.turn = *marks;
+}
+
 double usual_width(const OsmLane& lane, const OsmLaneUse& use) {
   return lane.width.value_or(lane.kind == LaneKind::cycle     ? use.cycle_lane_width
                              : lane.kind == LaneKind::parking ? use.parking_lane_width
@@ -148,6 +162,14 @@ void name_lists_of_both(const OsmTags& said, WayTags& tags) {
     if (const std::string key = std::string(name) + ":lanes";
         said.count(key) > 0 && !speaks_of_each_direction(tags.value(key), tags))
       tags.name(key, "it says no direction of a street of both");
+  if (!tags.value("turn").empty()) tags.name("turn", "it says no direction of a street of both");
+}
+
+// Buses that may drive against the traffic have a lane for that, or share one.
+void name_buses_without_lane(const WayLanes& lanes, WayTags& tags) {
+  if (!tags.one_way() || !lanes.against.lanes.empty()) return;
+  for (const char* key : {"oneway:bus", "oneway:psv"})
+    if (tags.value(key) == "no") tags.name(key, "no lane against the traffic is stated");
 }
 
 // Widths of all lanes that the street has no room for: its lanes become narrower alike.
@@ -178,8 +200,11 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   if (!tags.takes_turns()) {
     take_lists(along, lanes.along, tags);
     if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);
+    take_marks(lanes.along, tags);
+    take_marks(lanes.against, tags);
   }
   name_lists_of_both(said, tags);
+  name_buses_without_lane(lanes, tags);
   name_widths_beyond_street(lanes, use, tags);
 
   OsmLanes read;

@@ -34,10 +34,12 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        yes_or_no},
       {"lanes[|:forward|:backward]", "The number of general, bus and carpool lanes."},
       {"lanes[:both_ways|:reversible]", "The number of lanes in the middle, for both directions."},
-      {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.", yes_or_no},
+      {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.", "yes no"},
       {"lanes[:bus|:psv][|:forward|:backward]",
        "So many lanes at the near kerb are bus lanes, unless a list says which."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
+      {"turn[|:forward|:backward]",
+       "The turns that all lanes of the direction are marked for, where no list marks any."},
       {"turn:lanes:both_ways",
        "The number of lanes in the middle, which lead to the left, and to the right where one "
        "drives on the left. Another turn is named."},
@@ -56,7 +58,8 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        who_may},
       {"cycleway:lanes[|:forward|:backward]", "A lane so named is a cycle lane.",
        "lane exclusive advisory designated soft_lane shared_lane pictogram track yes no none"},
-      {"hov", "Value designated: all lanes are carpool lanes.", who_may},
+      {"hov[|:forward|:backward]",
+       "Value designated: all lanes of the direction are carpool lanes.", who_may},
       {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
        "Value no, where buses may drive: all lanes of the direction are bus lanes.", who_may},
       {"[bus|psv][|:forward|:backward]",
@@ -66,7 +69,7 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "against the traffic.",
        "lane opposite_lane opposite separate no none"},
       {"cycleway[|:left|:right|:both]",
-       "Value lane: a cycle lane at the kerb, beside the lanes that are counted; opposite_lane: "
+       "Value lane or soft_lane: a cycle lane at the kerb, beside the lanes that are counted; opposite_lane: "
        "one against the traffic. Tracks and shared lanes are no lanes of the roadway.",
        cycleways},
       {"cycleway[:left|:right|:both]:oneway",

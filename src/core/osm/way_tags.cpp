@@ -55,6 +55,16 @@ std::vector<std::string> parted_list(const std::string& list) {
   }
 }
 
+std::string word_among(const std::string& said, std::initializer_list<const char*> wanted) {
+  for (std::size_t from = 0; from <= said.size();) {
+    const std::size_t to = std::min(said.find(';', from), said.size());
+    const std::string word = said.substr(from, to - from);
+    if (std::find(wanted.begin(), wanted.end(), word) != wanted.end()) return word;
+    from = to + 1;
+  }
+  return said;
+}
+
 std::string WayTags::key_of(const std::string& base, Heading heading) const {
   return base + ((heading == Heading::along) != drawn_against() ? ":forward" : ":backward");
 }
@@ -105,6 +115,8 @@ void WayTags::name_strangers() {
   for (const auto& [key, word] : tags_) {
     if (key.compare(0, 7, "source:") == 0) continue;
     if (tag_is_told(key)) {
+      if (word.find('|') != std::string::npos && key.find(":lanes") == std::string::npos)
+        name(key, "it lists lanes, and its key speaks of none");
       if (const std::string strange = strange_word(key, value(key)); !strange.empty())
         name(key, means_nothing(strange));
     } else if (const std::string meant = key_nearest_to(key); !meant.empty())

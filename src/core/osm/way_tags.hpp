@@ -2,6 +2,7 @@
 // whichever way it is drawn.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ std::string means_nothing(const std::string& word);
 
 // The words of a list, parted by |.
 std::vector<std::string> parted_list(const std::string& list);
+
+// The first of several words, parted by ;, that is one of these; where none is: all that is said.
+std::string word_among(const std::string& said, std::initializer_list<const char*> wanted);
 
 class WayTags {
  public:

@@ -50,6 +50,45 @@ OsmLaneUse left_hand() {
   return use;
 }
 
+TEST(OsmLanes, LanesAmongSeveralWords) {
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "lane;shared_lane"}}),
+            "general cycle | general cycle");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:both", "track;lane"}}),
+            "general cycle | general cycle");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "soft_lane"}}), "general cycle | general");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "track;separate"}}), "general | general");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:both", "half_on_kerb;lane"}}),
+            "general parking | general parking");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:lane:right", "no_parking;parallel"}}),
+            "general parking | general");
+  EXPECT_EQ(read({{"lanes", "4"}, {"busway", "lane;lane"}}), "general bus | general bus");
+}
+
+TEST(OsmLanes, MarksOfAWholeDirection) {
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"turn", "left;through"}}),
+            "general:left;through general:left;through | ");
+  EXPECT_EQ(read({{"oneway", "-1"}, {"lanes", "1"}, {"turn", "right"}}), " | general:right");
+  EXPECT_EQ(read({{"lanes", "2"}, {"turn:backward", "right"}, {"cycleway", "lane"}}),
+            "general cycle | general:right cycle");
+  EXPECT_EQ(read({{"lanes", "4"}, {"turn:forward", "right"}, {"turn:lanes:forward", "left|"}}),
+            "general:left general | general general");
+  EXPECT_EQ(read({{"lanes", "2"}, {"turn", "left"}}), "general | general ?turn");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"turn", "yes"}}), "general |  ?turn");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"turn", "left"}}), "general |  ?turn");
+}
+
+TEST(OsmLanes, WhatMakesNoLaneIsNamed) {
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"oneway:bus", "no"}}),
+            "general general |  ?oneway:bus");
+  EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:left", "yes"}}), "general | general ?cycleway:left");
+  EXPECT_EQ(read({{"lanes", "2"}, {"parking:right", "yes"}}), "general | general ?parking:right");
+  EXPECT_EQ(read({{"lanes", "2"}, {"access", "designated|designated"}}),
+            "general | general ?access");
+  EXPECT_EQ(read({{"lanes", "3"}, {"lanes:both_ways", "1"}, {"centre_turn_lane", "-1"}}),
+            "general | general | 1 ?centre_turn_lane");
+  EXPECT_EQ(read({{"lanes", "2"}, {"hov:forward", "designated"}}), "carpool | general");
+}
+
 TEST(OsmLanes, CountsOfTagLanes) {
   EXPECT_EQ(read({}), "general | general");
   EXPECT_EQ(read({{"lanes", "4"}}), "general general | general general");
