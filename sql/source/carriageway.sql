@@ -7,10 +7,12 @@ DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
     PERFORM streetgen._use_model(model);
+    ANALYZE pg_temp._import_line (class), pg_temp._import_meaning (class);
     CREATE TEMPORARY TABLE _import_carriageway ON COMMIT DROP AS
     SELECT row_number() OVER () AS number, l.way_id, l.class, coalesce(l.name, '') AS name, m.level,
         m.direction <> 'both' AS one_way,
         CASE m.direction WHEN 'reverse' THEN ST_Reverse(g.geom) ELSE g.geom END AS geom, ST_Length(g.geom) AS length,
+        ST_Length(g.geom) < 1.2 * ST_Distance(ST_StartPoint(g.geom), ST_EndPoint(g.geom)) AS straight,
         num_nonnulls(m.width, m.lane_width_forward, m.lane_width_backward) = 0 AS estimated,
         EXISTS (SELECT FROM jsonb_object_keys(l.tags) key WHERE key ~ 'lanes') AS counted, n.lanes, k.kerbside,
         coalesce(m.width, least(200, coalesce(n.lanes * s.lane, CASE WHEN m.direction <> 'both' THEN
@@ -28,7 +30,7 @@ BEGIN
         LATERAL (SELECT coalesce(streetgen.kerbside_width(m.kind_forward, s.cycle, s.parking), 0)
             + coalesce(streetgen.kerbside_width(m.kind_backward, s.cycle, s.parking), 0) AS kerbside) k,
         LATERAL (SELECT CASE WHEN GeometryType(l.geom) = 'LINESTRING' THEN ST_Force2D(
-            CASE ST_SRID(l.geom) WHEN srid THEN l.geom ELSE ST_Transform(l.geom, srid) END) END AS geom) g
+            CASE ST_SRID(l.geom) WHEN srid THEN l.geom ELSE ST_Transform(l.geom, srid) END) END AS geom OFFSET 0) g
     WHERE m.roundabout_tag IS NULL AND ST_Length(g.geom) > 1;
     CREATE INDEX ON pg_temp._import_carriageway USING gist (geom) WHERE one_way;
     ANALYZE pg_temp._import_carriageway;
@@ -43,12 +45,20 @@ CREATE OR REPLACE FUNCTION streetgen._room_beside(median float8)
     LANGUAGE sql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 -- Wider than 20 m no carriageway is estimated: those farther apart have room.
-WITH pair AS MATERIALIZED (
-    SELECT a.number, a.geom, a.length, b.geom AS other, b.length AS other_length, b.width AS other_width
+WITH near AS MATERIALIZED (
+    SELECT a.number, a.geom, a.length, a.width, b.geom AS other, b.length AS other_length, b.width AS other_width,
+        ST_Distance(a.geom, b.geom) AS apart
     FROM pg_temp._import_carriageway a, LATERAL (
         SELECT * FROM pg_temp._import_carriageway b WHERE b.one_way AND b.geom && ST_Expand(a.geom, 20) OFFSET 0) b
     WHERE a.one_way AND b.name = a.name AND b.level = a.level AND b.number <> a.number
-        AND ST_DWithin(a.geom, b.geom, 20)),
+        -- Most are the next line of the same carriageway.
+        AND NOT (a.straight AND b.straight AND cos(ST_Angle(ST_StartPoint(a.geom), ST_EndPoint(a.geom),
+            ST_StartPoint(b.geom), ST_EndPoint(b.geom))) > 0)),
+pair AS MATERIALIZED (
+    SELECT * FROM (
+        SELECT *, min(apart) OVER own AS least, max(other_width) OVER own AS widest FROM near WHERE apart <= 20
+        WINDOW own AS (PARTITION BY number)) n
+    WHERE least - median < (width + widest) / 2),
 place AS MATERIALIZED (
     SELECT p.*, (nth - 0.5) / many AS share, ST_LineInterpolatePoint(p.geom, (nth - 0.5) / many) AS here
     FROM pair p, LATERAL (SELECT ceil(p.length / 10)::integer AS many) c, generate_series(1, many) nth),
