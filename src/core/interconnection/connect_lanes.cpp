@@ -56,15 +56,12 @@ int shift_of_turn(const Way& way, const Group& lanes) {
   return first;
 }
 
-// The goal nearest to a lane of those that a path from a lane reaches without being tight, and that
-// fit; -1: there is none.
+// The goal nearest to a lane of those that fit; -1: there is none.
 template <class Fits>
-int nearest_goal(const Way& way, int in, int wanted, Fits fits) {
+int nearest_goal(const Way& way, int wanted, Fits fits) {
   int best = -1;
   for (const int o : way.goals)
-    if (fits(o) && !way.tight(in, o) &&
-        (best < 0 || std::abs(o - wanted) < std::abs(best - wanted)))
-      best = o;
+    if (fits(o) && (best < 0 || std::abs(o - wanted) < std::abs(best - wanted))) best = o;
   return best;
 }
 
@@ -72,14 +69,18 @@ int nearest_goal(const Way& way, int in, int wanted, Fits fits) {
 int open_beside(const Way& way, int in, int reached) {
   const auto general = [](const LaneEnd& lane) { return lane.kind == LaneKind::general; };
   if (!general(way.from->in[in]) || way.to->out[reached].kind != LaneKind::carpool) return -1;
-  return nearest_goal(way, in, reached, [&](int o) { return general(way.to->out[o]); });
+  return nearest_goal(way, reached,
+                      [&](int o) { return general(way.to->out[o]) && !way.tight(in, o); });
 }
 
-// In the place of a lane that no car comes to, the nearest one where the turn is wide enough.
+// In the place of a lane that no car comes to, the nearest one where the turn is wide enough, else
+// where it has no corner.
 int drivable_goal(const Way& way, int in, int wanted) {
   if (way.drivable(in, wanted)) return wanted;
-  const int best = nearest_goal(way, in, wanted, [](int) { return true; });
-  return best < 0 ? wanted : best;
+  const int wide = nearest_goal(way, wanted, [&](int o) { return !way.tight(in, o); });
+  if (wide >= 0) return wide;
+  const int tight = nearest_goal(way, wanted, [&](int o) { return way.drivable(in, o); });
+  return tight < 0 ? wanted : tight;
 }
 
 }  // namespace

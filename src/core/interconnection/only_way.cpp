@@ -101,30 +101,34 @@ LikelyPair likeliest(const Ways& of_node, Wanted wanted) {
 
 }  // namespace
 
-LikelyPair likeliest_on(const Ways& of_node, const Leg& leg, int lane) {
-  return likeliest(of_node,
-                   [&](const Way& way, int in, int) { return way.from == &leg && in == lane; });
-}
-
-LikelyPair likeliest_to(const Ways& of_node, const Leg& leg, int lane) {
-  return likeliest(of_node, [&](const Way& way, int, int out) {
-    return way.to == &leg && out == lane && way.from != &leg;
+LikelyPair likeliest_on(const Ways& of_node, const Leg& leg, int lane, bool cars) {
+  return likeliest(of_node, [&](const Way& way, int in, int out) {
+    return way.from == &leg && in == lane && (!cars || for_cars(way, in, out));
   });
 }
 
-bool leads_on(const Ways& of_node, const Leg& leg, int in, const Verdict* besides) {
+LikelyPair likeliest_to(const Ways& of_node, const Leg& leg, int lane, bool cars) {
+  return likeliest(of_node, [&](const Way& way, int in, int out) {
+    return way.to == &leg && out == lane && way.from != &leg && (!cars || for_cars(way, in, out));
+  });
+}
+
+bool leads_on(const Ways& of_node, const Leg& leg, int in, bool cars, const Verdict* besides) {
   for (const Way& way : of_node)
     if (way.from == &leg)
       for (int o = 0; o < static_cast<int>(way.to->out.size()); ++o)
-        if (way.at(in, o).plausible && &way.at(in, o) != besides) return true;
+        if (way.at(in, o).plausible && &way.at(in, o) != besides && (!cars || for_cars(way, in, o)))
+          return true;
   return false;
 }
 
-bool reached(const Ways& of_node, const Leg& leg, int out, const Verdict* besides) {
+bool reached(const Ways& of_node, const Leg& leg, int out, bool cars, const Verdict* besides) {
   for (const Way& way : of_node)
     if (way.to == &leg)
       for (int i = 0; i < static_cast<int>(way.from->in.size()); ++i)
-        if (way.at(i, out).plausible && &way.at(i, out) != besides) return true;
+        if (way.at(i, out).plausible && &way.at(i, out) != besides &&
+            (!cars || for_cars(way, i, out)))
+          return true;
   return false;
 }
 

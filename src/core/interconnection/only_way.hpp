@@ -10,14 +10,16 @@ struct LikelyPair {
   bool easy = false;           // neither tight nor back
 };
 
-// Of a lane that comes by a leg, and of one that leaves by it.
-LikelyPair likeliest_on(const Ways& of_node, const Leg& leg, int lane);
-LikelyPair likeliest_to(const Ways& of_node, const Leg& leg, int lane);
+// Of a lane that comes by a leg, and of one that leaves by it: for cars, where they are asked for.
+LikelyPair likeliest_on(const Ways& of_node, const Leg& leg, int lane, bool cars = false);
+LikelyPair likeliest_to(const Ways& of_node, const Leg& leg, int lane, bool cars = false);
 
 // Whether a lane that comes by a leg leads on, and whether one that leaves by it is reached, by a
-// path besides one.
-bool leads_on(const Ways& of_node, const Leg& leg, int in, const Verdict* besides = nullptr);
-bool reached(const Ways& of_node, const Leg& leg, int out, const Verdict* besides = nullptr);
+// path besides one; so too.
+bool leads_on(const Ways& of_node, const Leg& leg, int in, bool cars = false,
+              const Verdict* besides = nullptr);
+bool reached(const Ways& of_node, const Leg& leg, int out, bool cars = false,
+             const Verdict* besides = nullptr);
 
 // Whether cars may take the path of a pair.
 bool for_cars(const Way& way, int in, int out);

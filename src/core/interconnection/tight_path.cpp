@@ -35,10 +35,11 @@ void drop_if_tight(const Ways& of_node, const Way& way, int in, int out) {
       (verdict.reason == Reason::turn_lanes || (ordinary(way) && !taken_beside(way, in, out))))
     return;
   std::vector<LikelyPair> instead;
-  if (!leads_on(of_node, *way.from, in, &verdict))
-    instead.push_back(likeliest_on(of_node, *way.from, in));
-  if (!reached(of_node, *way.to, out, &verdict))
-    instead.push_back(likeliest_to(of_node, *way.to, out));
+  const bool cars = for_cars(way, in, out);
+  if (!leads_on(of_node, *way.from, in, cars, &verdict))
+    instead.push_back(likeliest_on(of_node, *way.from, in, cars));
+  if (!reached(of_node, *way.to, out, cars, &verdict))
+    instead.push_back(likeliest_to(of_node, *way.to, out, cars));
   if (corner) verdict.reason = Reason::not_drivable;
   if (!std::all_of(instead.begin(), instead.end(), [](const LikelyPair& p) { return p.easy; }))
     return;

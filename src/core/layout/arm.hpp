@@ -1,6 +1,7 @@
 // The streets about a node: one arm for each edge end, one gap between neighbouring arms.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -39,17 +40,24 @@ struct Arm {
 };
 
 // A kerb that goes on through the node with another width: linear about the node, as wide as its
-// arms beyond.
+// arms beyond; straight on from the wider one, which keeps its width up to the node.
 struct Taper {
   double reach_a = 0, reach_b = 0;  // metres from the node to its ends, along both arms
   double half_a = 0, half_b = 0;    // from the lines to the kerb there
+  bool straight_on = false;
 
   double length() const { return reach_a + reach_b; }
-  double half_on_a(double abscissa) const {
-    return half_a + (half_b - half_a) * (reach_a - abscissa) / length();
+  double half_at_node() const {
+    if (straight_on) return std::max(half_a, half_b);
+    return half_a + (half_b - half_a) * reach_a / length();
   }
-  double half_on_b(double abscissa) const {
-    return half_b + (half_a - half_b) * (reach_b - abscissa) / length();
+  double half_on_a(double abscissa) const { return half_on(reach_a, half_a, abscissa); }
+  double half_on_b(double abscissa) const { return half_on(reach_b, half_b, abscissa); }
+
+ private:
+  double half_on(double reach, double half, double abscissa) const {
+    const double at_node = half_at_node();
+    return reach > 0 ? at_node + (half - at_node) * abscissa / reach : at_node;
   }
 };
 

@@ -85,7 +85,8 @@ Polygon outside_of_bend(const Arm& a, const Arm& b, const Gap& gap) {
     return rounds(a, b, gap) ? fan(node, kerb_at_node(a, +1), kerb_at_node(b, -1)) : Polygon{{}};
   if (gap.angle <= M_PI) return {{}};
   const auto kerb = [&](const Arm& arm, int side) {
-    return node + left_normal(position_at(arm.line, 0).direction) * (side * gap.taper.half_on_a(0));
+    return node +
+           left_normal(position_at(arm.line, 0).direction) * (side * gap.taper.half_at_node());
   };
   return fan(node, kerb(a, +1), kerb(b, -1));
 }
@@ -100,7 +101,7 @@ KerbLine tapering_kerb(const Arm& a, const Arm& b, const Taper& taper) {
   line = distinct(planar(std::move(line)));
   KerbLine kerb =
       kerb_line(line, 0, length(line), taper.half_on_a(start), taper.half_on_b(end), -1);
-  return kerb.whole ? kerb : KerbLine{{kerb.line.front(), kerb.line.back()}};
+  return kerb.whole && !taper.straight_on ? kerb : KerbLine{{kerb.line.front(), kerb.line.back()}};
 }
 
 // The kerb that tapers, and up to it those of the arms.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "geometry/polyline.hpp"
@@ -29,6 +31,37 @@ struct KerbTaper {
     return own + (half - own) * (abscissa - until) / (limit - until);
   }
 };
+
+// Where the own kerb of a narrower street that bends towards it comes out of the line in which the
+// kerb of a wider one goes on; the kerb is on that side of the wider one, seen from the node.
+struct WayOut {
+  double before = 0;  // metres from the node along the wider one, which the bend needs
+  double after = 0;   // along the narrower one
+};
+std::optional<WayOut> way_out(const Arm& wide, const Arm& narrow, int side) {
+  const Point node = planar(wide.line.front());
+  const Point along = position_at(wide.line, 0).direction,
+              aside = left_normal(along) * static_cast<double>(side);
+  const double half = half_at(wide, 0, side);
+  double abscissa = 0;
+  for (std::size_t i = 1; i < narrow.line.size(); ++i) {
+    const Point from = planar(narrow.line[i - 1]), to = planar(narrow.line[i]);
+    const Point own = left_normal(unit(to - from)) * static_cast<double>(-side);
+    const double size = distance(from, to);
+    const auto off = [&](const Point& p, double at) {
+      return dot(p - node + own * half_at(narrow, at, -side), aside);
+    };
+    const double start = off(from, abscissa), end = off(to, abscissa + size);
+    if (end >= half) {
+      if (start >= half) return std::nullopt;
+      const double sine = std::abs(cross(along, position_at(narrow.line, 0).direction));
+      return WayOut{half * sine + coordinate_margin,
+                    abscissa + size * (half - start) / (end - start)};
+    }
+    abscissa += size;
+  }
+  return std::nullopt;
+}
 
 class SectionTapers {
  public:
@@ -70,20 +103,41 @@ class SectionTapers {
     const double speed = std::max(layout_.axis_of(a.edge).speed, layout_.axis_of(b.edge).speed);
     const double wanted = taper_length(sideways(arm_a, arm_b), speed, layout_.settings.taper_ratio);
     const bool beyond = goes_on(junction, a, b);
-    const double reach_a = reach(a, wanted, beyond), reach_b = reach(b, wanted, beyond);
-    gap.taper = {reach_a, reach_b, half_at(arm_a, reach_a, +1), half_at(arm_b, reach_b, -1)};
+    const auto straight = straight_on(a, b, wanted, beyond);
+    const auto [reach_a, reach_b] =
+        straight.value_or(std::pair(reach(a, wanted, beyond), reach(b, wanted, beyond)));
+    gap.taper = {reach_a, reach_b, half_at(arm_a, reach_a, +1), half_at(arm_b, reach_b, -1),
+                 straight.has_value()};
     gap.direct = gap.taper.length() < coordinate_margin;
     if (gap.direct) return;
     add(a, +1, reach_a, gap.taper.half_a, gap.taper.half_on_a(arm_a.limit), b);
     add(b, -1, reach_b, gap.taper.half_b, gap.taper.half_on_b(arm_b.limit), a);
   }
 
+  // The outer kerb of a fork goes straight on from the wider street to where that of the branch
+  // comes out, at most as far as two changes of width and with no more ground than a corner.
+  std::optional<std::pair<double, double>> straight_on(const EdgeEnd& a, const EdgeEnd& b,
+                                                       double wanted, bool beyond) const {
+    const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
+    const bool a_is_wide = arm_a.start_to(+1) > arm_b.start_to(-1);
+    const auto way = a_is_wide ? way_out(arm_a, arm_b, +1) : way_out(arm_b, arm_a, -1);
+    if (!way || way->after > 2 * wanted) return std::nullopt;
+    const double ground = way->after * sideways(arm_a, arm_b) / 2;
+    const EdgeEnd &wide = a_is_wide ? a : b, &narrow = a_is_wide ? b : a;
+    if (ground > layout_.settings.corner_area || way->after > room(narrow, beyond))
+      return std::nullopt;
+    const double before = std::min(way->before, room(wide, beyond));
+    return a_is_wide ? std::pair(before, way->after) : std::pair(way->after, before);
+  }
+
   // Metres from the node, as far as the section has room, or to the limit.
-  double reach(const EdgeEnd& end, double wanted, bool beyond) const {
+  double room(const EdgeEnd& end, bool beyond) const {
     const Arm& arm = layout_.arm(end);
-    const bool to_limit = !beyond || limits_crossed(layout_.streets, end.edge);
-    const double room = length(arm.line) - layout_.arm({end.edge, !end.at_start}).limit;
-    return std::min(transition_limit(arm, wanted), to_limit ? arm.limit : room);
+    if (!beyond || limits_crossed(layout_.streets, end.edge)) return arm.limit;
+    return length(arm.line) - layout_.arm({end.edge, !end.at_start}).limit;
+  }
+  double reach(const EdgeEnd& end, double wanted, bool beyond) const {
+    return std::min(transition_limit(layout_.arm(end), wanted), room(end, beyond));
   }
 
   void add(const EdgeEnd& end, int side, double reach, double own, double half,

@@ -108,6 +108,41 @@ TEST(Taper, IsAsLongOnBothSidesOfAFork) {
     }
 }
 
+// Branches half as wide leave a street on both sides, straight or as a curve: its kerbs go on to
+// where those of the branches come out, and do not dip at the node.
+TEST(Taper, GoesStraightOnWhereABranchBendsOut) {
+  for (const double slope : {0.08, 0.15, 0.3})
+    for (const bool turned : {false, true}) {
+      Line stem{{-100, 0, 0}, {0, 0, 0}};
+      if (turned) std::reverse(stem.begin(), stem.end());
+      const Point north = unit(Point{1, slope, 0}), south = unit(Point{1, -slope, 0});
+      const Streets town = streets({{1, stem, 0, 7, 7, 6, 3},
+                                    {2, {{0, 0, 0}, north * 120}, 0, 3.5, 3.5, 6, 3},
+                                    {3, {{0, 0, 0}, south * 120}, 0, 3.5, 3.5, 6, 3}},
+                                   {});
+      for (double x = -20.013; x < 1.6 / slope; x += 0.5)
+        for (const int side : {-1, +1})
+          EXPECT_NEAR(kerb_aside(town, x, side),
+                      std::max(3.5, slope * x + 1.75 * std::hypot(1, slope)), 0.02)
+              << slope << ' ' << x;
+    }
+}
+
+// A street goes on straight where a narrower one leaves at a small angle.
+TEST(Taper, KeepsTheKerbOfTheStreetThatGoesOn) {
+  for (const double slope : {0.07, 0.1, 0.2}) {
+    const Point away = unit(Point{1, slope, 0});
+    const Streets town = streets({{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 10, 10, 6, 3},
+                                  {2, {{0, 0, 0}, {60, -2, 0}, {120, -4, 0}}, 0, 10, 10, 6, 3},
+                                  {3, {{0, 0, 0}, away * 120}, 0, 7, 7, 6, 3}},
+                                 {});
+    for (double x = -20.013; x < 25; x += 0.5)
+      EXPECT_NEAR(kerb_aside(town, x, +1), std::max(5.0, slope * x + 3.5 * std::hypot(1, slope)),
+                  0.02)
+          << slope << ' ' << x;
+  }
+}
+
 // The kerb tapers on the outside of a bend, and another street leaves so slowly on the other side
 // that no one ring goes about the node.
 TEST(Taper, HasNoToothOnTheOutsideOfABend) {
