@@ -28,7 +28,8 @@ struct OsmLaneUse {
   DrivingSide driving_side = DrivingSide::right;
   double lane_width = 3.5, cycle_lane_width = 1.5, parking_lane_width = 2;  // metres, where unknown
   std::optional<double> roadway_width{};                                    // metres, stated
-  int usual_lanes = 1;  // of a way of its width of which no lanes are stated
+  int usual_lanes = 1;         // of a way of its width of which no lanes are stated
+  double two_way_width = 4.5;  // metres; a street of both directions has one lane on less
 };
 
 struct UnreadTag {

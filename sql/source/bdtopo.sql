@@ -16,7 +16,8 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, c
         'The name of the street.'),
     ('ref', '{cpx_numero,numero}', 'The number of the route.'),
     ('fictif', '{fictif}', 'A fictitious axis is no street.'),
-    ('bus', '{reserve_aux_bus,bus}', 'A bus lane of the direction that it names; else of that of the traffic.'),
+    ('bus', '{reserve_aux_bus,bus}', 'A bus lane of the direction that it names; else of that of the traffic. It is one of '
+        'its lanes; the only one where cars may not drive, or the width has no room for theirs beside.'),
     ('cycle', '{bande_cyclable,cyclable}', 'A cycle lane of the direction that it names.'),
     ('cycle_right', '{amenagement_cyclable_droit,amgt_cy_d}',
         'Bande cyclable is a cycle lane at the kerb on the right of the drawing. Tracks, ways shared with people on '
@@ -119,8 +120,10 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
         ELSE 0 END,
     s.class, CASE s.class WHEN 'Rond-point' THEN s.class END,
-    streetgen._bdtopo_kinds(forward, of_buses, bus_forward, near_forward, far_forward, driving_side),
-    streetgen._bdtopo_kinds(backward, of_buses, bus_backward, near_backward, far_backward, driving_side),
+    streetgen._bdtopo_kinds(forward, of_buses OR bus_forward AND alone, bus_forward, near_forward, far_forward,
+        driving_side),
+    streetgen._bdtopo_kinds(backward, of_buses OR bus_backward AND alone, bus_backward, near_backward, far_backward,
+        driving_side),
     CASE WHEN s.access ~* 'impossible' THEN 'no' WHEN s.access ~* 'restreint|ayants droit' THEN 'private' END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END,
@@ -153,7 +156,11 @@ FROM pg_temp._import_line s,
          THEN CASE WHEN bus_backward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS forward,
                      CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE greatest(lanes / 2, 1)
                          END WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes
-                         END ELSE 0 END AS backward) n
+                         END ELSE 0 END AS backward) n,
+     -- The one lane of a direction is for buses where cars may not drive, or the roadway has no room for theirs beside.
+     LATERAL (SELECT coalesce(s.access ~* 'impossible', false) OR coalesce(metres, 200)
+         < 2.4 * (forward + backward + (bus_forward AND forward = 1)::integer
+             + (bus_backward AND backward = 1)::integer) AS alone) c
 $$;
 COMMENT ON FUNCTION streetgen._bdtopo_rows(text) IS
     'The rows of the import that the lines of a BD TOPO table become, where one drives on a side, left or right.';

@@ -87,6 +87,7 @@ DECLARE
     lane_width constant float8 := streetgen._setting_number(model, 'lane_width');
     cycle_lane_width constant float8 := streetgen._setting_number(model, 'cycle_lane_width');
     parking_lane_width constant float8 := streetgen._setting_number(model, 'parking_lane_width');
+    two_way_width constant float8 := streetgen._setting_number(model, 'two_way_width_minimal');
     width_default constant float8 := streetgen._setting_number(model, 'width_default');
 BEGIN
     -- A city's ways have few wordings of tags, and each is read once.
@@ -121,7 +122,7 @@ BEGIN
     LATERAL (SELECT array_agg(key) AS keys, array_agg(value) AS words
         FROM jsonb_each_text(tags || jsonb_build_object('highway', coalesce(class, '')))) said,
     LATERAL streetgen._osm_lanes(keys, words, driving_side, lane_width, cycle_lane_width, parking_lane_width,
-        coalesce(metres, 0), coalesce(usual_lanes, 1)) lanes,
+        coalesce(metres, 0), coalesce(usual_lanes, 1), two_way_width) lanes,
     LATERAL (SELECT tags ->> 'junction' IN ('roundabout', 'circular') AS ring, coalesce(tags ->> 'oneway'
         IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0'), false) AS stated) way,
     LATERAL (SELECT coalesce(tags ->> 'sidewalk:left', tags ->> 'sidewalk:both') AS walk_left,

@@ -79,6 +79,15 @@ SELECT streetgen.create_model('import_new', 32631) \gset
 SELECT streetgen.import_bdtopo('import_new', 'import_2024') \g /dev/null
 SELECT 'version of 2024: ' || source_ref, concat(kind_forward, ' / ', kind_backward) = wanted FROM import_new.axis JOIN (VALUES ('A', 'bus / '), ('B', 'general|cycle / general|cycle'), ('C', 'general|bus|cycle / '), ('D', ' / cycle'),
   ('E', ' / general|cycle'), ('F', 'bus / ')) v(source_ref, wanted) USING (source_ref) ORDER BY source_ref;
+-- Bus lanes are among the lanes that are counted, where those of a direction have room for no other.
+CREATE TABLE import_bus (cleabs text, nature text, largeur_de_chaussee float8, nombre_de_voies integer, sens_de_circulation text, reserve_aux_bus text, acces_vehicule_leger text, geometrie geometry(LineString, 32631));
+INSERT INTO import_bus SELECT ref, 'Route à 1 chaussée', width, lanes, sens, bus, access, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * n), ST_MakePoint(100, 50 * n)), 32631)
+FROM (VALUES (1, 'A', 7, 2, 'Double sens', 'Double sens', 'Physiquement impossible'), (2, 'B', 7, 2, 'Double sens', 'Double sens', 'Libre'), (3, 'C', 14, 2, 'Double sens', 'Double sens', 'Libre'),
+  (4, 'D', 3.5, 1, 'Sens direct', 'Sens direct', 'Restreint aux ayants droit'), (5, 'E', 7, 2, 'Double sens', 'Sens direct', 'Libre'), (6, 'F', 14, 4, 'Double sens', 'Double sens', 'Libre')) v(n, ref, width, lanes, sens, bus, access);
+SELECT streetgen.create_model('import_buses', 32631) \gset
+SELECT streetgen.import_bdtopo('import_buses', 'import_bus') \g /dev/null
+SELECT 'bus lanes and the room for others: ' || source_ref, concat(kind_forward, ' / ', kind_backward) = wanted FROM import_buses.axis JOIN (VALUES ('A', 'bus / bus'), ('B', 'bus / bus'), ('C', 'general|bus / general|bus'), ('D', 'bus / '), ('E', 'bus / '),
+  ('F', 'general|bus / general|bus')) v(source_ref, wanted) USING (source_ref) ORDER BY source_ref;
 -- Kerbs of the drawing, traffic along it and against it, and what is no lane of the roadway.
 CREATE TABLE import_kerb (LIKE import_2024);
 INSERT INTO import_kerb SELECT r[1], 'Route à 1 chaussée', NULL, r[2]::integer, r[3], '0', false, r[4], r[5], r[6], r[7], r[8], ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * n), ST_MakePoint(100, 50 * n)), 32631)

@@ -11,6 +11,8 @@ constexpr double depth_of_diagonal = 4.5, depth_of_perpendicular = 5;
 
 // Words of which several may stand in one value: those that make a lane.
 constexpr std::initializer_list<const char*> cycle_words = {"lane", "soft_lane", "opposite_lane"};
+constexpr std::initializer_list<const char*> along_words = {"lane", "soft_lane"};
+constexpr std::initializer_list<const char*> against_words = {"opposite_lane"};
 constexpr std::initializer_list<const char*> parking_words = {"parallel", "diagonal",
                                                               "perpendicular", "marked"};
 
@@ -21,8 +23,10 @@ CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
   const bool near = kerb == RoadSide::near, sided = !word.empty();
   if (!sided) {
     wish.key = "cycleway";
-    word = word_among(tags.value(wish.key), cycle_words);
     // Without a side it speaks of the near kerb of each direction.
+    word = word_among(tags.value(wish.key), !tags.one_way() ? cycle_words
+                                            : near          ? along_words
+                                                            : against_words);
     if (tags.one_way() && (word == "opposite_lane") == near) return wish;
     if (!tags.one_way() && word == "opposite_lane") {
       tags.name(wish.key, "a street of both directions has no lane against the traffic");

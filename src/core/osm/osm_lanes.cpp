@@ -1,5 +1,6 @@
 #include "streetgen/osm_lanes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "osm/bus_lanes.hpp"
@@ -139,6 +140,20 @@ void make_driving(int count, HeadingLanes& lanes) {
   }
 }
 
+// Beside the lanes of the kerbs the street is too narrow for two lanes.
+void share_one_lane(WayLanes& lanes) {
+  const auto is_general = [](const OsmLane& lane) { return lane.kind == LaneKind::general; };
+  for (const HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    if (lanes.middle > 0 || of_heading->driving() != 1 ||
+        std::none_of(of_heading->lanes.begin(), of_heading->lanes.end(), is_general))
+      return;
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) {
+    auto& some = of_heading->lanes;
+    some.erase(std::remove_if(some.begin(), some.end(), is_general), some.end());
+  }
+  lanes.middle = 1;
+}
+
 // Unknown lanes are as many as the width of the street has room for beside the lanes of the kerbs,
 // and those against the traffic of a one-way street.  Of two directions both have as many.
 void fill_width(WayLanes& lanes, const OsmLaneUse& use, const WayTags& tags) {
@@ -150,6 +165,7 @@ void fill_width(WayLanes& lanes, const OsmLaneUse& use, const WayTags& tags) {
       if (!drives(lane.kind) || (tags.one_way() && of_heading == &lanes.against))
         room -= usual_width(lane, use);
   if (tags.one_way()) return make_driving(lanes_in(room, use), lanes.along);
+  if (room < *use.roadway_width && room < use.two_way_width) return share_one_lane(lanes);
   for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
     make_driving(std::max(lanes_in(room / 2, use), of_heading->driving()), *of_heading);
 }

@@ -157,6 +157,7 @@ STREETGEN_FUNCTION(streetgen_osm_lanes) {
   use.parking_lane_width = PG_GETARG_FLOAT8(5);
   const double roadway_width = PG_GETARG_FLOAT8(6);
   const int usual_lanes = PG_GETARG_INT32(7);
+  use.two_way_width = PG_GETARG_FLOAT8(8);
   InitMaterializedSRF(fcinfo, 0);
   Slot<FoundOsmLanes>* slot = make_slot<FoundOsmLanes>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {

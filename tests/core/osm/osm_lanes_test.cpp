@@ -56,12 +56,34 @@ TEST(OsmLanes, LanesAmongSeveralWords) {
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:both", "track;lane"}}),
             "general cycle | general cycle");
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "soft_lane"}}), "general cycle | general");
+  EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "1"}, {"cycleway", "lane;opposite_lane"}}),
+            "general cycle | cycle");
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "track;separate"}}), "general | general");
   EXPECT_EQ(read({{"lanes", "2"}, {"parking:both", "half_on_kerb;lane"}}),
             "general parking | general parking");
   EXPECT_EQ(read({{"lanes", "2"}, {"parking:lane:right", "no_parking;parallel"}}),
             "general parking | general");
   EXPECT_EQ(read({{"lanes", "4"}, {"busway", "lane;lane"}}), "general bus | general bus");
+}
+
+// Of a two-way street whose lanes are unknown.
+TEST(OsmLanes, OneLaneWhereKerbsLeaveNoRoomForTwo) {
+  OsmLaneUse use;
+  const auto of_width = [&](double width, const OsmTags& tags) {
+    use.roadway_width = width;
+    return read(tags, use);
+  };
+  const OsmTags parking{{"parking:both", "lane"}};
+  EXPECT_EQ(of_width(7, parking), "parking | parking | 1");
+  EXPECT_EQ(of_width(9, parking), "general parking | general parking");
+  EXPECT_EQ(of_width(6, {{"cycleway", "lane"}}), "cycle | cycle | 1");
+  EXPECT_EQ(of_width(5, {{"parking:right", "lane"}}), "parking |  | 1");
+  EXPECT_EQ(of_width(4, {}), "general | general") << "a width alone is judged by the model";
+  EXPECT_EQ(of_width(7, {{"parking:both", "lane"}, {"lanes", "2"}}),
+            "general parking | general parking")
+      << "stated lanes stay";
+  EXPECT_EQ(of_width(7, {{"parking:both", "lane"}, {"oneway", "yes"}}),
+            "parking general parking | ");
 }
 
 TEST(OsmLanes, MarksOfAWholeDirection) {

@@ -290,9 +290,10 @@ def add_cycle_lanes(tags, oneway, near, reading):
     both_ways = tags.get('oneway:bicycle') == 'no'
     ways = (near,) if oneway == FORWARD else (OTHER[near],) if oneway == BACKWARD else ('left', 'right')
     seen = set()
-    for side in ('left', 'right'):
-        value = of_side(tags, 'cycleway', side, ways)
-        if value not in ('lane', 'opposite_lane'):
+    # Values are parted by semicolons (wiki: Semi-colon value separator).
+    said = ((side, value) for side in ('left', 'right') for value in (of_side(tags, 'cycleway', side, ways) or '').split(';'))
+    for side, value in said:
+        if value not in ('lane', 'soft_lane', 'opposite_lane'):
             continue
         reading.states = True
         direction, at_right = place(side, oneway, near)
