@@ -152,6 +152,7 @@ void share_one_lane(WayLanes& lanes) {
     some.erase(std::remove_if(some.begin(), some.end(), is_general), some.end());
   }
   lanes.middle = 1;
+  lanes.total = 1;  // so that nothing counts lanes by the whole width
 }
 
 // Unknown lanes are as many as the width of the street has room for beside the lanes of the kerbs,

@@ -78,6 +78,8 @@ TEST(OsmLanes, OneLaneWhereKerbsLeaveNoRoomForTwo) {
   EXPECT_EQ(of_width(9, parking), "general parking | general parking");
   EXPECT_EQ(of_width(6, {{"cycleway", "lane"}}), "cycle | cycle | 1");
   EXPECT_EQ(of_width(5, {{"parking:right", "lane"}}), "parking |  | 1");
+  use.roadway_width = 5;
+  EXPECT_EQ(read_osm_lanes({{"parking:right", "lane"}}, use).lane_count, 1);
   EXPECT_EQ(of_width(4, {}), "general | general") << "a width alone is judged by the model";
   EXPECT_EQ(of_width(7, {{"parking:both", "lane"}, {"lanes", "2"}}),
             "general parking | general parking")
