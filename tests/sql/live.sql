@@ -379,7 +379,7 @@ SELECT streetgen.drop_model('short') \g /dev/null
 SELECT streetgen.create_model('led', 2154) \g /dev/null
 INSERT INTO led.axis (axis_id, geom, width, lane_count) SELECT axis_id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7, 2 FROM (VALUES
   (1, 'LINESTRING(0 -100, 0 0)'), (2, 'LINESTRING(0 0, 155 0)'), (3, 'LINESTRING(155 0, 155 25)'), (4, 'LINESTRING(155 0, 255 -40)'),
-  (5, 'LINESTRING(155 25, 255 25)'), (6, 'LINESTRING(155 25, 55 125)')) a(axis_id, line);
+  (5, 'LINESTRING(155 25, 255 25)'), (6, 'LINESTRING(155 25, 155 125)')) a(axis_id, line);
 SELECT 'the limits of a short street cross', bool_and(method = 'crossed_limits') FROM led.section JOIN led.edge USING (edge_id) WHERE axis_id = 3;
 SELECT abscissa AS met FROM led.section_limit JOIN led.edge USING (edge_id) WHERE axis_id = 3 AND which = 'end' \gset
 CREATE TEMPORARY TABLE left_movement AS SELECT interconnection_id, lane_in, lane_out, k.geom FROM led.interconnection k JOIN led.node n USING (node_id) WHERE ST_DWithin(n.geom, ST_SetSRID(ST_MakePoint(650155, 6860025), 2154), 1);
