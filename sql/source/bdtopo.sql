@@ -16,8 +16,9 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, c
         'The name of the street.'),
     ('ref', '{cpx_numero,numero}', 'The number of the route.'),
     ('fictif', '{fictif}', 'A fictitious axis is no street.'),
-    ('bus', '{reserve_aux_bus,bus}', 'A bus lane of the direction that it names; else of that of the traffic. It is one '
-        'of its lanes; the only one where cars may not drive, or the width has no room for theirs beside.'),
+    ('bus', '{reserve_aux_bus,bus}',
+        'A bus lane of the direction that it names; else of that of the traffic. It is one of its lanes; the only one '
+        'where cars may not drive, or the width has no room for theirs beside it.'),
     ('cycle', '{bande_cyclable,cyclable}', 'A cycle lane of the direction that it names.'),
     ('cycle_right', '{amenagement_cyclable_droit,amgt_cy_d}',
         'Bande cyclable is a cycle lane at the kerb on the right of the drawing. Tracks, ways shared with people on '
