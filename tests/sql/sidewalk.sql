@@ -99,6 +99,12 @@ SELECT 'a street of both directions is no carriageway of another', pg_temp.walks
 DELETE FROM dual.axis WHERE axis_id = 2;
 SELECT 'nor is one that is gone', pg_temp.walks('{1}') = '1l 1r' AND test.followed('dual', 'anew');
 
+-- Without kerbs too.
+SELECT streetgen.create_model('bare', 2154) \g /dev/null
+INSERT INTO bare.axis (axis_id, geom, width, direction) VALUES (1, pg_temp.line('LINESTRING(0 0,200 0)'), 7, 'direct');
+INSERT INTO bare.axis (axis_id, geom, width, direction) VALUES (2, pg_temp.line('LINESTRING(0 15,200 15)'), 7, 'reverse');
+SELECT 'an edge that stays learns of a carriageway that came', beside_left = 'median' FROM bare.edge WHERE axis_id = 1;
+
 -- Edits: as from scratch, and no row without need.
 CREATE FUNCTION pg_temp.sidewalks(model name) RETURNS SETOF text LANGUAGE plpgsql AS $$ BEGIN
   RETURN QUERY EXECUTE format('SELECT concat_ws('' '', axis_id, round(start_abscissa::numeric, 3), side, part, s.width, method, ST_AsText(ST_Normalize(ST_SnapToGrid(surface, 0.0001)))) FROM %1$I.sidewalk s JOIN %1$I.edge USING (edge_id)', model);

@@ -36,6 +36,7 @@ class Owners {
         was_(moved.sections),
         given_up_(moved.given_up),
         turned_(moved.turned),
+        beside_(moved.beside),
         surfaces_(edges_ + layout.junctions.size()),
         built_(surfaces_.size()),
         served_(surfaces_.size()) {
@@ -334,15 +335,15 @@ class Owners {
     }
   }
 
-  // What neither moved nor got or lost ground; in a crowd the same ground may have come about
-  // otherwise.
+  // What neither moved nor got or lost ground, and has beside it what it had; in a crowd the same
+  // ground may have come about otherwise.
   void leave_what_stays() {
     auto& streets = layout_.streets;
     std::vector<bool> in_crowd(claims_.size());
     if (crowds_)
       for (const Crowd& crowd : *crowds_) each_claim(crowd, [&](int i) { in_crowd[i] = true; });
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
-      if (claims_[i].wanted && !in_crowd[i] && was_[i] != nullptr &&
+      if (claims_[i].wanted && !in_crowd[i] && was_[i] != nullptr && !(i < edges_ && beside_[i]) &&
           same(was_[i]->ground, surfaces_[i].ground))
         (i < edges_ ? streets.affected_edges
                     : streets.affected_nodes)[i < edges_ ? i : i - edges_] = false;
@@ -385,6 +386,7 @@ class Owners {
   std::vector<const FormerSurface*> was_;
   const std::vector<GivenUp>& given_up_;
   const std::vector<Turned>& turned_;
+  const std::vector<bool>& beside_;  // by edge
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
   std::vector<Claim> claims_;
