@@ -33,7 +33,7 @@ DELETE FROM older.axis_class WHERE class = 'busway';
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
 ALTER TABLE older.lane_override DROP both_ways CASCADE;
 ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out CASCADE;
-ALTER TABLE older.edge DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP curve CASCADE;
+ALTER TABLE older.edge DROP lanes_both CASCADE, DROP roadway_offset CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP curve CASCADE, DROP beside_left CASCADE, DROP beside_right CASCADE;
 ALTER TABLE older.lane DROP both_ways CASCADE;
 ALTER TABLE older.marking DROP along_axis CASCADE, ADD UNIQUE (edge_id, kind, lane_position);
 ALTER TABLE older.axis_route DROP piece CASCADE, DROP uncut CASCADE, ADD UNIQUE (source, route, ordinality);

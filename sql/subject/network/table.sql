@@ -59,11 +59,10 @@ COMMENT ON COLUMN :"model".edge.input_hash IS
     'neighbour, did';
 COMMENT ON COLUMN :"model".edge.setting_hash IS 'hash of the settings used';
 
-ALTER TABLE :"model".edge
-    ADD COLUMN IF NOT EXISTS beside_left text NOT NULL DEFAULT 'outer'
-        CHECK (beside_left IN ('outer', 'median', 'splitter', 'island')),
-    ADD COLUMN IF NOT EXISTS beside_right text NOT NULL DEFAULT 'outer'
-        CHECK (beside_right IN ('outer', 'median', 'splitter', 'island'));
+ALTER TABLE :"model".edge ADD COLUMN IF NOT EXISTS beside_left text NOT NULL DEFAULT 'outer'
+    CHECK (beside_left IN ('outer', 'median', 'splitter', 'island'));
+ALTER TABLE :"model".edge ADD COLUMN IF NOT EXISTS beside_right text NOT NULL DEFAULT 'outer'
+    CHECK (beside_right IN ('outer', 'median', 'splitter', 'island'));
 COMMENT ON COLUMN :"model".edge.beside_left IS
     'what lies on its left: median, between the two carriageways of one street; splitter, between arms of one '
     'junction; island, of a roundabout or a slip lane; outer, all else';
