@@ -1,6 +1,6 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
-degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks; opendrive.py FILE --beside a row
+degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
 "element, id, edge or empty, WKT" of each object, signal, sign and sidewalk."""
 import math
 import sys
@@ -96,7 +96,7 @@ def piece_stations(piece):
 
 
 def is_lane(lane):
-    return lane.get('id') != '0' and lane.get('type') != 'sidewalk'
+    return lane.get('id') != '0' and lane.get('type') not in ('sidewalk', 'shoulder')
 
 
 def ring(points):
