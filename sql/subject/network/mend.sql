@@ -188,5 +188,5 @@ END $$;
 COMMENT ON FUNCTION streetgen.accept_mend(name, bigint[]) IS
     'Does what view axis_to_mend of a model proposes under these ids, as an edit by hand would: the streets follow, '
     'decisions by hand stay on what is left, and a delivery of the source keeps it. Returns how many it did: a join '
-    'that the others made needless is none, and NULL is no proposal. An unknown model: 3F000; a proposal that is not '
-    'there, or no more: 22023; who may not edit the model: 42501.';
+    'that the others made needless is none, and ids that are NULL are none. An unknown model: 3F000; a proposal that '
+    'is not there, or no more: 22023; who may not edit the model: 42501.';
