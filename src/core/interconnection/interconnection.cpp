@@ -15,7 +15,7 @@
 #include "interconnection/taut_path.hpp"
 #include "interconnection/turn.hpp"
 #include "interconnection/turning_back.hpp"
-#include "lane/lane_reach.hpp"
+#include "lane/lane_extent.hpp"
 #include "roundabout/circulation.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -111,7 +111,7 @@ class InterconnectionBuilder {
 
   // The place on the axis of its edge where the lane ends.
   double end_abscissa(const Lane& lane, bool at_front) const {
-    const LaneReach reach = lane_reach(streets_, lane.edge);
+    const LaneExtent reach = lane_extent(streets_, lane.edge);
     return at_front ? reach.from : reach.to;
   }
 

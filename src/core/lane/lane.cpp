@@ -8,7 +8,7 @@
 #include "lane/carried_marks.hpp"
 #include "lane/lane_change.hpp"
 #include "lane/lane_layout.hpp"
-#include "lane/lane_reach.hpp"
+#include "lane/lane_extent.hpp"
 #include "lane/lane_taper.hpp"
 #include "lane/lane_wishes.hpp"
 #include "lane/marking.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 LaneStrip strip_of(const Streets& streets, int e) {
   const SectionLimit &start = streets.limits[2 * e], &end = streets.limits[2 * e + 1];
-  const LaneReach reach = lane_reach(streets, e);
+  const LaneExtent reach = lane_extent(streets, e);
   const Roadway& roadway = streets.roadways[e];
   LaneStrip strip{distinct(planar(streets.network.edges[e].line)),
                   roadway.width / 2,

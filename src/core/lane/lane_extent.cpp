@@ -1,4 +1,4 @@
-#include "lane/lane_reach.hpp"
+#include "lane/lane_extent.hpp"
 
 #include <algorithm>
 
@@ -12,9 +12,9 @@ constexpr double least_length = 0.01;  // metres, of which a lane has a directio
 
 }  // namespace
 
-LaneReach lane_reach(const Streets& streets, int edge) {
+LaneExtent lane_extent(const Streets& streets, int edge) {
   const SectionLimit &start = streets.limits[2 * edge], &end = streets.limits[2 * edge + 1];
-  LaneReach reach{start.abscissa, end.abscissa};
+  LaneExtent reach{start.abscissa, end.abscissa};
   if (!limits_crossed(streets, edge)) return reach;
   const double total = length(streets.network.edges[edge].line);
   reach.from = std::clamp((reach.from + reach.to - least_length) / 2, 0.0,

@@ -6,12 +6,12 @@
 namespace streetgen {
 
 // Metres along the edge.
-struct LaneReach {
+struct LaneExtent {
   double from = 0, to = 0;
 };
 
 // Between the limits of the edge; where these crossed, about the place where they meet, so that
 // paths of both nodes have as much ground as there is.
-LaneReach lane_reach(const Streets& streets, int edge);
+LaneExtent lane_extent(const Streets& streets, int edge);
 
 }  // namespace streetgen
