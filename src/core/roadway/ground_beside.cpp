@@ -23,7 +23,7 @@ constexpr double places_apart = 5;               // metres along an edge, at mos
 constexpr double largest_island = 300;           // square metres between kerbs
 constexpr double least_turn = M_PI / 8;          // of a ring within the reach, radians
 
-// How traffic runs along a side of a face, counter-clockwise about the face.
+// Traffic runs along a side of a face, which is walked counter-clockwise, or against it.
 enum class Flow { along, against, both };
 
 // Sides in a row that go on from each other.
@@ -151,7 +151,7 @@ class GroundBeside {
     return runs;
   }
 
-  // Each face once.
+  // Each face is walked about once.
   void walk_small_faces() {
     small_.resize(2 * edges_.size());
     std::vector<bool> seen(2 * edges_.size());
@@ -170,7 +170,7 @@ class GroundBeside {
     }
   }
 
-  // Of a face no longer about than twice the reach.
+  // A small face is of one kind all about.
   std::optional<Beside> beside_small(const StreetFace& face) const {
     if (face.empty()) return {};
     const Ring ring = ring_of(layout_, face);
@@ -197,7 +197,7 @@ class GroundBeside {
     return covered;
   }
 
-  // Two carriageways that part and join again, or that two links close.
+  // Two carriageways part and join again, or two links close them.
   static bool is_lens(const std::vector<Run>& runs) {
     if (runs.size() == 2) return are_a_pair(runs[0], runs[1]);
     if (runs.size() != 4) return false;
@@ -213,7 +213,7 @@ class GroundBeside {
     return a.flow == b.flow && a.flow != Flow::both && may_be_one(a.street, b.street);
   }
 
-  // At just one corner.
+  // A street parts at just one corner.
   static bool parts(const std::vector<Run>& runs) {
     int corners = 0;
     for (std::size_t i = 0; i < runs.size(); ++i)
@@ -221,7 +221,7 @@ class GroundBeside {
     return corners == 1;
   }
 
-  // Along more than half of its places.
+  // Another carriageway lies there along more than half of its places.
   bool runs_beside_other(const EdgeEnd& end) const {
     if (flow_of(end) == Flow::both) return false;
     const Line& line = layout_.arm(end).line;
@@ -284,8 +284,8 @@ class GroundBeside {
     return first;
   }
 
-  // A link, or a street that crosses: carriageways of one street go on along the face from both its
-  // ends.
+  // Carriageways of one street go on along the face from both ends of a link, or of a street that
+  // crosses.
   bool closes_median(const EdgeEnd& end) const {
     const FaceSide side{end, corner_beside(layout_, end)};
     const EdgeEnd after = side_after(layout_, side).end, before = side_before(layout_, side).end;
@@ -322,14 +322,14 @@ class GroundBeside {
                                                                          : Beside::outer;
   }
 
-  // Where a street parts into its two directions.
+  // A street parts there into its two directions.
   bool parts_at_corner(const EdgeEnd& first, const EdgeEnd& second) const {
     const Line &a = layout_.arm(first).line, &b = layout_.arm(second).line;
     return first.edge != second.edge && are_a_pair(first, {second.edge, !second.at_start}) &&
            dot(unit(planar(a[1] - a[0])), unit(planar(b[1] - b[0]))) > nearly_along;
   }
 
-  // Near one of its ends.
+  // Another carriageway lies beside it near one of its ends.
   bool lies_at_median(const EdgeEnd& end, bool at_far_end) const {
     if (flow_of(end) == Flow::both) return false;
     const double size = length(layout_.arm(end).line), near = std::min(places_apart, size / 2);

@@ -1,4 +1,4 @@
-// What lies beside each edge: a median, a splitter, an island, or the city.
+// The ground beside each edge: a median, a splitter, an island, or the city.
 #pragma once
 
 #include "layout/layout.hpp"

@@ -32,6 +32,14 @@ CornerPlace backwards(const Layout& layout, const CornerPlace& corner) {
   return {node, index_of(layout, node, {end.edge, !end.at_start})};
 }
 
+// Whether all of a side of a face lies within reach of a node.
+bool is_near(const Layout& layout, int node, const EdgeEnd& end) {
+  const Point& from = layout.streets.network.nodes[node].point;
+  const Line& line = layout.arm(end).line;
+  return std::all_of(line.begin(), line.end(),
+                     [&](const Point& p) { return distance(from, p) <= layout.settings.reach; });
+}
+
 class Faces {
  public:
   explicit Faces(Layout& layout) : layout_(layout) {
@@ -45,7 +53,7 @@ class Faces {
       for (std::size_t i = 0; i < seen_[n].size(); ++i) {
         look_about({n, i});
         if (seen_[n][i]) continue;
-        StreetFace face = face_from({n, i});
+        StreetFace face = face_about(layout_, {n, i});
         for (const FaceSide& side : face) seen_[side.corner.node][side.corner.gap] = true;
         if (is_small(face)) found.push_back(std::move(face));
       }
@@ -54,48 +62,21 @@ class Faces {
   }
 
  private:
-  // Whether all of a side of the face lies within reach of a node.
-  bool is_near(int node, const EdgeEnd& end) const {
-    const Point& from = layout_.streets.network.nodes[node].point;
-    const Line& line = layout_.arm(end).line;
-    return std::all_of(line.begin(), line.end(), [&](const Point& p) {
-      return distance(from, p) <= layout_.settings.reach;
-    });
-  }
-
   // The nodes on both sides of a face that may once have been small, or become so.
   void look_about(const CornerPlace& corner) {
     auto& followed = layout_.junctions[corner.node].followed;
     CornerPlace at = corner;
     do {
-      if (!is_near(corner.node, layout_.junctions[at.node].ends[at.gap])) break;
+      if (!is_near(layout_, corner.node, layout_.junctions[at.node].ends[at.gap])) break;
       at = onwards(layout_, at);
       followed.push_back(at.node);
     } while (!(at == corner));
     at = corner;
     do {
-      if (!is_near(corner.node, layout_.junctions[at.node].next(at.gap))) break;
+      if (!is_near(layout_, corner.node, layout_.junctions[at.node].next(at.gap))) break;
       at = backwards(layout_, at);
       followed.push_back(at.node);
     } while (!(at == corner));
-  }
-
-  // Counter-clockwise about an inner face; none about a wide one, or of several levels.
-  StreetFace face_from(const CornerPlace& start) const {
-    StreetFace face;
-    const auto& edges = layout_.streets.network.edges;
-    CornerPlace at = start;
-    do {
-      const EdgeEnd& end = layout_.junctions[at.node].ends[at.gap];
-      if (!is_near(start.node, end)) return {};
-      face.push_back({end, at});
-      if (edges[end.edge].level != edges[face.front().end.edge].level) return {};
-      at = onwards(layout_, at);
-    } while (!(at == start));
-    for (const FaceSide& from : face)
-      for (const FaceSide& side : face)
-        if (!is_near(from.corner.node, side.end)) return {};
-    return face;
   }
 
   bool is_small(const StreetFace& face) const {
@@ -131,16 +112,17 @@ FaceSide side_before(const Layout& layout, const FaceSide& side) {
 StreetFace face_about(const Layout& layout, const CornerPlace& start) {
   StreetFace face;
   const auto& edges = layout.streets.network.edges;
-  double about = 0;
   CornerPlace at = start;
   do {
     const EdgeEnd& end = layout.junctions[at.node].ends[at.gap];
-    about += length(layout.arm(end).line);
-    if (about > 2 * layout.settings.reach) return {};
+    if (!is_near(layout, start.node, end)) return {};
     face.push_back({end, at});
     if (edges[end.edge].level != edges[face.front().end.edge].level) return {};
     at = onwards(layout, at);
   } while (!(at == start));
+  for (const FaceSide& from : face)
+    for (const FaceSide& side : face)
+      if (!is_near(layout, from.corner.node, side.end)) return {};
   return face;
 }
 

@@ -34,8 +34,8 @@ CornerPlace corner_beside(const Layout& layout, const EdgeEnd& end);
 // The next side of the same face, and the one before it.
 FaceSide side_after(const Layout& layout, const FaceSide& side);
 FaceSide side_before(const Layout& layout, const FaceSide& side);
-// The face at a corner, counter-clockwise about an inner one; none about one that is longer than
-// twice the reach, or of several levels.
+// The face at a corner, counter-clockwise about an inner one; none where a part of it lies beyond
+// reach of one of its nodes, or on another level.
 StreetFace face_about(const Layout& layout, const CornerPlace& corner);
 
 // The node at the other end.
