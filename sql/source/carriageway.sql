@@ -15,8 +15,9 @@ BEGIN
         ST_Length(g.geom) < 1.2 * ST_Distance(ST_StartPoint(g.geom), ST_EndPoint(g.geom)) AS straight,
         num_nonnulls(m.width, m.lane_width_forward, m.lane_width_backward) = 0 AS estimated,
         EXISTS (SELECT FROM jsonb_object_keys(l.tags) key WHERE key ~ 'lanes') AS counted, n.lanes, k.kerbside,
-        coalesce(m.width, least(200, coalesce(n.lanes * s.lane, CASE WHEN m.direction <> 'both' THEN
-            coalesce(c.width_one_way, c.lanes_one_way * s.lane) END, c.width, s.usual) + k.kerbside)) AS width
+        coalesce(m.width, least(200, streetgen.estimated_width(n.lanes::integer, CASE WHEN m.direction <> 'both'
+            THEN coalesce(c.width_one_way, c.lanes_one_way * s.lane, c.width) ELSE c.width END, s.lane, s.usual)
+            + k.kerbside)) AS width
     FROM pg_temp._import_line l
         JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
         JOIN axis_class c ON c.class = l.class AND c.taken AND c.lanes_by_width,
@@ -37,8 +38,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._take_carriageways(name) IS
     'Copies the lines of an import of OpenStreetMap, roundabouts apart, with the width that they become, to where '
-    'their room is looked for. One-way lines run with the traffic; estimated: no width is stated; counted: lanes are. '
-    'kerbside is what of the width lanes of the kerbs take.';
+    'their room is looked for. One-way lines run with the traffic; estimated: no width is stated; counted: lanes are; '
+    'straight: hardly longer than from end to end. kerbside is what of the width lanes of the kerbs take.';
 
 CREATE OR REPLACE FUNCTION streetgen._room_beside(median float8)
     RETURNS TABLE(way_id text, room float8)
