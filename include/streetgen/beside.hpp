@@ -1,4 +1,4 @@
-// What lies beside a kerb.
+// Kinds of ground beside a kerb.
 #pragma once
 
 #include <vector>
@@ -15,8 +15,9 @@ const char* beside_name(Beside beside) noexcept;
 
 // By slot, that is 2 * edge for the start of an edge and 2 * edge + 1 for its end.
 struct BesideEdges {
-  std::vector<Beside> sides;    // on the left, seen from that end: of 2 * edge the edge's left side
-  std::vector<Beside> corners;  // counter-clockwise from that end
+  // The ground on the left, seen from that end: of 2 * edge on the edge's left side.
+  std::vector<Beside> sides;
+  std::vector<Beside> corners;  // the ground counter-clockwise from that end
 };
 
 }  // namespace streetgen

@@ -65,7 +65,7 @@ struct OsmTagUse {
   const char* meant = nullptr;
 };
 const std::vector<OsmTagUse>& osm_tag_uses();
-// Of the tags of a way that do not speak of its lanes.
+// Tags of a way that do not speak of its lanes.
 const std::vector<OsmTagUse>& osm_way_tag_uses();
 
 }  // namespace streetgen

@@ -158,7 +158,7 @@ FROM pg_temp._import_line s,
                      CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE greatest(lanes / 2, 1)
                          END WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes
                          END ELSE 0 END AS backward) n,
-     -- The one lane of a direction is for buses where cars may not drive, or the roadway has no room for theirs beside.
+     -- Buses have the one lane of a direction where cars may not drive, or lanes of both get less than 2.4 m.
      LATERAL (SELECT coalesce(s.access ~* 'impossible', false) OR coalesce(metres, 200)
          < 2.4 * (forward + backward + (bus_forward AND forward = 1)::integer
              + (bus_backward AND backward = 1)::integer) AS alone) c

@@ -73,7 +73,7 @@ BEGIN
                 JOIN axis own ON own.axis_id = r.axis_id AND own.level = a.level AND ST_DWithin(a.geom, own.geom, near),
                 LATERAL (SELECT ST_LineInterpolatePoint(ST_Force2D(a.geom), 0.5) AS middle) m
             WHERE a.axis_id = ANY (candidates) AND streetgen._lies_along(a.geom, r.uncut, near)
-                -- What a route would not lead along if it came from a source is another street.
+                -- A street of a class that imports leave out is another street.
                 AND NOT EXISTS (SELECT FROM axis_class c WHERE c.class = a.kind AND NOT c.taken
                     AND a.kind IS DISTINCT FROM own.kind)
                 -- A line upon a piece is that piece, another street or its twin.

@@ -59,7 +59,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            AS roadway_offset,
        access,
        -- Cycle and parking lanes lie at the kerbs, and leave nothing there.
-       -- Where a roadway widens, they share all of it: no end is the one to measure at.
+       -- Lanes share all of a roadway that widens, since neither end is the one to measure at.
        CASE WHEN lanes_by_width IS NOT FALSE AND coalesce(kerb_width, believed) IS NOT NULL AND kerbside = 0
            AND (kerb_width IS NOT NULL OR coalesce(believed_end = believed, true))
            AND num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) > 0 THEN widest_lane END

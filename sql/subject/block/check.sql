@@ -14,7 +14,7 @@ BEGIN
                 max(greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)) AS half
             FROM block_edge s JOIN edge e USING (edge_id) WHERE s.block_id = b.block_id AND s.ring = 1) r
         WHERE ST_NumGeometries(ring) = 1),
-    -- Where dual carriageways cross no corner about the middle has an arc, and it is roadway by right.
+    -- The middle of crossing dual carriageways is roadway by right: no corner about it has an arc.
     paved AS MATERIALIZED (
         SELECT block_id, face, center FROM face f, LATERAL ST_MaximumInscribedCircle(face) disc
         WHERE ST_Area(surface) < ST_Area(face) / 2 AND radius > half + 2 AND NOT ST_Intersects(surface, center)

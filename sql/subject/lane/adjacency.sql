@@ -10,7 +10,7 @@ BEGIN
     FROM lane l JOIN edge e USING (edge_id)
         JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
         JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
-        -- Where limits crossed a lane is a centimetre long.
+        -- A lane is a centimetre long where limits crossed.
         CROSS JOIN LATERAL (SELECT CASE WHEN l.method = 'crossed_limits' THEN greatest(0, least((a.abscissa + b.abscissa
             - 0.01) / 2, e.end_abscissa - e.start_abscissa - 0.01)) ELSE a.abscissa END AS at) f
         CROSS JOIN LATERAL (

@@ -51,7 +51,7 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
        (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
        level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
        width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both,
-       -- None is estimated on medians and islands.
+       -- No sidewalk is estimated on medians, splitters and islands.
        CASE WHEN beside_left <> 'outer' AND 'sidewalk_left' = ANY (estimated) THEN 0 ELSE sidewalk_left END
            AS sidewalk_left,
        CASE WHEN beside_right <> 'outer' AND 'sidewalk_right' = ANY (estimated) THEN 0 ELSE sidewalk_right END
