@@ -29,7 +29,7 @@ END $$;
 COMMENT ON FUNCTION streetgen._leave_out_others(boolean) IS
     'Leaves out rows of the import that are no lines, and reports them; a whole table without a line: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._take_rows(model name, whole boolean)
+CREATE OR REPLACE FUNCTION streetgen._take_rows(model name, whole boolean, any_class boolean)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
@@ -83,14 +83,18 @@ BEGIN
             HINT = 'Mend the vertex in the source.';
     END IF;
 
-    RETURN QUERY SELECT CASE WHEN coalesce(c.taken, i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
+    RETURN QUERY SELECT CASE WHEN coalesce(c.taken, any_class OR i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
         THEN 'not taken: unknown class' ELSE 'not taken: class' END,
-        i.class, count(*), CASE WHEN i.class IS NOT NULL AND max(c.class) IS NULL
+        i.class, count(*), CASE WHEN NOT any_class AND i.class IS NOT NULL AND max(c.class) IS NULL
             THEN array_agg(i.label ORDER BY i.label) END
         FROM pg_temp._import i LEFT JOIN pg_temp._import_class c ON c.class = i.class
             GROUP BY 1, 2 ORDER BY 1 DESC, 3 DESC;
+    RETURN QUERY SELECT format('unknown class, %s m wide where neither width nor lanes are stated',
+            streetgen._setting_number(model, 'width_default')), i.class, count(*), array_agg(i.label ORDER BY i.label)
+        FROM pg_temp._import i WHERE any_class AND i.class NOT IN (SELECT c.class FROM pg_temp._import_class c)
+        GROUP BY i.class ORDER BY 3 DESC, 2;
     DELETE FROM pg_temp._import i USING pg_temp._import j LEFT JOIN pg_temp._import_class c ON c.class = j.class
-        WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, j.class IS NULL);
+        WHERE i.ctid = j.ctid AND NOT coalesce(c.taken, any_class OR j.class IS NULL);
 
     RETURN QUERY SELECT v.name || ' of zero, taken as unknown', NULL::text, count(*), array_agg(i.label
         ORDER BY i.label) FROM pg_temp._import i,
@@ -132,12 +136,6 @@ BEGIN
         'coalesce(to_jsonb((SELECT r FROM (SELECT %s) r)), ''{}'') - ARRAY[CASE WHEN sidewalk_left IS NULL '
         'THEN ''sidewalk_left'' END, CASE WHEN sidewalk_right IS NULL '
         'THEN ''sidewalk_right'' END] AS said FROM pg_temp._import_part i', mentioned);
-    SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL GROUP BY p.source_ref
-        HAVING count(*) > 1 LIMIT 1;
-    IF FOUND THEN
-        PERFORM streetgen._refuse_twin(bad.source_ref);
-    END IF;
-
     PERFORM streetgen._check_scale(lines), streetgen._check_length(model, lines)
         FROM (VALUES (lines_of)) v(lines);
     SELECT m.* INTO bad FROM
@@ -146,9 +144,10 @@ BEGIN
         RAISE EXCEPTION '%', bad.remark USING ERRCODE = '22023', HINT = bad.way_out;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._take_rows(name, boolean) IS
+COMMENT ON FUNCTION streetgen._take_rows(name, boolean, boolean) IS
     'From the rows of the import, those of a whole table or a few, to its parts: a line each, in the reference and '
-    'dimension of the model, of classes that are taken; reports what it left out. Bad rows: 22023.';
+    'dimension of the model, of classes that are taken, and where any class is, also of those that the model does not '
+    'know; reports what it left out. Bad rows: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._write_axes(model name, source text, clean boolean DEFAULT true)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -208,7 +207,7 @@ COMMENT ON FUNCTION streetgen._look_at_axes(name, text) IS
     'Tells which widths of the axes that an import wrote are not believed, and counts the tables for the planner.';
 
 CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text, clean boolean DEFAULT true,
-    shapeless_stay boolean DEFAULT false)
+    shapeless_stay boolean DEFAULT false, any_class boolean DEFAULT false)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
@@ -221,7 +220,8 @@ BEGIN
     EXECUTE format('CREATE TEMPORARY VIEW _import_query AS %s', query);
     CREATE TEMPORARY TABLE _import ON COMMIT DROP AS SELECT * FROM pg_temp._import_query;
     DROP VIEW pg_temp._import_query;
-    RETURN QUERY SELECT * FROM streetgen._take_rows(model, whole => true);
+    RETURN QUERY SELECT * FROM streetgen._take_rows(model, whole => true, any_class => any_class);
+    RETURN QUERY SELECT * FROM streetgen._number_twins(model, source);
     PERFORM streetgen._adopt_axes(model, source, clean);
     IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
         staying := CASE WHEN shapeless_stay THEN streetgen._staying_axes(model, source) END;
@@ -242,10 +242,11 @@ BEGIN
     DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
-COMMENT ON FUNCTION streetgen._import(name, text, text, boolean, boolean) IS
+COMMENT ON FUNCTION streetgen._import(name, text, text, boolean, boolean, boolean) IS
     'Upserts the rows of a prepared query into axis, by source and source_ref, and cleans them if asked to; reports '
     'what it did. label names a row, left_out says why it is not wanted, unread names its values that mean nothing. An '
-    'axis whose row comes without geometry goes, or stays. Bad rows: 22023, and the model as it was.';
+    'axis whose row comes without geometry goes, or stays. Rows of a class that the model does not know are left out, '
+    'or any class is taken. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -279,12 +280,13 @@ DECLARE
 BEGIN
     PERFORM streetgen._take_classes(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     query := format('SELECT %s FROM %s', streetgen._mapped(source, mapping), source);
-    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query);
+    RETURN QUERY SELECT * FROM streetgen._import(model, source::text, query, any_class => true);
 END $$;
 COMMENT ON FUNCTION streetgen.import_axes(name, regclass, jsonb) IS
     'Imports a line table. mapping: model column -> source column (string, whatever its case), {"value": constant}, '
     'or {"column": name, "unit": of texts without one, "values": {text: value}}; SQL is never evaluated. With a '
-    'source_ref, importing again follows the source: new, changed, vanished. Reports counts by class, what was not '
+    'source_ref, importing again follows the source: new, changed, vanished. Rows that share one are told apart by a '
+    'number, such as 12#2, which each keeps with its line. Reports counts by class, what was not '
     'believed, values that mean nothing or are out of range, which are unknown then, and rows without geometry (NULL '
     'or empty), which are left out. A missing column: 42703; bad lines or a bad mapping: '
     '22023; then the model stays as it was.';

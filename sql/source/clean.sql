@@ -148,12 +148,3 @@ END $$;
 COMMENT ON FUNCTION streetgen._suspects(name) IS
     'Axes that importers report: a width that is not believed, a line that meets itself, and what the network of all '
     'axes tells: lines upon lines, and ends that miss.';
-
-CREATE OR REPLACE FUNCTION streetgen._refuse_twin(source_ref text) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
-    AS $$
-BEGIN
-    RAISE EXCEPTION 'source_ref % stands in more than one source row', source_ref USING ERRCODE = '22023',
-        HINT = 'Map a column that is unique, or leave source_ref out.';
-END $$;
-COMMENT ON FUNCTION streetgen._refuse_twin(text) IS 'Raises 22023 for a source_ref that two rows of a source have.';

@@ -27,10 +27,12 @@ DECLARE
     concerned text[];
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._copy_classes(model);
-    FOR told IN SELECT * FROM streetgen._take_rows(model, whole => false) t
-        WHERE t.what LIKE '%, left out' OR t.what LIKE '% not understood, taken as unknown' LOOP
+    FOR told IN SELECT * FROM streetgen._take_rows(model, whole => false, any_class => true) t
+        WHERE t.what LIKE '%, left out' OR t.what LIKE '% not understood, taken as unknown'
+            OR t.what LIKE 'unknown class, %' LOOP
         RAISE NOTICE 'source %: %: %', source, told.what, array_to_string(told.source_refs, ', ');
     END LOOP;
+    PERFORM streetgen._refuse_twins();
     SELECT p.source_ref INTO bad FROM pg_temp._import_part p WHERE p.source_ref IS NULL LIMIT 1;
     IF FOUND THEN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
@@ -100,6 +102,7 @@ DECLARE
     relation record;
     ref_column name;
     nameless boolean;
+    twin text;
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
@@ -121,10 +124,14 @@ BEGIN
     END IF;
     -- Before the import: from here on nobody else writes the source.
     PERFORM streetgen._make_follower(model, source, mapping);
-    EXECUTE format('SELECT EXISTS (SELECT FROM %s WHERE %I IS NULL)', source, ref_column) INTO nameless;
+    EXECUTE format('SELECT bool_or(ref IS NULL), min(ref) FILTER (WHERE rows > 1) '
+        'FROM (SELECT %I::text AS ref, count(*) AS rows FROM %s GROUP BY 1) r', ref_column, source) INTO nameless, twin;
     IF nameless THEN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
             HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
+    END IF;
+    IF twin IS NOT NULL THEN
+        PERFORM streetgen._refuse_twin(twin);
     END IF;
     INSERT INTO followed VALUES (origin, mapping)
         ON CONFLICT ON CONSTRAINT followed_pkey DO UPDATE SET mapping = excluded.mapping;

@@ -110,10 +110,11 @@ CREATE VIEW seen AS TABLE lines;
 CREATE TABLE parted (id integer, geom geometry) PARTITION BY RANGE (id);
 CREATE TABLE part PARTITION OF parted FOR VALUES FROM (0) TO (9);
 CREATE TABLE nameless AS SELECT NULL::integer AS id, pg_temp.street(1) AS geom;
+CREATE TABLE doubled AS SELECT 1 AS id, pg_temp.street(n) AS geom FROM generate_series(1, 2) n;
 SELECT format('follow refuses %s with %s', source, wanted), test.state(format('SELECT streetgen.follow(%L, %L, %L)', model, source, mapping)) = wanted
 FROM (VALUES ('town', 'seen', '{"source_ref": "id"}', '42809'), ('town', 'parted', '{"source_ref": "id"}', '42809'), ('town', 'part', '{"source_ref": "id"}', '42809'), ('town', 'twin.axis', '{"source_ref": "axis_id"}', '42809'),
   ('town', 'copy', '{}', '22023'), ('town', 'copy', '{"source_ref": {"value": "a"}}', '22023'), ('town', 'copy', '{"source_ref": "nr"}', '42703'), ('town', 'copy', '[]', '22023'),
-  ('town', 'nameless', '{"source_ref": "id"}', '22023'), ('nowhere', 'copy', '{"source_ref": "id"}', '3F000')) v(model, source, mapping, wanted);
+  ('town', 'nameless', '{"source_ref": "id"}', '22023'), ('town', 'doubled', '{"source_ref": "id"}', '22023'), ('nowhere', 'copy', '{"source_ref": "id"}', '3F000')) v(model, source, mapping, wanted);
 SELECT 'a refused follow leaves no trigger', NOT EXISTS (SELECT FROM pg_trigger WHERE tgrelid IN ('copy'::regclass, 'nameless'::regclass));
 
 -- Two sources, two models, several steps in one transaction.

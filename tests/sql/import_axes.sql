@@ -118,8 +118,13 @@ SELECT 'a table without a line is refused, with the way out', state = '22023' AN
 DROP TABLE mixed;
 TRUNCATE import_b.axis;
 CREATE TABLE misspelt AS SELECT id, class, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * id), ST_MakePoint(90, 50 * id)), 32631) AS geom FROM (VALUES (1, 'secondry'), (2, 'secondary'), (3, 'secondry'), (4, 'footway')) v(id, class);
-SELECT 'rows of a class that is unknown are named, those of one that is not wanted counted', array_agg((what, class, count, source_refs)::text ORDER BY what) = '{"(\"not taken: class\",footway,1,)","(\"not taken: unknown class\",secondry,2,\"{1,3}\")"}'
-  FROM streetgen.import_axes('import_b', 'misspelt', '{"source_ref": "id", "kind": "class"}') WHERE what LIKE 'not taken%';
+SELECT streetgen.set('import_b', 'width_default', '5.5') \g /dev/null
+SELECT 'rows of a class that is unknown are taken and named, those of one that is not wanted counted', array_agg((what, class, count, source_refs)::text ORDER BY what, class) = '{"(\"not taken: class\",footway,1,)","(taken,secondary,1,)","(taken,secondry,2,)","(\"unknown class, 5.5 m wide where neither width nor lanes are stated\",secondry,2,\"{1,3}\")"}'
+  FROM streetgen.import_axes('import_b', 'misspelt', '{"source_ref": "id", "kind": "class"}') WHERE what ~ 'taken|unknown class';
+SELECT 'they have the width that is told', array_agg(source_ref || ' ' || u.width ORDER BY source_ref) = '{"1 5.5","2 8","3 5.5"}' FROM import_b.axis JOIN import_b.axis_used u USING (axis_id) WHERE source = 'misspelt';
+INSERT INTO import_b.axis_class (class, taken) VALUES ('secondry', false);
+SELECT 'a class that was said not to be wanted is not', (what, count) = ('not taken: class', 2) FROM streetgen.import_axes('import_b', 'misspelt', '{"source_ref": "id", "kind": "class"}') WHERE class = 'secondry';
+SELECT streetgen.set('import_b', 'width_default', '6') \g /dev/null
 DROP TABLE misspelt;
 TRUNCATE import_b.axis;
 -- Tables of the user's, named as the import's own.
