@@ -1,8 +1,18 @@
 # Sourced by data/streetgen: a layer of a file that GDAL reads, as a table of schema streetgen_source.
 
+# The columns of a .csv that may hold its lines, as WKT or as hexadecimal digits of WKB.
+csv_columns=WKT,wkt_geom,geom,the_geom,geometry,geometrie,shape
+
+# open_options FILE: a line for each.
+open_options() { [[ ${1,,} != *.csv ]] || printf '%s\n' -oo "GEOM_POSSIBLE_NAMES=$csv_columns" -oo KEEP_GEOM_COLUMNS=NO; }
+
 # layers_in FILE: a line for each of its layers, "name<tab>type of geometry"; those with a geometry alone where there are such.
 layers_in() {
-  ogrinfo -q -ro "$1" 2>/dev/null | sed -nE 's/^[0-9]+: (.*) \((.*)\)$/\1\t\2/p' | sed -E 's/ \(title: [^\t]*\)\t/\t/' |
+  local options kinds='Unknown|Point|Line String|Polygon|Multi|Geometry Collection|Circular|Compound|Curve|Surface|Polyhedral|TIN|Triangle|None'
+  mapfile -t options < <(open_options "$1")
+  # A layer of any type has none behind its name.
+  ogrinfo -q -ro "$1" ${options[@]+"${options[@]}"} 2>/dev/null | sed -nE 's/^[0-9]+: //p' |
+    sed -E "s/ \(((3D |Measured )*($kinds)[^)]*(\(any\)[^)]*)?)\)$/\t\1/; t; s/$/\tany type/" | sed -E 's/ \(title: [^\t]*\)\t/\t/' |
     awk -F'\t' '{ line[NR] = $0 } $2 != "None" { shaped[++n] = $0 } END { for (i = 1; i <= (n ? n : NR); i++) print n ? shaped[i] : line[i] }'
 }
 
@@ -47,15 +57,19 @@ shape_encoding() {
 
 # read_vector FILE TABLE SRID [LAYER]: what ogr2ogr says goes through the folder $work of the caller.
 read_vector() {
-  local file=$1 table=$2 srid=$3 layer encoding reference=() log=$work/ogr2ogr.log failed=
+  local file=$1 table=$2 srid=$3 layer encoding options reference=() log=$work/ogr2ogr.log failed=
   layer=$(chosen_layer "$file" "${4:-}")
+  mapfile -t options < <(open_options "$file")
+  if [ ${#options[@]} != 0 ] && layers_in "$file" | grep -q $'\tNone$'; then
+    fail "$(basename "$file") has no column of lines: name it one of ${csv_columns//,/, }, and write them as WKT"
+  fi
   encoding=$(shape_encoding "$file" "$layer")
   # A file that does not say its reference is taken to be in the model's.
-  if ogrinfo -so -ro "$file" "$layer" 2>/dev/null | grep -A1 '^Layer SRS WKT' | grep -q '(unknown)'; then
+  if ogrinfo -so -ro "$file" "$layer" ${options[@]+"${options[@]}"} 2>/dev/null | grep -A1 '^Layer SRS WKT' | grep -q '(unknown)'; then
     reference=(-a_srs "EPSG:$srid")
   fi
   run_sql -c "DROP TABLE IF EXISTS streetgen_source.$table"
-  ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database" "$file" ${layer:+"$layer"} ${reference[@]+"${reference[@]}"} \
+  ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database" "$file" ${layer:+"$layer"} ${options[@]+"${options[@]}"} ${reference[@]+"${reference[@]}"} \
     ${encoding:+--config SHAPE_ENCODING "$encoding"} -nln "$table" -lco GEOMETRY_NAME=geom -lco SCHEMA=streetgen_source -lco PRECISION=NO -nlt PROMOTE_TO_MULTI 2>"$log" || failed=yes
   [ -z "$failed" ] || fail "$file cannot be read by ogr2ogr$(sed -n 's/^ERROR [0-9]*: /: /p' "$log" | head -1)"
   cat "$log" >&2
