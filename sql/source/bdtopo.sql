@@ -10,7 +10,7 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, c
     ('sens', '{sens_de_circulation,sens}', 'The direction of the traffic.'),
     ('speed', '{vitesse_moyenne_vl,vit_moy_vl}', 'The speed.'),
     ('importance', '{importance}', 'The importance.'),
-    ('level', '{position_par_rapport_au_sol,pos_sol}', 'The level.'),
+    ('level', '{position_par_rapport_au_sol,pos_sol}', 'The level; a ford is on the ground.'),
     ('class', '{nature}', 'The class; Rond-point is a roundabout.'),
     ('name', '{nom_voie_ban_gauche,nom_collaboratif_gauche,nom_1_gauche,nom_coll_g,nom_1_g,nom_rue_g,nom_voie_g}',
         'The name of the street.'),
@@ -28,7 +28,8 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, c
         'lane, is named.'),
     ('cycle_left', '{amenagement_cyclable_gauche,amgt_cy_g}', 'As amenagement_cyclable_droit, on the left.'),
     ('cycle_left_way', '{sens_amenagement_cyclable_gauche,sens_cy_g}', 'As sens_amenagement_cyclable_droit.'),
-    ('access', '{acces_vehicule_leger,acces_vl}', 'Who may drive: nobody, or who has a permit.') $$;
+    ('access', '{acces_vehicule_leger,acces_vl}',
+        'Who may drive: nobody, or who has a permit. Where it is free or one pays a toll all may.') $$;
 COMMENT ON FUNCTION streetgen._bdtopo_column() IS
     'The columns of BD TOPO that an import looks at: a name for each, what tables call it, the first one going before '
     'others, and what becomes of it.';
@@ -72,6 +73,12 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_bus_way(said text, usual text) RETU
 COMMENT ON FUNCTION streetgen._bdtopo_bus_way(text, text) IS
     'streetgen._bdtopo_way of what is reserved for buses, which may name no direction; NULL for words of other things.';
 
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_cycle_way(said text, usual text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN streetgen._bdtopo_way(said, CASE WHEN said ~* 'bande|cycl|v[ée]lo|^\s*oui\s*$' THEN usual END);
+COMMENT ON FUNCTION streetgen._bdtopo_cycle_way(text, text) IS
+    'streetgen._bdtopo_way of a cycle lane, which may name no direction; NULL for words of other things.';
+
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_kerb(design text, said text, kerb text, traffic text, driving_side text,
     OUT near text, OUT far text, OUT unread text, OUT unread_way text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -85,7 +92,7 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_kerb(design text, said text, kerb t
                 THEN 'it says no lane of the roadway' END,
         CASE WHEN NOT streetgen._bdtopo_says(said) THEN NULL WHEN NOT streetgen._bdtopo_says(design)
                 THEN 'no cycle lane is said at this kerb'
-            WHEN lane AND way IS NULL THEN 'it says no direction' END
+            WHEN way IS NULL THEN 'it says no direction' END
     FROM (SELECT coalesce(design ~* 'bande', false) AS lane, streetgen._bdtopo_way(said, NULL) AS way,
             -- The direction of the lanes at this kerb, on a street of both, and the other one.
             CASE kerb WHEN driving_side THEN 'direct' ELSE 'reverse' END AS beside,
@@ -107,7 +114,7 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_kinds(driving integer, of_buses boo
 COMMENT ON FUNCTION streetgen._bdtopo_kinds(integer, boolean, boolean, boolean, boolean, text) IS
     'streetgen.lane_kinds of one direction, whose one lane may be for buses.';
 
-CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text)
+CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text, lane_width float8)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
         name text, ref text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
         access text, source_ref text, label text, left_out text, unread text[])
@@ -127,12 +134,17 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
         driving_side),
     CASE WHEN s.access ~* 'impossible' THEN 'no' WHEN s.access ~* 'restreint|ayants droit' THEN 'private' END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
-    CASE WHEN s.fictif IN ('Oui', 'true', 't') THEN 'fictitious axis' END,
+    CASE WHEN s.fictif ~* '^\s*(oui|true|t)\s*$' THEN 'fictitious axis' END,
     array_remove(ARRAY[CASE WHEN s.width <> '' AND metres IS NULL THEN 'width' END,
         CASE WHEN s.lane_count <> '' AND said_lanes IS NULL THEN 'lane_count' END,
         CASE WHEN s.sens <> '' AND s.sens !~* 'double|direct|inverse|^sens unique$|^sans objet$|^nc$'
             THEN 'direction' END,
-        CASE WHEN s.speed <> '' AND kmh IS NULL THEN 'speed' END], NULL)
+        CASE WHEN s.speed <> '' AND kmh IS NULL THEN 'speed' END,
+        CASE WHEN s.importance !~* '^\s*(\d|nc|$)' THEN 'importance' END,
+        CASE WHEN s.level !~* '^\s*(-?\d|gu[ée] ou radier|nc|$)' THEN 'level' END,
+        CASE WHEN s.fictif !~* '^\s*(oui|true|t|non|false|f)?\s*$' THEN 'fictif' END,
+        CASE WHEN s.access !~* 'impossible|restreint|ayants droit|libre|p[ée]age|^\s*(nc)?\s*$' THEN 'access' END],
+        NULL)
 FROM pg_temp._import_line s,
      LATERAL (SELECT streetgen._within(streetgen._metres(s.width), 0, 200) AS metres,
          streetgen._within(streetgen._kmh(s.speed), 0, 400) AS kmh,
@@ -141,7 +153,7 @@ FROM pg_temp._import_line s,
                      -- What names no direction means that of the traffic: of one lane all of it.
                      said_lanes = 1 AND streetgen._bdtopo_bus_way(s.bus, 'all') = 'all' AS of_buses,
                      streetgen._bdtopo_bus_way(s.bus, direction) AS bus_way,
-                     streetgen._bdtopo_way(s.cycle, direction) AS cycle_way) d,
+                     streetgen._bdtopo_cycle_way(s.cycle, direction) AS cycle_way) d,
      LATERAL (SELECT coalesce(bus_way IN ('direct', 'both'), false) AS bus_forward,
          coalesce(bus_way IN ('reverse', 'both'), false) AS bus_backward,
          coalesce('direct' IN (right_near, left_near) OR cycle_way IN ('direct', 'both'), false) AS near_forward,
@@ -158,13 +170,14 @@ FROM pg_temp._import_line s,
                      CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE greatest(lanes / 2, 1)
                          END WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes
                          END ELSE 0 END AS backward) n,
-     -- Buses have the one lane of a direction where cars may not drive, or lanes of both get less than 2.4 m.
+     -- Buses have the one lane of a direction where cars may not drive, or lanes of both have no room.
      LATERAL (SELECT coalesce(s.access ~* 'impossible', false) OR coalesce(metres, 200)
-         < 2.4 * (forward + backward + (bus_forward AND forward = 1)::integer
+         < streetgen._narrowest_of_several(lane_width) * (forward + backward + (bus_forward AND forward = 1)::integer
              + (bus_backward AND backward = 1)::integer) AS alone) c
 $$;
-COMMENT ON FUNCTION streetgen._bdtopo_rows(text) IS
-    'The rows of the import that the lines of a BD TOPO table become, where one drives on a side, left or right.';
+COMMENT ON FUNCTION streetgen._bdtopo_rows(text, float8) IS
+    'The rows of the import that the lines of a BD TOPO table become, where one drives on a side, left or right, and '
+    'lanes are usually so wide, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_unread()
     RETURNS TABLE(source_ref text, tag text, value text, reason text)
@@ -174,8 +187,10 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_unread()
     FROM pg_temp._import_line s, LATERAL (SELECT c.columns, w.* FROM streetgen._bdtopo_column() c JOIN (VALUES
             ('bus', s.bus, CASE WHEN streetgen._bdtopo_says(s.bus)
                 AND streetgen._bdtopo_bus_way(s.bus, direction) IS NULL THEN 'it says no lane of buses' END),
-            ('cycle', s.cycle, CASE WHEN streetgen._bdtopo_says(s.cycle)
-                AND streetgen._bdtopo_way(s.cycle, NULL) IS NULL THEN 'it says no direction' END),
+            ('cycle', s.cycle, CASE WHEN NOT streetgen._bdtopo_says(s.cycle)
+                    OR streetgen._bdtopo_way(s.cycle, NULL) IS NOT NULL THEN NULL
+                WHEN streetgen._bdtopo_cycle_way(s.cycle, direction) IS NULL THEN 'it says no cycle lane'
+                ELSE 'it says no direction' END),
             ('cycle_right', s.cycle_right, right_unread), ('cycle_right_way', s.cycle_right_way, right_unread_way),
             ('cycle_left', s.cycle_left, left_unread), ('cycle_left_way', s.cycle_left_way, left_unread_way))
             w(name, value, reason) USING (name)) u
@@ -217,13 +232,13 @@ BEGIN
         FROM jsonb_object_keys(found) key), source, driving_side);
     -- What the table has no column for it does not mention.
     RETURN QUERY SELECT * FROM streetgen._import(model, source::text, format('SELECT geom, %s, source_ref, label, '
-        'left_out, unread FROM streetgen._bdtopo_rows(%L)', (SELECT string_agg(name, ', ')
+        'left_out, unread FROM streetgen._bdtopo_rows(%L, %L)', (SELECT string_agg(name, ', ')
         FROM (VALUES ('width', '{width}'::text[]), ('lane_count', '{lane_count}'), ('direction', '{sens}'),
             ('speed', '{speed}'), ('importance', '{importance}'), ('name', '{name}'), ('ref', '{ref}'),
             ('level', '{level}'),
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
             ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}')) c(name, wants)
-        WHERE jsonb_strip_nulls(found) ?| wants), driving_side));
+        WHERE jsonb_strip_nulls(found) ?| wants), driving_side, streetgen._setting_number(model, 'lane_width')));
     CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
         SELECT * FROM streetgen._bdtopo_unread();
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);

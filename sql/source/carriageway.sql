@@ -28,8 +28,8 @@ BEGIN
         LATERAL (SELECT coalesce(m.lane_count, nullif(coalesce(streetgen.driving_lanes(m.kind_forward),
             m.lanes_forward, 0) + coalesce(streetgen.driving_lanes(m.kind_backward), m.lanes_backward, 0)
             + coalesce(m.lanes_both, 0), 0)) AS lanes) n,
-        LATERAL (SELECT coalesce(streetgen.kerbside_width(m.kind_forward, s.cycle, s.parking), 0)
-            + coalesce(streetgen.kerbside_width(m.kind_backward, s.cycle, s.parking), 0) AS kerbside) k,
+        LATERAL (SELECT streetgen._kerbside_width(m.kind_forward, m.lane_width_forward, s.cycle, s.parking)
+            + streetgen._kerbside_width(m.kind_backward, m.lane_width_backward, s.cycle, s.parking) AS kerbside) k,
         LATERAL (SELECT CASE WHEN GeometryType(l.geom) = 'LINESTRING' THEN ST_Force2D(
             CASE ST_SRID(l.geom) WHEN srid THEN l.geom ELSE ST_Transform(l.geom, srid) END) END AS geom OFFSET 0) g
     WHERE m.roundabout_tag IS NULL AND ST_Length(g.geom) > 1;
@@ -119,7 +119,8 @@ BEGIN
     PERFORM streetgen._take_carriageways(model);
     CREATE TEMPORARY TABLE _import_room ON COMMIT DROP AS
     SELECT c.way_id, c.class, c.estimated, min(l.room) AS room, bool_or(r.beside) AS beside,
-        bool_or(NOT r.beside) AND min(l.room) - max(c.kerbside) < 2 * 0.75 * max(s.lane_width) AS one_lane
+        bool_or(NOT r.beside) AND min(l.room) - max(c.kerbside)
+            < 2 * streetgen._narrowest_of_several(max(s.lane_width)) AS one_lane
     FROM (SELECT streetgen._setting_number(model, 'lane_width') AS lane_width,
             streetgen._setting_number(model, 'lane_width_minimal') AS narrowest,
             streetgen._setting_number(model, 'median_width_minimal') AS median) s,

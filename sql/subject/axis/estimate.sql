@@ -77,11 +77,17 @@ COMMENT ON FUNCTION streetgen.estimated_speed(integer, float8, jsonb, float8) IS
     'Speed in km/h from the importance (the last entry at or before it, before the first entry the first), else from '
     'the width (metres), 20 to 110. Speeds that are no JSON object: 22023. An argument that is NULL is unknown.';
 
+CREATE OR REPLACE FUNCTION streetgen._narrowest_of_several(lane_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN 0.75 * lane_width;
+COMMENT ON FUNCTION streetgen._narrowest_of_several(float8) IS
+    'The width in metres below which a width alone makes no several lanes: three quarters of the usual one.';
+
 CREATE OR REPLACE FUNCTION streetgen.estimated_lane_count(width float8, speed float8, lane_width float8) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN width BETWEEN 0 AND 1e6 AND lane_width BETWEEN 1e-3 AND 1e6
         THEN greatest(1, least(30, round(width / (lane_width * CASE WHEN speed > 70 THEN 1 ELSE 0.9 END)),
-            floor(width / (0.75 * lane_width))))::integer END;
+            floor(width / streetgen._narrowest_of_several(lane_width))))::integer END;
 COMMENT ON FUNCTION streetgen.estimated_lane_count(float8, float8, float8) IS
     'Lanes from the width (metres) and the speed (km/h): slow lanes are a tenth narrower, none of several is narrower '
     'than three quarters of lane_width; 1 to 30, NULL for a width below 0 (of a lane: 1 mm), beyond 1e6 m or NaN. An '
@@ -102,6 +108,28 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
         cardinality(array_positions(string_to_array(kinds, '|'), 'parking')) * parking_lane_width;
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS
     'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
+
+CREATE OR REPLACE FUNCTION streetgen._listed_kerbside_width(kinds text, widths text, cycle_lane_width float8,
+    parking_lane_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN (SELECT sum(coalesce(nullif(CASE cardinality(said) WHEN lanes THEN nullif(said[place], '')::float8 END, 0),
+            CASE kind WHEN 'cycle' THEN cycle_lane_width ELSE parking_lane_width END))
+        FROM (SELECT string_to_array(widths, '|') AS said) s,
+            (SELECT kind, place, count(*) OVER () AS lanes
+            FROM unnest(string_to_array(kinds, '|')) WITH ORDINALITY k(kind, place)) l
+        WHERE kind IN ('cycle', 'parking'));
+COMMENT ON FUNCTION streetgen._listed_kerbside_width(text, text, float8, float8) IS
+    'streetgen.kerbside_width of lanes with a list of widths, which leaves some open, or speaks of the others alone. '
+    'NULL where there are none.';
+
+CREATE OR REPLACE FUNCTION streetgen._kerbside_width(kinds text, widths text, cycle_lane_width float8,
+    parking_lane_width float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(CASE WHEN widths IS NULL THEN streetgen.kerbside_width(kinds, cycle_lane_width, parking_lane_width)
+        ELSE streetgen._listed_kerbside_width(kinds, widths, cycle_lane_width, parking_lane_width) END, 0);
+COMMENT ON FUNCTION streetgen._kerbside_width(text, text, float8, float8) IS
+    'Width in metres of the cycle and parking lanes of a direction with these kinds and widths of lanes, each as wide '
+    'as it says, else as the settings do; 0 where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._kinds_beside_parking(driving integer, parking_left float8, parking_right float8)
     RETURNS text
