@@ -235,6 +235,7 @@ BEGIN
     PERFORM streetgen._look_at_axes(model, source);
     RETURN QUERY SELECT * FROM streetgen._settle_class_lanes(model);
     RETURN QUERY SELECT * FROM streetgen._tell_usual_widths(model);
+    RETURN QUERY SELECT * FROM streetgen._tell_narrow_between_kerbs(model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);

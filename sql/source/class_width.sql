@@ -1,4 +1,4 @@
--- Lanes and widths that no source states.
+-- Lanes and widths that no source states, or that leave no room for what else it states.
 
 CREATE OR REPLACE FUNCTION streetgen._settle_class_lanes(model name)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -51,3 +51,28 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._tell_usual_widths(name) IS
     'Tells of each class of an import how many of its lines state neither width nor lanes, and how wide they become.';
+
+CREATE OR REPLACE FUNCTION streetgen._tell_narrow_between_kerbs(model name)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT format('parking or cycle lanes leave less than %s m for each other lane', s.narrowest),
+            NULL::text, count(*), array_agg(i.label ORDER BY i.label)
+        FROM (SELECT (max(value) FILTER (WHERE name = 'lane_width_minimal'))::float8 AS narrowest,
+                (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle,
+                (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking FROM setting) s,
+            pg_temp._import i LEFT JOIN axis_class c USING (class),
+            LATERAL (SELECT streetgen._kerbside_width(i.kind_forward, i.lane_width_forward, s.cycle, s.parking)
+                + streetgen._kerbside_width(i.kind_backward, i.lane_width_backward, s.cycle, s.parking) AS kerbside) k
+        WHERE i.width > 0 AND k.kerbside > 0
+            AND c.lanes_by_width IS NOT FALSE AND i.access IS DISTINCT FROM 'no' AND i.access IS DISTINCT FROM 'cycle'
+            AND least(i.width, i.width_end) - k.kerbside < s.narrowest * greatest(1, i.lane_count,
+                coalesce(streetgen.driving_lanes(i.kind_forward), 0) + coalesce(i.lanes_both, 0)
+                + coalesce(streetgen.driving_lanes(i.kind_backward), 0))
+        GROUP BY s.narrowest;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_narrow_between_kerbs(name) IS
+    'Tells the lines of an import whose stated width, less their parking and cycle lanes, has no room for their other '
+    'lanes, or for one.';

@@ -9,7 +9,8 @@ INSERT INTO town.axis (axis_id, geom, kind, direction, width, lane_count, rounda
   (1, street(1), 'residential', 'direct', NULL, NULL, NULL), (2, street(2), 'residential', 'reverse', NULL, NULL, NULL), (3, street(3), 'residential', 'both', NULL, NULL, NULL),
   (4, street(4), 'residential', 'direct', 9, NULL, NULL), (5, street(5), 'residential', 'direct', NULL, 2, NULL), (6, street(6), 'primary', 'direct', NULL, NULL, NULL),
   (7, street(7), 'primary', 'direct', 4, NULL, NULL), (8, street(8), 'residential', 'direct', NULL, NULL, 'circular'), (9, street(9), NULL, 'direct', NULL, NULL, NULL),
-  (10, street(10), 'tertiary', 'both', 15, NULL, NULL), (11, street(11), 'primary', 'direct', NULL, NULL, 'roundabout');
+  (10, street(10), 'tertiary', 'both', 15, NULL, NULL), (11, street(11), 'primary', 'direct', NULL, NULL, 'roundabout'),
+  (12, street(12), 'service', 'both', NULL, NULL, NULL), (13, ST_Reverse(street(13)), 'service', 'both', NULL, NULL, NULL);
 -- axis: width, lanes from the left kerb to the right one, those against the axis with a minus.
 CREATE FUNCTION told(axis bigint, model text DEFAULT 'town') RETURNS text LANGUAGE plpgsql AS $$
 DECLARE found text;
@@ -41,10 +42,12 @@ SELECT 'without them it has what its width holds', told(1) = '6.00: general3.00 
 
 -- Parking, beside the usual width.
 UPDATE town.axis_class SET lanes_one_way = 1, parking_left = 2.5, parking_right = 2 WHERE class = 'residential';
+UPDATE town.axis_class SET parking_left = 2, parking_right = 2.25 WHERE class = 'service';
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'parking lies beside the usual width, on its side', told(1) = '8.00: parking2.50 general3.50 parking2.00';
 SELECT 'the side is that of the traffic', told(2) = '8.00: -parking2.00 -general3.50 -parking2.50';
 SELECT 'on a two-way street that of the axis', told(3) = '10.50: -parking2.50 -general3.00 general3.00 parking2.00';
+SELECT 'a street too narrow for two lanes beside it has one for both directions', told(12) = '8.25: -parking2.00 general4.00 parking2.25' AND told(13) = '8.25: -parking2.00 general4.00 parking2.25';
 SELECT 'where a width or lanes are stated there is none', told(4) = '9.00: general9.00' AND told(5) = '7.00: general3.50 general3.50';
 DELETE FROM anew.axis_class;
 INSERT INTO anew.axis_class TABLE town.axis_class;
@@ -54,6 +57,7 @@ SELECT 'drawn backward it is the same street', told(1) = '8.00: -parking2.00 -ge
 SELECT streetgen.set('town', 'driving_side', 'left') \g /dev/null
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'where one drives on the left too', told(3) = '10.50: parking2.50 general3.00 -general3.00 -parking2.00' AND told(2) = '8.00: -parking2.00 -general3.50 -parking2.50';
+SELECT 'so has the narrow street', told(12) = '8.25: parking2.00 general4.00 -parking2.25';
 SELECT 'negative parking is refused', test.state('UPDATE town.axis_class SET parking_left = -1') = '23514';
 
 -- What an extract says of a class.

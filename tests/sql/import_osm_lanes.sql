@@ -25,7 +25,9 @@ SELECT n, class, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), S
   (28, 'secondary', '{"oneway": "yes", "lanes": "2", "parking:both": "lane", "width": "13.5"}'), (29, 'busway', '{"lanes": "1"}'),
   (40, 'secondary', '{"oneway": "yes", "width": "4.9"}'), (41, 'secondary', '{"oneway": "-1", "width": "6", "cycleway:right": "lane"}'),
   (42, 'secondary', '{"oneway": "yes", "width": "7", "busway": "lane"}'), (43, 'residential', '{"junction": "roundabout", "lanes": "1", "width": "7"}'),
-  (44, 'residential', '{"width": "7", "parking:both": "lane"}'), (45, 'residential', '{"width": "5", "parking:right": "lane"}'), (46, 'residential', '{"width": "6", "cycleway": "lane"}'), (47, 'residential', '{"width": "6", "parking:left": "lane"}')) v(n, class, tags);
+  (44, 'residential', '{"width": "7", "parking:both": "lane"}'), (45, 'residential', '{"width": "5", "parking:right": "lane"}'), (46, 'residential', '{"width": "6", "cycleway": "lane"}'), (47, 'residential', '{"width": "6", "parking:left": "lane"}'),
+  (50, 'residential', '{"width": "10", "parking:both": "lane", "parking:both:orientation": "perpendicular"}'), (51, 'residential', '{"width": "13", "parking:both": "lane", "parking:both:orientation": "perpendicular"}'),
+  (52, 'residential', '{"width": "5", "lanes": "2", "parking:both": "lane"}'), (53, 'residential', '{"width": "3", "oneway": "yes", "cycleway": "lane"}'), (54, 'residential', '{"width": "8", "lanes": "2", "parking:both": "lane"}')) v(n, class, tags);
 CREATE TABLE report AS SELECT * FROM streetgen.import_osm('town', 'osm');
 SELECT streetgen.import_osm('left_hand', 'osm') \g /dev/null
 CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coalesce(a.kind_forward, '-'), coalesce(a.kind_backward, '-')) AS kinds, u.lanes_forward AS forward, u.lanes_backward AS backward,
@@ -34,6 +36,8 @@ SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (V
   (6, '- / -'), (7, '- / general|general|general|cycle'), (8, 'general|general|general|cycle / -'), (13, 'general|general|cycle / -'), (14, '- / -'), (15, 'general|cycle / -'), (18, 'bus|general|general / -'),
   (19, '- / -')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'one lane for both directions lies where lanes of the kerbs leave no room for two: way ' || way, (forward, backward, both_ways, s.kinds) = (0, 0, 1, v.kinds) FROM seen s JOIN (VALUES (44, 'parking / parking'), (45, 'parking / -'), (46, 'cycle / cycle'), (47, '- / parking')) v(way, kinds) USING (way) ORDER BY way;
+SELECT 'parking across the street leaves its lanes what is there', array_agg(round(across::numeric, 2) ORDER BY way) = '{10,13}' AND bool_and((forward, backward, both_ways) = (0, 0, 1)) FROM seen WHERE way IN (50, 51);
+SELECT 'streets of which the kerbs leave no room for the other lanes are told', source_refs = '{50,52,53}' AND count = 3 FROM report WHERE what = 'parking or cycle lanes leave less than 2 m for each other lane';
 SELECT 'lists speak of lanes one by one', (turn_forward, lane_width_forward) = ('left|through|through|right', '3|3|1.5|3.5') FROM seen WHERE way = 3;
 SELECT 'a width of the cycle lane alone', lane_width_forward = '||2.25' FROM seen WHERE way = 22;
 SELECT 'a lane for cycling against the traffic leaves lanes of cars no narrower than they are', (forward, backward) = (1, 0) AND across - 1.5 BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 5;

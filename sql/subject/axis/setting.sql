@@ -10,8 +10,8 @@ CREATE OR REPLACE FUNCTION streetgen._axis_setting()
         'a width of a source beyond this per stated lane is not believed, kerb lanes apart; NULL believes all',
         2, 100, NULL),
     ('two_way_width_minimal', '4.5', 'm',
-        'a narrower two-way street of unknown lanes has one lane that both directions use, and so has one of '
-        'OpenStreetMap with less beside its parking and cycle lanes; 0: none', 0, 20, NULL),
+        'a two-way street of unknown lanes with less beside its parking and cycle lanes has one lane that both '
+        'directions use; 0: none', 0, 20, NULL),
     ('driving_side', 'auto', NULL,
         'side of the road that one drives on: right, left, or auto: right until the one-way axes of an import say '
         'otherwise', NULL, NULL, ARRAY['auto', 'right', 'left']),

@@ -130,8 +130,8 @@ LEFT JOIN LATERAL (
             coalesce(width_usual, width_default)) END AS least_width HAVING true) m ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,
-    coalesce(streetgen.kerbside_width(kind_forward, cycle_lane_width, parking_lane_width), 0)
-        + coalesce(streetgen.kerbside_width(kind_backward, cycle_lane_width, parking_lane_width), 0)
+    streetgen._kerbside_width(kind_forward, lane_width_forward, cycle_lane_width, parking_lane_width)
+        + streetgen._kerbside_width(kind_backward, lane_width_backward, cycle_lane_width, parking_lane_width)
         AS kerbside, CASE WHEN parks THEN class_parking_left + class_parking_right ELSE 0 END AS parking) stated
 -- Lanes of the kerbs lie beside those that lane_count counts.
 LEFT JOIN LATERAL (
@@ -148,8 +148,8 @@ LEFT JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_first, speeds,
         speed_per_width)) AS speed_used HAVING true) p ON true
 LEFT JOIN LATERAL (
-    SELECT greatest(width_first, CASE WHEN kerb_width IS NULL THEN believed_end END) < two_way_width_minimal AS narrow
-        HAVING true) r ON true
+    SELECT greatest(width_first, CASE WHEN kerb_width IS NULL THEN believed_end END) - parking < two_way_width_minimal
+        AS narrow HAVING true) r ON true
 LEFT JOIN LATERAL (
     SELECT CASE direction_used WHEN 'both' THEN streetgen.lanes_of_both(lanes_both, stated_forward, stated_backward,
                coalesce(kind_forward, kind_backward) IS NOT NULL, lane_count, narrow) ELSE 0 END AS both_used

@@ -121,9 +121,9 @@ BEGIN
         WHERE a.axis_id = ANY (axes) AND (a.width_by_hand OR a.source IS NULL) AND c.lanes_by_width IS NOT FALSE
             AND NOT streetgen._names_ring(a.roundabout_tag)
             AND streetgen.believed_width(w.width
-                - coalesce(streetgen.kerbside_width(a.kind_forward, cycle_lane, parking_lane), 0)
-                - coalesce(streetgen.kerbside_width(a.kind_backward, cycle_lane, parking_lane), 0), a.lane_count, bound)
-                IS NULL AND w.width IS NOT NULL ORDER BY 1, 2;
+                - streetgen._kerbside_width(a.kind_forward, a.lane_width_forward, cycle_lane, parking_lane)
+                - streetgen._kerbside_width(a.kind_backward, a.lane_width_backward, cycle_lane, parking_lane),
+                a.lane_count, bound) IS NULL AND w.width IS NOT NULL ORDER BY 1, 2;
 END $$;
 COMMENT ON FUNCTION streetgen._wide_by_hand(name, bigint[]) IS
     'The widths (metres) of some axes of a model that would not be believed of a source, and are by hand.';
