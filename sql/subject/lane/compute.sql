@@ -14,7 +14,7 @@ CREATE OR REPLACE FUNCTION streetgen._computed_lane(streets bigint, edges bigint
     RETURNS TABLE(number integer, edge_id bigint, axis_id bigint, ordinality integer, lane_position integer, side text,
         along_axis boolean, both_ways boolean, kind text,
         width float8, axis_offset float8, turn text, geom geometry, surface geometry, method text,
-        start_abscissa float8, end_abscissa float8)
+        start_abscissa float8, end_abscissa float8, borders float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_lane';
 COMMENT ON FUNCTION streetgen._computed_lane(bigint, bigint[]) IS 'The lanes of streets computed in this statement.';
 
@@ -38,9 +38,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',',
     streetgen._upsert_rows(places, 'lane', named => true,
         columns => 'edge_id, ordinality, lane_position, side, along_axis, both_ways, kind, width, axis_offset, turn, '
-            'geom, surface, method, start_abscissa, end_abscissa', rows => $part$
+            'geom, surface, method, start_abscissa, end_abscissa, borders', rows => $part$
         SELECT number, edge_id, axis_id, ordinality, lane_position, side, along_axis, both_ways, kind, width,
-               axis_offset, turn, geom, surface, method, start_abscissa, end_abscissa
+               axis_offset, turn, geom, surface, method, start_abscissa, end_abscissa, borders
         FROM streetgen._computed_lane((SELECT streets FROM computed), (SELECT ids FROM edge_ids))$part$,
         there => $part$
         SELECT l.lane_id FROM new_edge e, LATERAL (SELECT lane_id FROM {model}.lane l

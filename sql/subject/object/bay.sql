@@ -13,7 +13,7 @@ CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, s
     SELECT CASE WHEN ST_IsSimple(ring) THEN ST_MakePolygon(ring) END
     FROM (SELECT CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards,
             streetgen._bay_run(length, width, angle) AS run,
-            CASE angle WHEN 0 THEN width ELSE length * sind(angle) END AS deep) d,
+            streetgen._bay_depth(length, width, angle) AS deep) d,
         -- Who drives past on this side drives into it, and so the end at the border lies ahead.
         LATERAL (SELECT CASE angle WHEN 0 THEN 0 ELSE length * cosd(angle) * outwards END AS lean,
             abscissa - run / 2 AS low, abscissa + run / 2 AS high) r,
@@ -48,6 +48,12 @@ CREATE OR REPLACE FUNCTION streetgen._bay_run(length float8, width float8, angle
     AS $$ SELECT CASE angle WHEN 0 THEN length ELSE width / sind(angle) END $$;
 COMMENT ON FUNCTION streetgen._bay_run(float8, float8, float8) IS
     'What a bay takes of its border, metres: bays beside each other lie no closer.';
+
+CREATE OR REPLACE FUNCTION streetgen._bay_depth(length float8, width float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE angle WHEN 0 THEN width ELSE length * sind(angle) END $$;
+COMMENT ON FUNCTION streetgen._bay_depth(float8, float8, float8) IS
+    'How far a bay reaches from its border towards the roadway, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._takes_ground(surface geometry, ground geometry) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

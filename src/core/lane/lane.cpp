@@ -131,6 +131,22 @@ LaneStrip part_of(const LaneStrip& strip, const MergingStretch& stretch) {
   return part;
 }
 
+// Of a lane between two lines; none where it keeps its place and its width.
+WidthProfile borders_between(const LaneStrip& strip, const LaneShares& left,
+                             const LaneShares& right) {
+  WidthProfile borders;
+  if (strip.profile.empty() && strip.half_start == strip.half_end) return borders;
+  const auto add = [&](double abscissa) {
+    borders.places.push_back(
+        {abscissa, strip.offset_at(abscissa, left), -strip.offset_at(abscissa, right)});
+  };
+  add(strip.from);
+  for (const WidthProfile::Place& place : strip.profile.places)
+    if (place.abscissa > strip.from && place.abscissa < strip.to) add(place.abscissa);
+  add(strip.to);
+  return borders;
+}
+
 struct LineBetween {
   SeparatorKind kind = SeparatorKind::edge;
   bool dashed = false;
@@ -193,6 +209,7 @@ LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneW
       ++ordinary;
       lane.axis_offset = strip.offset_at(strip.from, middle);
       lane.line = line_at_shares(strip, middle);
+      lane.borders = borders_between(strip, shares[p - 1], shares[p]);
       if (with_surface)
         lane.surface = lane_surface(geos, borders[p - 1], borders[p], lane.line, lane.width);
     } else {
@@ -201,6 +218,7 @@ LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneW
       lane.width = wish.width;
       lane.axis_offset = strip.offset_at(std::clamp(widest, part.from, part.to), middle);
       lane.line = line_at_shares(part, middle);
+      lane.borders = borders_between(part, shares[p - 1], shares[p]);
       if (!stretch->begins_at_limit()) lane.start = stretch->from;
       if (!stretch->ends_at_limit()) lane.end = stretch->to;
       if (with_surface)
@@ -231,6 +249,10 @@ LanesOfEdge lanes_of(Geos& geos, const LaneStrip& strip, const std::vector<LaneW
 
 // The lane along a line by hand.
 void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_surface) {
+  if (lane.borders.empty())
+    for (const double abscissa : {strip.from, strip.to})
+      lane.borders.places.push_back(
+          {abscissa, lane.width / 2 + lane.axis_offset, lane.width / 2 - lane.axis_offset});
   lane.line = distinct(planar(by_hand));
   if (nearest_abscissa(lane.line.front(), strip.axis) >
       nearest_abscissa(lane.line.back(), strip.axis))

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "model/streets_rows.hpp"
+#include "streetgen/width_profile.hpp"
 
 namespace streetgen::pg {
 
@@ -16,6 +17,15 @@ inline Form with_z(const ComputedStreets& computed) { return {computed.srid, com
 inline std::int32_t number(std::size_t index) { return static_cast<std::int32_t>(index) + 1; }
 inline std::string_view end_name(bool at_start) { return at_start ? "start" : "end"; }
 inline std::string_view name(const char* text) { return text; }
+
+// NULL where it has no place.
+inline Value borders_value(const WidthProfile& borders) {
+  if (borders.empty()) return {};
+  std::vector<double> values;
+  for (const WidthProfile::Place& place : borders.places)
+    values.insert(values.end(), {place.abscissa, place.left, place.right});
+  return values;
+}
 
 template <class... Values>
 bool put(Row& row, Values&&... values) {

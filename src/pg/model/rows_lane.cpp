@@ -49,7 +49,7 @@ bool fill_lane(const ComputedStreets& computed, const Named& named, std::size_t 
              lane.along_axis, lane.both_ways, name(lane_kind_name(lane.kind)), lane.width,
              lane.axis_offset, std::move(turn), Geometry{stored_line(lane.line, flat(computed))},
              Geometry{stored_surface(lane.surface, flat(computed))}, name(method_name(lane.method)),
-             along(lane.start), along(lane.end));
+             along(lane.start), along(lane.end), borders_value(lane.borders));
 }
 
 bool fill_lane_separator(const ComputedStreets& computed, const Named& named, std::size_t i,

@@ -21,21 +21,13 @@ bool fill_section_limit(const ComputedStreets& computed, const Named& named, std
                          name(method_name(limit.method)));
 }
 
-Value borders_of(const Section& section) {
-  if (section.borders.empty()) return {};
-  std::vector<double> values;
-  for (const WidthProfile::Place& place : section.borders.places)
-    values.insert(values.end(), {place.abscissa, place.left, place.right});
-  return values;
-}
-
 bool fill_section(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Section& section = computed.streets.sections[i];
   const std::int64_t edge = named.edges[section.edge];
   return edge > 0 &&
          put(row, edge, computed.streets.network.edges[section.edge].level,
              Geometry{stored_surface(section.surface, flat(computed))},
-             name(method_name(section.method)), section.contested_area, borders_of(section));
+             name(method_name(section.method)), section.contested_area, borders_value(section.borders));
 }
 
 bool fill_corner(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {

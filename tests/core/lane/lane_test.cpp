@@ -117,6 +117,22 @@ TEST(Lane, LeavesWhatStatedWidthsDoNotTakeAtBothKerbs) {
   EXPECT_NEAR(area(lanes[0].surface), 600, 1e-9) << "its share of the roadway stays";
 }
 
+TEST(Lane, SaysWhereItLiesWhereTheRoadwayWidens) {
+  for (const Lane& lane : on_straight(general(1, 1))) EXPECT_TRUE(lane.borders.empty());
+  const std::vector<Lane> lanes = axis_lanes(straight, 6, 12, general(1, 1), {});
+  ASSERT_EQ(lanes.size(), 2u);
+  for (const Lane& lane : lanes) {
+    ASSERT_EQ(lane.borders.places.size(), 2u);
+    const double outwards = lane.position == 1 ? 1 : -1;
+    EXPECT_NEAR(lane.borders.at(0).left, outwards > 0 ? 3 : 0, 1e-12);
+    EXPECT_NEAR(lane.borders.at(0).right, outwards > 0 ? 0 : 3, 1e-12);
+    EXPECT_NEAR(lane.borders.at(50).on(outwards > 0 ? 1 : -1), 4.5, 1e-12);
+    EXPECT_NEAR(lane.borders.at(100).on(outwards > 0 ? 1 : -1), 6, 1e-12);
+  }
+  EXPECT_NEAR(lanes[0].borders.at(70).right, -lanes[1].borders.at(70).left, 1e-12)
+      << "neighbours share a border";
+}
+
 TEST(Lane, GrowsToItsWidestAndLeavesTheRestAtBothKerbs) {
   AxisLanes wanted = general(2, 0);
   for (LaneWish& lane : wanted.forward) lane.widest = 4;
@@ -498,6 +514,19 @@ TEST(Lanes, ObeyOverridesOfTheirPlace) {
   EXPECT_NEAR(made.lanes[3].width, 5.5, 1e-12);
   EXPECT_NEAR(made.lanes[4].width, 3, 1e-12);
   EXPECT_FALSE(made.lanes[4].along_axis);
+}
+
+TEST(Lanes, DrawnByHandKeepThePlaceThatTheirNeighboursLeave) {
+  LaneOverride drawn{1, 10, 1};
+  drawn.line = {{20, 3, 0}, {80, 3, 0}};
+  const Lanes made = lanes(streets({{1, {{0, 0, 0}, {100, 0, 0}}, 0, 8, 8, 5, 3}}, {}),
+                           {{1, general(1, 1)}}, {drawn}, {});
+  ASSERT_EQ(made.lanes.size(), 2u);
+  const Lane& lane = made.lanes[0].method == Method::by_hand ? made.lanes[0] : made.lanes[1];
+  EXPECT_NEAR(lane.axis_offset, 3, 1e-9);
+  EXPECT_NEAR(lane.borders.at(50).left, 4, 1e-12);
+  EXPECT_NEAR(lane.borders.at(50).right, 0, 1e-12);
+  EXPECT_TRUE(made.lanes[lane.position == 1 ? 1 : 0].borders.empty());
 }
 
 TEST(Lanes, AreOpenedToBothDirectionsAndClosedByHand) {

@@ -1,0 +1,165 @@
+-- View cross_section, and what each subject that a model computes gives to it, by name: streetgen._part gives each.
+
+--{cross_section
+CREATE OR REPLACE VIEW cross_section WITH (security_invoker = true) AS
+SELECT e.edge_id, e.axis_id, e.first + s.low AS start_abscissa, e.first + s.high AS end_abscissa, p.side, p."order",
+    p.kind, p.kerb, p.lane_id, p.offset_from, nullif(p.offset_to, 'Infinity') AS offset_to, p.offset_from_end,
+    nullif(p.offset_to_end, 'Infinity') AS offset_to_end
+FROM (
+    SELECT e.edge_id, e.axis_id, e.start_abscissa AS first, ST_Force2D(e.geom) AS line, e.beside_left, e.beside_right,
+        a.abscissa AS low, b.abscissa AS high, coalesce(s.borders, streetgen._even_borders(e.width, e.width_end,
+            e.end_abscissa - e.start_abscissa, e.roadway_offset)) AS borders
+    FROM edge e JOIN section s USING (edge_id)
+        JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
+        JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
+    WHERE a.abscissa < b.abscissa) e
+-- A stretch has the same pieces from its start to its end, and their borders run straight.
+CROSS JOIN LATERAL (
+    SELECT place AS low, lead(place) OVER (ORDER BY place) AS high FROM (
+        SELECT place, place - lag(place) OVER (ORDER BY place) AS step FROM (
+            VALUES (e.low), (e.high) UNION ALL SELECT * FROM streetgen._border_places(e.borders){places}) known(place)
+        WHERE place BETWEEN e.low AND e.high) steps
+    WHERE step IS NULL OR step > 1e-6) s
+CROSS JOIN LATERAL (
+    WITH driven AS MATERIALIZED ({lanes}),
+    -- Outwards from the axis to each border, and what lies before and behind it.
+    roadside AS MATERIALIZED (
+        SELECT v.outwards, b.border, b.border_end, y.bay_from, y.bay_from_end, y.bay_to, y.bay_to_end,
+            coalesce(y.bay_from, b.border) AS inner_border, coalesce(y.bay_from_end, b.border_end) AS inner_border_end,
+            k.kerb, k.stone, k.sidewalk, k.beside, CASE WHEN k.sidewalk - k.stone - g.furnishing
+                >= streetgen._walking_width() THEN g.furnishing ELSE 0 END AS furnishing, g.gutter
+        FROM (VALUES ('left', 1, e.beside_left), ('right', -1, e.beside_right)) v(side, outwards, beside)
+            CROSS JOIN LATERAL (SELECT streetgen._border_at(e.borders, s.low, v.side) AS border,
+                streetgen._border_at(e.borders, s.high, v.side) AS border_end, (s.low + s.high) / 2 AS middle) b
+            CROSS JOIN LATERAL ({kerbs}) k CROSS JOIN LATERAL ({bays}) y
+            CROSS JOIN (SELECT (SELECT value::float8 FROM setting WHERE name = 'gutter_width') AS gutter,
+                (SELECT value::float8 FROM setting WHERE name = 'furnishing_width') AS furnishing) g),
+    beside_lanes AS (
+        SELECT r.*, greatest(coalesce(bay_to, room), border - gutter) AS gutter_from,
+            greatest(coalesce(bay_to_end, room_end), border_end - gutter) AS gutter_from_end
+        FROM (SELECT r.*, least(inner_border, d.outer_border) AS room, least(inner_border_end, d.outer_border_end)
+                AS room_end
+            FROM roadside r CROSS JOIN LATERAL (
+                SELECT max(CASE r.outwards WHEN 1 THEN left_offset ELSE -right_offset END) AS outer_border,
+                    max(CASE r.outwards WHEN 1 THEN left_offset_end ELSE -right_offset_end END) AS outer_border_end
+                FROM driven) d) r),
+    -- Metres to the left of the axis.
+    strip AS (
+        SELECT d.lane_id, d.kind, NULL AS kerb, least(d.left_offset, l.inner_border) AS left_offset,
+            least(greatest(d.right_offset, -r.inner_border), d.left_offset, l.inner_border) AS right_offset,
+            least(d.left_offset_end, l.inner_border_end) AS left_offset_end,
+            least(greatest(d.right_offset_end, -r.inner_border_end), d.left_offset_end, l.inner_border_end)
+                AS right_offset_end
+        FROM driven d, roadside l, roadside r WHERE (l.outwards, r.outwards) = (1, -1)
+        UNION ALL SELECT NULL, x.kind, CASE x.kind WHEN 'kerb' THEN b.kerb END,
+            CASE b.outwards WHEN 1 THEN x.outer_border ELSE -x.inner_border END,
+            CASE b.outwards WHEN 1 THEN x.inner_border ELSE -x.outer_border END,
+            CASE b.outwards WHEN 1 THEN x.outer_border_end ELSE -x.inner_border_end END,
+            CASE b.outwards WHEN 1 THEN x.inner_border_end ELSE -x.outer_border_end END
+        FROM beside_lanes b CROSS JOIN LATERAL (VALUES
+            ('shoulder', room, coalesce(bay_from, gutter_from), room_end, coalesce(bay_from_end, gutter_from_end)),
+            ('bay', bay_from, bay_to, bay_from_end, bay_to_end),
+            ('shoulder', bay_to, gutter_from, bay_to_end, gutter_from_end),
+            ('gutter', gutter_from, border, gutter_from_end, border_end),
+            ('kerb', border, border + stone, border_end, border_end + stone),
+            ('furnishing', border + stone, border + stone + furnishing, border_end + stone,
+                border_end + stone + furnishing),
+            ('sidewalk', border + stone + furnishing, border + sidewalk, border_end + stone + furnishing,
+                border_end + sidewalk),
+            (beside, border + greatest(stone, sidewalk), 'Infinity', border_end + greatest(stone, sidewalk),
+                'Infinity')) x(kind, inner_border, outer_border, inner_border_end, outer_border_end)
+        WHERE x.inner_border IS NOT NULL AND (x.kind <> 'kerb' OR b.kerb IS NOT NULL))
+    SELECT f.side, row_number() OVER (PARTITION BY f.side ORDER BY f.offset_from + f.offset_from_end,
+            f.offset_to + f.offset_to_end)::integer AS "order", t.kind, t.kerb, t.lane_id, f.offset_from, f.offset_to,
+        f.offset_from_end, f.offset_to_end
+    FROM strip t CROSS JOIN LATERAL (VALUES
+        ('left', greatest(0, t.right_offset), greatest(0, t.left_offset), greatest(0, t.right_offset_end),
+            greatest(0, t.left_offset_end)),
+        ('right', greatest(0, -t.left_offset), greatest(0, -t.right_offset), greatest(0, -t.left_offset_end),
+            greatest(0, -t.right_offset_end))) f(side, offset_from, offset_to, offset_from_end, offset_to_end)
+    WHERE greatest(f.offset_to - f.offset_from, f.offset_to_end - f.offset_from_end) > 1e-9
+        OR t.kerb = 'none' AND greatest(f.offset_from, f.offset_from_end) > 0) p
+WHERE s.high IS NOT NULL
+
+--{cross_section_without_lanes
+SELECT NULL::bigint AS lane_id, 'roadway' AS kind, streetgen._border_at(e.borders, s.low, 'left') AS left_offset,
+    -streetgen._border_at(e.borders, s.low, 'right') AS right_offset,
+    streetgen._border_at(e.borders, s.high, 'left') AS left_offset_end,
+    -streetgen._border_at(e.borders, s.high, 'right') AS right_offset_end
+
+--{cross_section_lanes
+SELECT l.lane_id, l.kind, streetgen._border_at(b.borders, s.low, 'left') AS left_offset,
+    -streetgen._border_at(b.borders, s.low, 'right') AS right_offset,
+    streetgen._border_at(b.borders, s.high, 'left') AS left_offset_end,
+    -streetgen._border_at(b.borders, s.high, 'right') AS right_offset_end
+FROM lane l CROSS JOIN LATERAL (SELECT coalesce(l.borders, ARRAY[0, l.width / 2 + l.axis_offset,
+    l.width / 2 - l.axis_offset]) AS borders) b
+WHERE l.edge_id = e.edge_id AND (s.low + s.high) / 2 BETWEEN coalesce(l.start_abscissa - e.first, e.low)
+    AND coalesce(l.end_abscissa - e.first, e.high)
+
+--{cross_section_lane_places
+UNION ALL SELECT p.place FROM lane l CROSS JOIN LATERAL (
+    VALUES (l.start_abscissa - e.first), (l.end_abscissa - e.first)
+    UNION ALL SELECT * FROM streetgen._border_places(l.borders)) p(place) WHERE l.edge_id = e.edge_id
+
+--{cross_section_without_kerbs
+SELECT NULL AS kerb, 0::float8 AS stone, 0::float8 AS sidewalk, v.beside
+
+--{cross_section_kerbs
+SELECT CASE WHEN k.kerb_id IS NULL THEN 'none' {flush} ELSE 'standing' END AS kerb,
+    CASE WHEN k.kerb_id IS NULL THEN 0 ELSE (SELECT value::float8 FROM setting WHERE name = 'kerb_stone_width') END
+        AS stone, {sidewalk} AS sidewalk, coalesce(k.beside, 'roadway') AS beside
+FROM (VALUES (1)) one LEFT JOIN LATERAL (
+    SELECT k.* FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low, e.high) x
+    WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side = v.side AND b.middle BETWEEN x.low AND x.high
+        -- There the roadway goes on.
+        AND k.method <> 'level_change' LIMIT 1) k ON true
+
+--{cross_section_kerb_places
+UNION ALL SELECT p.place FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low,
+    e.high) x CROSS JOIN LATERAL (VALUES (x.low), (x.high)) p(place)
+WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side IN ('left', 'right')
+
+--{cross_section_sidewalk
+coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(w.surface, ST_MakeLine(
+            streetgen._place_on(e.line::bytea, b.middle, v.outwards * (b.border + b.border_end) / 2)::geometry,
+            streetgen._place_on(e.line::bytea, b.middle, v.outwards * ((b.border + b.border_end) / 2 + w.width))
+                ::geometry))) ELSE w.width END
+    FROM sidewalk w WHERE (w.edge_id, w.side, w.part) = (k.edge_id, k.side, k.part)), 0)
+
+--{cross_section_flush
+WHEN EXISTS (SELECT FROM street_object o JOIN pedestrian_crossing c USING (street_object_id)
+    CROSS JOIN LATERAL streetgen._crossing_mouth(o.abscissa - e.first, c.width, c.angle, v.outwards
+        * streetgen._border_at(e.borders, o.abscissa - e.first, v.side)) m
+    WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND c.surface IS NOT NULL
+        AND b.middle BETWEEN m.low AND m.high) THEN 'flush'
+
+--{cross_section_flush_places
+UNION ALL SELECT p.place FROM street_object o JOIN pedestrian_crossing c USING (street_object_id)
+    CROSS JOIN (VALUES ('left', 1), ('right', -1)) v(side, outwards)
+    CROSS JOIN LATERAL streetgen._crossing_mouth(o.abscissa - e.first, c.width, c.angle, v.outwards
+        * streetgen._border_at(e.borders, o.abscissa - e.first, v.side)) m
+    CROSS JOIN LATERAL (VALUES (m.low), (m.high)) p(place)
+WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND c.surface IS NOT NULL
+
+--{cross_section_without_bays
+SELECT NULL::float8 AS bay_from, NULL::float8 AS bay_from_end, NULL::float8 AS bay_to, NULL::float8 AS bay_to_end
+
+--{cross_section_bays
+SELECT y.*
+FROM (VALUES (1)) one LEFT JOIN LATERAL (
+    SELECT b.border + o.axis_offset - d.depth AS bay_from, b.border_end + o.axis_offset - d.depth AS bay_from_end,
+        b.border + least(o.axis_offset, 0) AS bay_to, b.border_end + least(o.axis_offset, 0) AS bay_to_end
+    FROM street_object o JOIN parking_bay p USING (street_object_id)
+        CROSS JOIN LATERAL (SELECT streetgen._bay_depth(p.length, p.width, p.angle) AS depth,
+            streetgen._bay_run(p.length, p.width, p.angle) / 2 AS half) d
+    WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND o.side = v.side AND p.surface IS NOT NULL
+        AND b.middle BETWEEN o.abscissa - e.first - d.half AND o.abscissa - e.first + d.half
+        -- One behind the kerb takes nothing of the roadway.
+        AND o.axis_offset < d.depth
+    ORDER BY d.depth - o.axis_offset DESC LIMIT 1) y ON true
+
+--{cross_section_bay_places
+UNION ALL SELECT o.abscissa - e.first + end_of.sign * streetgen._bay_run(p.length, p.width, p.angle) / 2
+FROM street_object o JOIN parking_bay p USING (street_object_id) CROSS JOIN (VALUES (-1), (1)) end_of(sign)
+WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND p.surface IS NOT NULL
