@@ -79,6 +79,20 @@ SELECT streetgen.set('town', 'gutter_width', '0.5'), streetgen.set('town', 'furn
 SELECT 'settings hold at once', pg_temp.cut('town', 1, 50) ~ '^left: general 2, general 4, shoulder 0.5, gutter 0.5, kerb 0.3, sidewalk 2.7, outer';
 SELECT 'and no street waits for a run', count(*) = 0 FROM streetgen.check_model('town') WHERE rule ~ 'setting|stale|changed';
 
+-- Drawn: valid XML with the widths of the pieces, of the roadway and of all; what the owner calls a street stands in it as text.
+UPDATE town.axis SET name = 'Rue <b> & "x"' WHERE axis_id = 1;
+CREATE TEMPORARY TABLE drawn AS SELECT streetgen.cross_section_svg('town', 1, 50) AS svg;
+SELECT 'a cut is drawn with its widths', xml_is_well_formed_document(svg) AND svg ~ '>14.00<' AND svg ~ '>3.00<' AND svg ~ '>2.00<' AND svg ~ '>19.00<' AND svg ~ '>bus lane ↑<' AND svg ~ '>lane ↓<' FROM drawn;
+SELECT 'each width once', (SELECT count(*) FROM regexp_matches(svg, '>4\.00<', 'g')) = 3 FROM drawn;
+SELECT 'names are text', svg ~ 'Rue &lt;b> &amp; &quot;x' FROM drawn;
+SELECT 'in each theme', count(DISTINCT svg) = 4 AND bool_and(xml_is_well_formed_document(svg)) FROM unnest('{street,dark,print,construction}'::text[]) theme, streetgen.cross_section_svg('town', 6, 50, theme) svg;
+SELECT 'at half the scale it is twice as wide', (SELECT substring(streetgen.cross_section_svg('town', 1, 50, scale => s), 'width="(\d+)"')::integer FROM unnest(ARRAY[50]) s) BETWEEN 2 * wide - 42 AND 2 * wide - 38
+  FROM (SELECT substring(svg, 'width="(\d+)"')::integer AS wide FROM drawn) d;
+SELECT 'in a junction it says so', streetgen.cross_section_svg('town', 12, 50) ~ 'no cross-section';
+SELECT 'an unknown theme is refused', test.state($$SELECT streetgen.cross_section_svg('town', 1, 50, 'mud')$$) = '22023' AND test.state($$SELECT streetgen.cross_section_svg('town', 1, 50, NULL)$$) = '22004';
+SELECT 'and a scale that is none', test.state($$SELECT streetgen.cross_section_svg('town', 1, 50, scale => 1)$$) = '22023' AND test.state($$SELECT streetgen.cross_section_svg('town', 1, 50, scale => 'NaN')$$) = '22023';
+SELECT 'an axis that is none', test.state($$SELECT streetgen.cross_section_svg('town', 99, 50)$$) = '22023';
+
 -- What is asked in vain.
 SELECT 'in a junction there is none', count(*) = 0 FROM streetgen.cross_section('town', 12, 50);
 SELECT 'an unknown axis is refused', test.state($$SELECT * FROM streetgen.cross_section('town', 99, 5)$$) = '22023';

@@ -25,8 +25,8 @@ BEGIN
         ORDER BY e.start_abscissa DESC LIMIT 1 INTO edge;
     RETURN QUERY
     SELECT side, row_number() OVER (PARTITION BY side ORDER BY "order")::integer, kind,
-        offset_from + (offset_from_end - offset_from) * share, offset_to + (offset_to_end - offset_to) * share,
-        NULL::float8, kerb, lane_id
+        round((offset_from + (offset_from_end - offset_from) * share)::numeric, 9)::float8,
+        round((offset_to + (offset_to_end - offset_to) * share)::numeric, 9)::float8, NULL::float8, kerb, lane_id
     FROM (SELECT c.*, (place - start_abscissa) / (end_abscissa - start_abscissa) AS share,
             rank() OVER (ORDER BY start_abscissa DESC) AS turn
         FROM cross_section c WHERE c.edge_id = edge AND place BETWEEN start_abscissa AND end_abscissa) c

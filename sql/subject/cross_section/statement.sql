@@ -3,8 +3,8 @@
 --{cross_section
 CREATE OR REPLACE VIEW cross_section WITH (security_invoker = true) AS
 SELECT e.edge_id, e.axis_id, e.first + s.low AS start_abscissa, e.first + s.high AS end_abscissa, p.side, p."order",
-    p.kind, p.kerb, p.lane_id, p.offset_from, nullif(p.offset_to, 'Infinity') AS offset_to, p.offset_from_end,
-    nullif(p.offset_to_end, 'Infinity') AS offset_to_end
+    p.kind, p.kerb, p.lane_id, r.offset_from, nullif(r.offset_to, 'Infinity') AS offset_to, r.offset_from_end,
+    nullif(r.offset_to_end, 'Infinity') AS offset_to_end
 FROM (
     SELECT e.edge_id, e.axis_id, e.start_abscissa AS first, ST_Force2D(e.geom) AS line, e.beside_left, e.beside_right,
         a.abscissa AS low, b.abscissa AS high, coalesce(s.borders, streetgen._even_borders(e.width, e.width_end,
@@ -79,6 +79,10 @@ CROSS JOIN LATERAL (
             greatest(0, -t.right_offset_end))) f(side, offset_from, offset_to, offset_from_end, offset_to_end)
     WHERE greatest(f.offset_to - f.offset_from, f.offset_to_end - f.offset_from_end) > 1e-9
         OR t.kerb = 'none' AND greatest(f.offset_from, f.offset_from_end) > 0) p
+-- Neighbours end at the same number.
+CROSS JOIN LATERAL (SELECT round(p.offset_from::numeric, 9)::float8 AS offset_from,
+    round(p.offset_to::numeric, 9)::float8 AS offset_to, round(p.offset_from_end::numeric, 9)::float8
+        AS offset_from_end, round(p.offset_to_end::numeric, 9)::float8 AS offset_to_end) r
 WHERE s.high IS NOT NULL
 
 --{cross_section_without_lanes
