@@ -21,15 +21,16 @@ struct RingAxis {
   Line line;
   int level = 0;
   OneWay one_way = OneWay::no;
+  bool tagged = false;  // a source says that it is part of a roundabout
 };
 
 struct RingSettings {
   double tolerance = 0.5;  // metres, of the network
   Crossing crossing = Crossing::over;
-  // The circle fitted to a ring, metres; the smallest circle about it is no greater than the
-  // second.
+  // The circle fitted to a ring, metres, unless it is tagged; the smallest circle about it is no
+  // greater than the second.
   double radius_least = 3, radius_greatest = 60;
-  double shape_least = 0.5;       // a ring of less compactness is none
+  double shape_least = 0.5;       // a ring of less compactness is none, unless it is tagged
   bool counter_clockwise = true;  // traffic goes round so: one drives on the right
 };
 
@@ -47,6 +48,8 @@ struct RingEdge {
 // ground within.  What hangs into that ground is left out, and what crosses without a node, above
 // or below, parts nothing.  Where a way hangs there that leaves it again so, there is no ring: what
 // is one depends on nothing beyond the smallest circle about it, but for what a double one needs.
+// A closed way of tagged edges is a ring whatever lies within: a street through its middle has two
+// arms of it there. Nothing else is a ring along its inner side.
 // Edges may lie on several levels, as those of a ring over a motorway.
 // A double roundabout is one ring of two faces.  Both are nearly circles: compactness of 0.9, one
 // radius at most twice the other.  They share one piece of way, fit into half of the greatest
@@ -55,7 +58,7 @@ struct RingEdge {
 struct NetworkRing {
   int level = 0;                // on which the most of the line lies, the lower one of two alike
   std::vector<RingEdge> edges;  // face by face, counter-clockwise from its smallest place on
-  std::vector<RingEdge> arms;   // edges that leave it outwards, in the same order
+  std::vector<RingEdge> arms;   // edges that leave it, in the same order
   std::vector<Ring> faces;      // counter-clockwise, closed; two of a double roundabout
   Ring line;                    // about all of them
   bool waist = false;           // a peanut: its halves are rounder than the whole
@@ -71,7 +74,7 @@ struct NetworkRing {
 };
 
 // Rings of one level come first, level by level, each level in the order of smallest places.  Rings
-// whose edges lie on several levels follow.  Deterministic, and independent of the order of the
+// whose edges lie on several levels follow.  So are the tagged ones, then all others.  Deterministic, and independent of the order of the
 // axes.  The edges are those of streetgen::network with the same axes.
 std::vector<NetworkRing> network_rings(const std::vector<RingAxis>& axes,
                                        const RingSettings& settings);

@@ -238,6 +238,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._tell_narrow_between_kerbs(model);
     RETURN QUERY SELECT * FROM streetgen._suspects(model);
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
+    RETURN QUERY SELECT * FROM streetgen._settle_untagged_rings(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);
     DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;

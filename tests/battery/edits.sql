@@ -54,10 +54,13 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'kind_forward' THEN quote_nullable(edits.one_of('general', 'general|cycle', 'bus|general|parking', NULL))
     WHEN 'access' THEN quote_nullable(edits.one_of('bus', 'no', '|cycle', 'private', NULL, NULL))
     WHEN 'turn_forward' THEN quote_nullable(edits.one_of('left|through', 'through;right', NULL))
+    WHEN 'roundabout_tag' THEN edits.one_of('NULL', 'NULL', $q$'roundabout'$q$, $q$'circular'$q$)
+    WHEN 'sidewalk_left' THEN edits.one_of('NULL', '0', '1.5', '4')
+    WHEN 'sidewalk_right' THEN edits.one_of('NULL', '0', '1.5', '4')
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'kind', 'kind_forward', 'access', 'turn_forward', 'change_forward', 'change_backward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'turn_forward', 'change_forward', 'change_backward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
@@ -151,13 +154,73 @@ BEGIN
   RETURN '{}';
 END $$;
 
+-- One edit of rings, of what somebody decides of them, and of the ground about streets.
+CREATE FUNCTION edits.ring_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
+DECLARE
+  edit text := edits.one_of('ring', 'ring', 'arm', 'arm', 'arm across', 'arm across', 'street across', 'make', 'confirm', 'confirm', 'override', 'no override', 'tag', 'sidewalk', 'sidewalk', 'block');
+  fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
+  circle geometry;
+  middle geometry;
+  size float8 := edits.between(6, 40);
+  turn float8 := edits.between(0, 6.28);
+  other record;
+BEGIN
+  SELECT geom INTO circle FROM edited.axis WHERE ST_IsClosed(geom) AND ST_NPoints(geom) > 12 ORDER BY axis_id OFFSET floor(random() * (SELECT count(*) FROM edited.axis WHERE ST_IsClosed(geom) AND ST_NPoints(geom) > 12)) LIMIT 1;
+  middle := ST_Centroid(circle);
+  IF edit IN ('arm', 'arm across', 'street across') AND circle IS NULL THEN
+    edit := 'ring';
+  END IF;
+  CASE edit
+    WHEN 'ring' THEN
+      -- Arms begin at its vertices, or miss them.
+      middle := edits.place();
+      circle := ST_Reverse(ST_ExteriorRing(ST_Buffer(middle, size, 5)));
+      RETURN ARRAY[format('INSERT INTO edited.axis (axis_id, geom, width, direction, roundabout_tag) VALUES (%s, %L, %s, %s, %s)', fresh, ST_AsEWKT(circle), edits.between(4, 9), edits.one_of($q$'direct'$q$, $q$'both'$q$),
+                          edits.value_of('roundabout_tag')),
+                   edits.inserted((SELECT string_agg(edits.drawn_row(fresh + n, ST_MakeLine(ST_PointN(circle, 1 + 5 * n), ST_Translate(middle, 60 * cos(turn + 1.57 * n), 60 * sin(turn + 1.57 * n)))), ', ')
+                                   FROM generate_series(1, 1 + floor(random() * 4)::integer) n))];
+    WHEN 'arm' THEN
+      RETURN ARRAY[edits.drawn(fresh, ST_MakeLine(ST_PointN(circle, 1 + floor(random() * ST_NPoints(circle))::integer), edits.place()))];
+    WHEN 'arm across' THEN
+      -- It ends on the far side, and has no node where it comes in.
+      RETURN ARRAY[edits.drawn(fresh, ST_MakeLine(edits.place(), ST_PointN(circle, 1 + floor(random() * ST_NPoints(circle))::integer)))];
+    WHEN 'street across' THEN
+      RETURN ARRAY[edits.drawn(fresh, ST_MakeLine(ARRAY[ST_Translate(middle, 70 * cos(turn), 70 * sin(turn)), ST_PointN(circle, 3), middle, ST_PointN(circle, 12), ST_Translate(middle, -70 * cos(turn), -70 * sin(turn))]))];
+    WHEN 'make' THEN
+      SELECT ST_AsEWKT(n.geom) AS geom INTO other FROM edited.node n JOIN edited.edge e ON n.node_id IN (e.from_node, e.to_node) GROUP BY n.node_id HAVING count(*) > 2
+        ORDER BY ST_X(n.geom), ST_Y(n.geom) OFFSET floor(random() * 5) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('SELECT streetgen.make_roundabout(''edited'', (SELECT node_id FROM edited.node ORDER BY geom <-> %L LIMIT 1), %s)', other.geom, edits.between(8, 25))];
+      END IF;
+    WHEN 'confirm' THEN
+      SELECT ST_AsEWKT(centre) AS geom INTO other FROM edited.roundabout ORDER BY ST_X(centre), ST_Y(centre) OFFSET floor(random() * (SELECT count(*) FROM edited.roundabout)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('UPDATE edited.roundabout_editing SET confirmed = %s WHERE roundabout_id = (SELECT roundabout_id FROM edited.roundabout ORDER BY centre <-> %L LIMIT 1)', edits.one_of('true', 'true', 'false', 'NULL'), other.geom)];
+      END IF;
+    WHEN 'override' THEN
+      RETURN ARRAY[format('INSERT INTO edited.roundabout_override (geom, confirmed) VALUES (%L, %s)', ST_AsEWKT(edits.place()), edits.one_of('true', 'false'))];
+    WHEN 'no override' THEN
+      RETURN ARRAY[edits.one_of('DELETE FROM edited.roundabout_override', 'DELETE FROM edited.block_override', 'DELETE FROM edited.sidewalk_override')];
+    WHEN 'tag' THEN
+      RETURN ARRAY[format('UPDATE edited.axis SET roundabout_tag = %s WHERE ST_IsClosed(geom) OR axis_id = %s', edits.value_of('roundabout_tag'), a.axis_id)];
+    WHEN 'sidewalk' THEN
+      RETURN ARRAY[format('INSERT INTO edited.sidewalk_override (axis_id, abscissa, side, width) VALUES (%s, %s, %L, %s)', a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('left', 'right'), edits.one_of('0', '1.2', '3', '6'))];
+    WHEN 'block' THEN
+      SELECT ST_AsEWKT(ST_PointOnSurface(surface)) AS geom INTO other FROM edited.block ORDER BY ST_XMin(surface), ST_YMin(surface), ST_Area(surface) OFFSET floor(random() * (SELECT count(*) FROM edited.block)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format('INSERT INTO edited.block_override (geom, kind) VALUES (%L, %L)', other.geom, edits.one_of('block', 'island', 'strip'))];
+      END IF;
+  END CASE;
+  RETURN '{}';
+END $$;
+
 -- One edit of the town as it is: a statement, or the two of a split or merge.
 CREATE FUNCTION edits.edit() RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
   edit text := edits.one_of('move vertex', 'move vertex', 'move vertex', 'move node', 'attribute', 'attribute', 'attribute', 'several', 'insert', 'insert', 'delete', 'split', 'merge', 'reverse',
                             'number anew', 'transition', 'lane', 'limit', 'kerb point', 'corner', 'interconnection', 'restriction', 'bend', 'no override', 'paused',
                             'junction', 'junction', 'junction', 'junction', 'junction', 'junction', 'junction', 'junction',
-                            'object', 'object', 'object', 'object', 'object', 'object', 'object', 'object');
+                            'object', 'object', 'object', 'object', 'object', 'object', 'object', 'object', 'ring', 'ring', 'ring', 'ring');
   a edited.axis := edits.axis();
   fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
   attribute text := edits.attribute();
@@ -239,6 +302,8 @@ BEGIN
       RETURN edits.object_edit(a);
     WHEN 'junction' THEN
       RETURN edits.junction_edit(a);
+    WHEN 'ring' THEN
+      RETURN edits.ring_edit(a);
     WHEN 'paused' THEN
       -- As an importer: what it changed is generated by itself.
       RETURN ARRAY[$q$SET LOCAL streetgen.live = 'off'$q$, format('UPDATE edited.axis SET width = %s WHERE axis_id = %s', edits.between(3, 20), a.axis_id), 'SET LOCAL streetgen.live TO DEFAULT',
@@ -325,14 +390,16 @@ DECLARE
   rows text[];
   edit text[];
   statement text;
-  -- So many edits of objects come first, and then of junctions.
+  -- So many edits of objects come first, then of junctions, then of rings.
   objects integer;
   junctions integer;
+  rings integer;
 BEGIN
   PERFORM setseed((seed::bigint * 7919 % 1000003) / 1000003.0);
   script.settings := ARRAY['crossing=' || edits.one_of('over', 'split'), 'short_axis=' || edits.one_of('reduce', 'follow'), 'dead_end=' || edits.one_of('flat', 'round'),
                            'u_turn=' || edits.one_of('true', 'false'), 'trajectory=' || edits.one_of('bezier', 'arcs'), 'reach=' || edits.one_of('60', '60', '25', '120'), 'edge_line=' || edits.one_of('none', 'solid'),
-                           'smoothing=' || edits.one_of('none', 'none', 'arcs'), 'junction_gap=' || edits.one_of('35', '35', '12'), 'control_distance=' || edits.one_of('50', '20')];
+                           'smoothing=' || edits.one_of('none', 'none', 'arcs'), 'junction_gap=' || edits.one_of('35', '35', '12'), 'control_distance=' || edits.one_of('50', '20'),
+                           'roundabout_untagged=' || edits.one_of('auto', 'offered')];
   PERFORM edits.begin(script);
   source := edits.one_of(VARIADIC ARRAY(SELECT NULL UNION ALL SELECT NULL UNION ALL (SELECT name FROM edits.town ORDER BY name)));
   IF source IS NULL THEN
@@ -352,8 +419,10 @@ BEGIN
   END IF;
   objects := CASE WHEN edits.chance(0.5) THEN 8 ELSE 0 END;
   junctions := CASE WHEN edits.chance(0.5) THEN 8 ELSE 0 END;
-  FOR i IN 1 .. objects + junctions + 2 + floor(random() * 9) LOOP
-    edit := CASE WHEN i <= objects THEN edits.object_edit(edits.axis()) WHEN i <= objects + junctions THEN edits.junction_edit(edits.axis()) ELSE edits.edit() END;
+  rings := CASE WHEN edits.chance(0.5) THEN 8 ELSE 0 END;
+  FOR i IN 1 .. objects + junctions + rings + 2 + floor(random() * 9) LOOP
+    edit := CASE WHEN i <= objects THEN edits.object_edit(edits.axis()) WHEN i <= objects + junctions THEN edits.junction_edit(edits.axis())
+      WHEN i <= objects + junctions + rings THEN edits.ring_edit(edits.axis()) ELSE edits.edit() END;
     FOREACH statement IN ARRAY edit LOOP
       EXIT WHEN NOT edits.execute(statement);
       script.statements := script.statements || statement;
@@ -398,9 +467,9 @@ END $$;
 CREATE FUNCTION edits.told(script edits.script) RETURNS text LANGUAGE sql STABLE AS $$
   SELECT string_agg(line, E';\n' ORDER BY place, i) || ';' FROM (
     SELECT 1 AS place, i, format('SELECT streetgen.set(''edited'', %L, %L)', split_part(s, '=', 1), split_part(s, '=', 2)) AS line FROM unnest(script.settings) WITH ORDINALITY v(s, i)
-    UNION ALL SELECT 2, 0, 'INSERT INTO edited.axis (axis_id, geom, width, width_end, lane_count, direction, speed, importance, level, kind, radius, kind_forward, turn_forward) VALUES '
-      || string_agg(format('(%s, %L, %s, %s, %s, %L, %s, %s, %s, %L, %s, %L, %L)', a.axis_id, ST_AsEWKT(a.geom), coalesce(a.width::text, 'NULL'), coalesce(a.width_end::text, 'NULL'), coalesce(a.lane_count::text, 'NULL'),
-          a.direction, coalesce(a.speed::text, 'NULL'), coalesce(a.importance::text, 'NULL'), a.level, a.kind, coalesce(a.radius::text, 'NULL'), a.kind_forward, a.turn_forward), E',\n  ')
+    UNION ALL SELECT 2, 0, 'INSERT INTO edited.axis (axis_id, geom, width, width_end, lane_count, direction, speed, importance, level, kind, radius, kind_forward, turn_forward, roundabout_tag) VALUES '
+      || string_agg(format('(%s, %L, %s, %s, %s, %L, %s, %s, %s, %L, %s, %L, %L, %L)', a.axis_id, ST_AsEWKT(a.geom), coalesce(a.width::text, 'NULL'), coalesce(a.width_end::text, 'NULL'), coalesce(a.lane_count::text, 'NULL'),
+          a.direction, coalesce(a.speed::text, 'NULL'), coalesce(a.importance::text, 'NULL'), a.level, a.kind, coalesce(a.radius::text, 'NULL'), a.kind_forward, a.turn_forward, a.roundabout_tag), E',\n  ')
       FROM unnest(script.axes) row, LATERAL (SELECT (row::edited.axis).*) a
     UNION ALL SELECT 3, i, s FROM unnest(script.statements) WITH ORDINALITY v(s, i)) l $$;
 

@@ -59,6 +59,19 @@ COMMENT ON FUNCTION streetgen._edit_axis() IS
     'Trigger of axis_editing: writes the axis. What the table does not take is refused by it (23514, 23502); an axis '
     'that another session deleted: 22023; one that another session holds longer than lock_timeout: 55P03, naming who.';
 
+CREATE OR REPLACE FUNCTION streetgen._require_axis_editor(model name) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._require_reader(model);
+    IF NOT has_table_privilege(format('%I.axis', model), 'UPDATE') THEN
+        PERFORM streetgen._refuse('42501', format('role "%s" may not edit model "%s"', current_user, model),
+            hint => format('SELECT streetgen.grant(%L, %L, ''editor'') by its owner allows it.', model, current_user));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_axis_editor(name) IS
+    'Raises what streetgen._require_reader raises, and 42501 where a role may not edit the axes.';
+
 CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

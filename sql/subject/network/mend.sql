@@ -153,11 +153,7 @@ DECLARE
     unknown bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_reader(model);
-    IF NOT has_table_privilege(format('%I.axis', model), 'UPDATE') THEN
-        PERFORM streetgen._refuse('42501', format('role "%s" may not edit model "%s"', current_user, model),
-            hint => format('SELECT streetgen.grant(%L, %L, ''editor'') by its owner allows it.', model, current_user));
-    END IF;
+    PERFORM streetgen._require_axis_editor(model);
     wanted := ARRAY(SELECT DISTINCT unnest(ids));
     PERFORM streetgen._lock_axes(model,
         format('SELECT unnest(axes) FROM %I.axis_to_mend WHERE id = ANY (%L)', model, wanted));

@@ -2,13 +2,14 @@
 
 CREATE OR REPLACE FUNCTION streetgen._roundabout_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 12 SET search_path = pg_catalog
     AS $$ VALUES
-    ('roundabout_radius_least', '3', 'm', 'a ring of a smaller radius is no roundabout', 0.5, 100, NULL::text[]),
+    ('roundabout_radius_least', '3', 'm', 'a ring of a smaller radius is no roundabout, unless a source says so',
+        0.5, 100, NULL::text[]),
     ('roundabout_radius_greatest', '60', 'm',
         'nor is a ring with a larger smallest circle about it; an edit looks as far as twice this', 1, 200, NULL),
     ('roundabout_shape_least', '0.5', NULL,
-        'nor is one with a smaller share of the area of the circle of its length', 0, 1, NULL),
+        'nor is one with a smaller share of the area of the circle of its length, unless a source says so', 0, 1, NULL),
     ('roundabout_weight_shape', '0.5', NULL, 'weight of the shape in the score of a ring', 0, 100, NULL),
     ('roundabout_weight_name', '0.1', NULL, 'weight of the names in the score of a ring', 0, 100, NULL),
     ('roundabout_weight_network', '0.4', NULL, 'weight of the network in the score of a ring', 0, 100, NULL),
@@ -21,7 +22,13 @@ CREATE OR REPLACE FUNCTION streetgen._roundabout_setting()
         'alike too)', NULL, NULL, ARRAY['plain', 'unaccent', 'fuzzy']),
     ('roundabout_tags', 'true', NULL,
         'does the word of a source count that an axis is part of a roundabout, with the direction that it implies: '
-        'true or false', NULL, NULL, ARRAY['true', 'false']) $$;
+        'true or false', NULL, NULL, ARRAY['true', 'false']),
+    ('roundabout_widening', '2.5', 'm', 'how much wider than its lanes a ring is that make_roundabout makes', 0, 20,
+        NULL),
+    ('roundabout_untagged', 'auto', NULL,
+        'what becomes of a ring that no source names, where roundabout_tags is true: scored (its score decides), '
+        'offered (it is a roundabout only where somebody confirms it), or auto: scored, until an import names rings '
+        'and sets offered', NULL, NULL, ARRAY['auto', 'scored', 'offered']) $$;
 COMMENT ON FUNCTION streetgen._roundabout_setting() IS 'The settings of roundabouts, with their defaults and ranges.';
 
 CREATE OR REPLACE FUNCTION streetgen._roundabout_setting_function()

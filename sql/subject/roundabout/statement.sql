@@ -10,26 +10,28 @@ ring_found AS MATERIALIZED (
     FROM (SELECT array_agg(axis_id ORDER BY axis_id) AS axis_ids, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id)
             AS lines, array_agg(level ORDER BY axis_id) AS levels,
             array_agg(CASE direction WHEN 'direct' THEN 1 WHEN 'reverse' THEN -1 ELSE 0 END ORDER BY axis_id)
-                AS one_ways FROM used) u, setting,
-        streetgen._network_rings(axis_ids, lines, levels, one_ways, (v ->> 'tolerance')::float8,
+                AS one_ways, array_agg(on_ring ORDER BY axis_id) AS tagged FROM used) u, setting,
+        streetgen._network_rings(axis_ids, lines, levels, one_ways, tagged, (v ->> 'tolerance')::float8,
             (v ->> 'roundabout_radius_least')::float8, (v ->> 'roundabout_radius_greatest')::float8,
             (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split', v ->> 'driving_side' <> 'left') r),
 ring_pattern AS MATERIALIZED (SELECT coalesce(array_agg(pattern ORDER BY pattern), ARRAY[]::text[])
     AS patterns
     FROM {model}.roundabout_pattern),
 ring_named AS MATERIALIZED (
-    SELECT r.*, a.tagged AND v ->> 'roundabout_tags' = 'true' AS tagged,
+    SELECT r.*, a.tagged,
         streetgen.roundabout_name(a.names, patterns, v ->> 'roundabout_names') AS term_name,
         (SELECT o.confirmed FROM {model}.roundabout_override o
             WHERE o.geom && r.geom AND ST_Covers(ST_ConvexHull(r.geom), o.geom)
             ORDER BY o.roundabout_override_id DESC LIMIT 1) AS confirmed
     FROM ring_found r, ring_pattern, setting, LATERAL (
-        SELECT array_agg(a.name ORDER BY n) AS names, sum(CASE WHEN roundabout_tag IS NULL THEN 0 ELSE e - s END)
-            > 0.5 * sum(e - s) AS tagged
+        -- A piece of which the source says nothing may be part of a tagged ring, and is not made one-way by that.
+        SELECT array_agg(a.name ORDER BY n) AS names, sum(CASE WHEN u.on_ring THEN e - s ELSE 0 END)
+            > 0.5 * sum(e - s) AND bool_and(u.on_ring OR u.direction <> 'both') AS tagged
         FROM unnest(r.edge_axes, r.edge_starts, r.edge_ends) WITH ORDINALITY x(axis_id, s, e, n)
-            JOIN {model}.axis a USING (axis_id)) a),
+            JOIN {model}.axis a USING (axis_id) JOIN used u USING (axis_id)) a),
 ring AS MATERIALIZED (
-    SELECT *, coalesce(confirmed, score >= (v ->> 'roundabout_accept')::float8) AS accepted,
+    SELECT *, coalesce(confirmed, tagged OR score >= (v ->> 'roundabout_accept')::float8
+            AND NOT (v ->> 'roundabout_tags' = 'true' AND v ->> 'roundabout_untagged' = 'offered')) AS accepted,
         CASE WHEN confirmed IS NOT NULL THEN 'by_hand' ELSE 'hypothesis' END AS method
     FROM (SELECT r.*, v, CASE WHEN tagged THEN 1 ELSE streetgen._roundabout_score('{model_name}',
             v ->> 'roundabout_score', term_shape, term_name, term_network, ARRAY[v ->> 'roundabout_weight_shape',

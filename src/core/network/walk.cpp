@@ -30,10 +30,10 @@ std::vector<EdgeEnd> counter_clockwise(const Network& network, const std::vector
 }
 
 // By the slot of the end by which a walk comes to a node: the end by which it leaves.
-std::vector<EdgeEnd> leftmost_ways(const Network& network, std::optional<int> level) {
+std::vector<EdgeEnd> leftmost_ways(const Network& network, const std::vector<bool>& counted) {
   std::vector<std::vector<EdgeEnd>> ends(network.nodes.size());
   for (int e = 0; e < static_cast<int>(network.edges.size()); ++e) {
-    if (network.edges[e].level != level.value_or(network.edges[e].level)) continue;
+    if (!counted[e]) continue;
     ends[network.edges[e].from_node].push_back({e, true});
     ends[network.edges[e].to_node].push_back({e, false});
   }
@@ -49,13 +49,14 @@ std::vector<EdgeEnd> leftmost_ways(const Network& network, std::optional<int> le
 
 }  // namespace
 
-std::vector<Walk> walks(const Network& network, std::optional<int> level) {
-  const std::vector<EdgeEnd> next = leftmost_ways(network, level);
+std::vector<Walk> walks(const Network& network, const std::function<bool(const Edge&)>& counts) {
+  std::vector<bool> counted;
+  for (const Edge& edge : network.edges) counted.push_back(counts(edge));
+  const std::vector<EdgeEnd> next = leftmost_ways(network, counted);
   std::vector<bool> walked(next.size());
   std::vector<Walk> found;
   for (int s = 0; s < static_cast<int>(next.size()); ++s) {
-    if (walked[s] || network.edges[s / 2].level != level.value_or(network.edges[s / 2].level))
-      continue;
+    if (walked[s] || !counted[s / 2]) continue;
     poll_cancel();
     Walk walk;
     for (EdgeEnd step{s / 2, s % 2 == 0}; !walked[slot(step)];

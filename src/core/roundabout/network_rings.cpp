@@ -37,13 +37,17 @@ struct RingFace {
   Loop loop;
   Ring line;
   Roundness shape;
+  bool tagged = false;
 };
 
 class RingFinder {
  public:
   RingFinder(const std::vector<RingAxis>& axes, const RingSettings& settings)
       : settings_(settings), network_(network_of(axes, settings)), ends_(network_.nodes.size()) {
-    for (const RingAxis& axis : axes) one_way_[axis.axis_id] = axis.one_way;
+    for (const RingAxis& axis : axes) {
+      one_way_[axis.axis_id] = axis.one_way;
+      if (axis.tagged) tagged_.insert(axis.axis_id);
+    }
     for (int e = 0; e < static_cast<int>(network_.edges.size()); ++e) {
       lengths_.push_back(length(network_.edges[e].line));
       ends_[network_.edges[e].from_node].push_back({e, true});
@@ -88,28 +92,41 @@ class RingFinder {
 
   EdgeEnd back(const EdgeEnd& step) const { return {step.edge, !step.at_start}; }
 
-  // Of one level each, then those that only edges of several levels close. No side of an edge is
-  // in two of them.
+  // Tagged ones first, then those that streets of all kinds close. No side of an edge is in two of
+  // them.
   std::vector<RingFace> find_faces() const {
-    std::set<int> levels, taken;
-    for (const Edge& edge : network_.edges) levels.insert(edge.level);
     std::vector<RingFace> faces;
+    std::set<int> taken;  // slots
+    if (!tagged_.empty()) add_faces(true, faces, taken);
+    add_faces(false, faces, taken);
+    return faces;
+  }
+
+  // Of one level each, then those that only edges of several levels close.
+  void add_faces(bool tagged, std::vector<RingFace>& faces, std::set<int>& taken) const {
+    const auto counts = [&](const Edge& edge) {
+      return !tagged || tagged_.count(edge.axis_id) > 0;
+    };
+    std::set<int> levels;
+    for (const Edge& edge : network_.edges)
+      if (counts(edge)) levels.insert(edge.level);
     const auto add = [&](const Walk& walk, std::size_t levels_least) {
       Loop loop = longest_loop(walk);
       if (levels_of(loop.steps).size() < levels_least ||
           std::any_of(loop.steps.begin(), loop.steps.end(),
                       [&](const EdgeEnd& step) { return taken.count(slot(step)) > 0; }))
         return;
-      const auto face = face_of_loop(std::move(loop));
+      const auto face = face_of_loop(std::move(loop), tagged);
       if (!face) return;
       for (const EdgeEnd& step : face->loop.steps) taken.insert(slot(step));
       faces.push_back(*face);
     };
     for (const int level : levels)
-      for (const Walk& walk : walks(network_, level)) add(walk, 1);
+      for (const Walk& walk : walks(
+               network_, [&](const Edge& edge) { return edge.level == level && counts(edge); }))
+        add(walk, 1);
     if (levels.size() > 1)
-      for (const Walk& walk : walks(network_, std::nullopt)) add(walk, 2);
-    return faces;
+      for (const Walk& walk : walks(network_, counts)) add(walk, 2);
   }
 
   // The only face with which this one is a double roundabout, or -1.
@@ -124,7 +141,7 @@ class RingFinder {
   }
 
   bool is_double(const RingFace& a, const RingFace& b) const {
-    if (!are_halves(a.shape, b.shape)) return false;
+    if (a.tagged != b.tagged || !are_halves(a.shape, b.shape)) return false;
     const Walk about = way_about(a.loop.steps, b.loop.steps);
     return !about.empty() &&
            enclosing_circle(line_of(about)).radius <= settings_.radius_greatest / 2;
@@ -216,15 +233,18 @@ class RingFinder {
     });
   }
 
-  std::optional<RingFace> face_of_loop(Loop loop) const {
-    const double greatest = settings_.radius_greatest, least = settings_.radius_least;
+  std::optional<RingFace> face_of_loop(Loop loop, bool tagged) const {
+    const double greatest = settings_.radius_greatest;
+    // A source is believed that calls a tiny or a long ring a roundabout.
+    const double least = tagged ? 0 : settings_.radius_least;
     const double size = size_of(loop.steps);
     if (loop.steps.empty() || size < 2 * M_PI * least ||
-        size > 2 * M_PI * greatest / std::sqrt(settings_.shape_least))
+        (!tagged && size > 2 * M_PI * greatest / std::sqrt(settings_.shape_least)))
       return std::nullopt;
-    RingFace face{std::move(loop), {}, {}};
+    RingFace face{std::move(loop), {}, {}, tagged};
     face.line = line_of(face.loop.steps);
-    if (signed_area(face.line) <= 0 || compactness_of(face.line) < settings_.shape_least ||
+    if (signed_area(face.line) <= 0 ||
+        (!tagged && compactness_of(face.line) < settings_.shape_least) ||
         simple({{face.line}}) == false)
       return std::nullopt;
     const Circle about = enclosing_circle(face.line);
@@ -323,6 +343,7 @@ class RingFinder {
   const RingSettings& settings_;
   Network network_;
   std::map<std::int64_t, OneWay> one_way_;
+  std::set<std::int64_t> tagged_;           // axes
   std::vector<std::vector<EdgeEnd>> ends_;  // by node
   std::vector<double> lengths_;             // by edge, metres
   std::vector<int> from_west_;              // nodes

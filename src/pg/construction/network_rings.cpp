@@ -17,8 +17,11 @@ namespace {
 
 struct AxisColumns {
   LineArray lines;
-  Datum *axis_ids, *levels, *one_ways;
+  Datum *axis_ids, *levels, *one_ways, *tagged;
 };
+
+// Of a type that is passed by value, by its width in bytes.
+char alignment_of(int width) { return width == 8 ? 'd' : width == 4 ? 'i' : 'c'; }
 
 Datum* take_column(FunctionCallInfo fcinfo, int argument, Oid type, int width, int count) {
   ArrayType* array = PG_GETARG_ARRAYTYPE_P(argument);
@@ -26,7 +29,7 @@ Datum* take_column(FunctionCallInfo fcinfo, int argument, Oid type, int width, i
   int found;
   if (array_contains_nulls(array))
     ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED), errmsg("a value of an axis is NULL")));
-  deconstruct_array(array, type, width, true, width == 8 ? 'd' : 'i', &values, nullptr, &found);
+  deconstruct_array(array, type, width, true, alignment_of(width), &values, nullptr, &found);
   if (found != count)
     ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
                     errmsg("argument %d has %d elements for %d axes", argument, found, count)));
@@ -42,7 +45,8 @@ std::vector<RingAxis> read_axes(const AxisColumns& columns, Form* form) {
                     DatumGetInt32(columns.levels[i]),
                     way > 0   ? OneWay::along
                     : way < 0 ? OneWay::against
-                              : OneWay::no});
+                              : OneWay::no,
+                    DatumGetBool(columns.tagged[i])});
   }
   return axes;
 }
@@ -59,9 +63,7 @@ Datum array_of(const std::vector<RingEdge>& edges, Oid type, int width, Value va
   auto* values = static_cast<Datum*>(palloc(sizeof(Datum) * (edges.size() + 1)));
   for (std::size_t i = 0; i < edges.size(); ++i) values[i] = value(edges[i]);
   return PointerGetDatum(construct_array(values, static_cast<int>(edges.size()), type, width, true,
-                                         width == 8   ? 'd'
-                                         : width == 4 ? 'i'
-                                                      : 'c'));
+                                         alignment_of(width)));
 }
 
 Datum array_of(const std::vector<std::string>& lines) {
@@ -118,10 +120,11 @@ STREETGEN_FUNCTION(streetgen_network_rings) {
   const LineArray lines = take_lines(PG_GETARG_ARRAYTYPE_P(1), "axes");
   const AxisColumns columns{lines, take_column(fcinfo, 0, INT8OID, 8, lines.count),
                             take_column(fcinfo, 2, INT4OID, 4, lines.count),
-                            take_column(fcinfo, 3, INT4OID, 4, lines.count)};
+                            take_column(fcinfo, 3, INT4OID, 4, lines.count),
+                            take_column(fcinfo, 4, BOOLOID, 1, lines.count)};
   double numbers[4];
-  for (int i = 0; i < 4; ++i) numbers[i] = PG_GETARG_FLOAT8(4 + i);
-  const bool split = PG_GETARG_BOOL(8), counter_clockwise = PG_GETARG_BOOL(9);
+  for (int i = 0; i < 4; ++i) numbers[i] = PG_GETARG_FLOAT8(5 + i);
+  const bool split = PG_GETARG_BOOL(9), counter_clockwise = PG_GETARG_BOOL(10);
   InitMaterializedSRF(fcinfo, 0);
   Slot<GivenRings>* slot = make_slot<GivenRings>(CurrentMemoryContext);
   report(compute([&] {

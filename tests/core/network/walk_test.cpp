@@ -15,10 +15,12 @@ Network network_of(const std::vector<Line>& lines, const std::vector<int>& level
   return network(axes, 0.1, Crossing::over);
 }
 
+bool all(const Edge&) { return true; }
+
 TEST(Walks, GoAboutASquareAndItsOutside) {
   const auto found = walks(
       network_of({{{0, 0}, {10, 0}}, {{10, 0}, {10, 10}}, {{10, 10}, {0, 10}}, {{0, 10}, {0, 0}}}),
-      std::nullopt);
+      all);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].size(), 4u);
   EXPECT_TRUE(found[0][0].at_start);
@@ -27,7 +29,7 @@ TEST(Walks, GoAboutASquareAndItsOutside) {
 }
 
 TEST(Walks, GoToADeadEndAndBack) {
-  const auto found = walks(network_of({{{0, 0}, {10, 0}}, {{10, 0}, {20, 5}}}), std::nullopt);
+  const auto found = walks(network_of({{{0, 0}, {10, 0}}, {{10, 0}, {20, 5}}}), all);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].size(), 4u);
 }
@@ -35,10 +37,13 @@ TEST(Walks, GoToADeadEndAndBack) {
 TEST(Walks, TakeALevelForItselfOrAllTogether) {
   const Network network =
       network_of({{{0, 0}, {10, 0}, {10, 10}}, {{10, 10}, {0, 10}, {0, 0}}}, {0, 1});
-  EXPECT_EQ(walks(network, 0).size(), 1u);
-  EXPECT_EQ(walks(network, 1).size(), 1u);
-  EXPECT_EQ(walks(network, std::nullopt).size(), 2u);
-  EXPECT_TRUE(walks(network, 7).empty());
+  const auto on_level = [](int level) {
+    return [level](const Edge& edge) { return edge.level == level; };
+  };
+  EXPECT_EQ(walks(network, on_level(0)).size(), 1u);
+  EXPECT_EQ(walks(network, on_level(1)).size(), 1u);
+  EXPECT_EQ(walks(network, all).size(), 2u);
+  EXPECT_TRUE(walks(network, on_level(7)).empty());
 }
 
 // Euler: without crossings, nodes - edges + walks = 1 + pieces. Each side of an edge is walked
@@ -68,7 +73,7 @@ TEST(Walks, AreAsManyAsEulerSays) {
     }
     int pieces = 0;
     for (std::size_t n = 0; n < piece.size(); ++n) pieces += piece[n] == static_cast<int>(n);
-    const auto found = walks(network, std::nullopt);
+    const auto found = walks(network, all);
     std::map<int, int> times;
     for (const Walk& walk : found)
       for (const EdgeEnd& step : walk) ++times[slot(step)];

@@ -80,6 +80,48 @@ TEST(NetworkRings, CountsWhatLiesInside) {
   EXPECT_GT(rings[0].compactness, 0.97);
 }
 
+// A street that leads through the middle parts the ground within, and not the ring.
+TEST(NetworkRings, OfTaggedAxesAreWholeWhateverLiesWithin) {
+  std::vector<RingAxis> axes = roundabout({0, 0}, 20, OneWay::along);
+  axes.push_back({9, {{20, 0}, {0, 0}, {-20, 0}}});
+  axes.push_back({10, {{0, 0}, {0, 12}}});
+  const auto parted = network_rings(axes, {});
+  for (const NetworkRing& ring : parted) EXPECT_LT(ring.one_way, 0.7);
+  axes[0].tagged = true;
+  const auto rings = network_rings(axes, {});
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_NEAR(rings[0].radius, 20, 0.2);
+  EXPECT_NEAR(rings[0].one_way, 1, 1e-4);
+  EXPECT_EQ(rings[0].edges.size(), 4u);
+  EXPECT_EQ(rings[0].faces.size(), 1u);
+  EXPECT_EQ(rings[0].arms.size(), 6u);  // two of them within
+  // As it is where nothing lies within, but for that.
+  std::vector<RingAxis> plain = roundabout({0, 0}, 20, OneWay::along), tagged = plain;
+  tagged[0].tagged = true;
+  const auto found = network_rings(tagged, {});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(distance(found[0].centre, network_rings(plain, {})[0].centre), 0);
+  EXPECT_EQ(found[0].arms.size(), 4u);
+}
+
+// A racetrack is long, and a roundabout where a source says so; a tagged arc closes nothing.
+TEST(NetworkRings, OfTaggedAxesMayBeLongOrTiny) {
+  Line track = arc({60, 0}, 8, -90, 90, 12);
+  const Line back = arc({-20, 0}, 8, 90, 270, 12);
+  track.insert(track.end(), back.begin(), back.end());
+  track.push_back(track.front());
+  RingSettings settings;
+  settings.shape_least = 0.6;
+  EXPECT_TRUE(network_rings({{1, track}}, settings).empty());
+  EXPECT_EQ(network_rings({{1, track, 0, OneWay::along, true}}, settings).size(), 1u);
+  EXPECT_TRUE(network_rings({{1, circle({0, 0}, 2)}}, {}).empty());
+  EXPECT_EQ(network_rings({{1, circle({0, 0}, 2), 0, OneWay::along, true}}, {}).size(), 1u);
+  const std::vector<RingAxis> half{{1, arc({0, 0}, 20, 0, 180, 12), 0, OneWay::along, true},
+                                   {2, arc({0, 0}, 20, 180, 360, 12), 0, OneWay::along, false}};
+  ASSERT_EQ(network_rings(half, {}).size(), 1u);
+  EXPECT_NEAR(network_rings(half, {})[0].one_way, 1, 1e-4);
+}
+
 TEST(NetworkRings, KeepsToItsBounds) {
   EXPECT_TRUE(network_rings(roundabout({0, 0}, 2, OneWay::no), {}).empty());
   EXPECT_TRUE(network_rings(roundabout({0, 0}, 70, OneWay::no), {}).empty());
