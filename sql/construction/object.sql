@@ -39,6 +39,12 @@ COMMENT ON FUNCTION streetgen._roadway_border(bytea, float8[], float8, float8, t
     'The line (LINESTRING) from one abscissa of an axis to another one, so many metres away from the border of its '
     'roadway on a side. NULL where both abscissas are the same.';
 
+CREATE OR REPLACE FUNCTION streetgen._usual_crossing(OUT width float8, OUT angle float8)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT 4.0::float8, 90.0::float8 $$;
+COMMENT ON FUNCTION streetgen._usual_crossing() IS
+    'Width (m) and angle (degrees) of a crossing of which nothing is said, such as one that a rule places.';
+
 CREATE OR REPLACE FUNCTION streetgen._crossing_ground(axis bytea, borders float8[], abscissa float8, width float8,
     angle float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_crossing_ground';

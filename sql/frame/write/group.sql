@@ -16,17 +16,21 @@ BEGIN
         'Before a run for axes: the ids of rows as they are that groups will be computed from', 'STABLE');
     PERFORM streetgen._compose_function(model, '_update_groups(axes bigint[], moved bigint[], noted bigint[])',
         'TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)',
-        format(E'\nBEGIN\n    %s\nEND ', (SELECT coalesce(string_agg(format(
+        format(E'\nBEGIN\n    %s\n    %s\nEND ', (SELECT coalesce(string_agg(format(
                 'RETURN QUERY SELECT * FROM streetgen.%I(current_schema(), axes, moved, noted);', name), E'\n    '
                 ORDER BY n), 'RETURN;')
             FROM unnest(groups) WITH ORDINALITY u(s, n), concat('_update_', s) name
-            WHERE to_regprocedure(format('streetgen.%I(name, bigint[], bigint[], bigint[])', name)) IS NOT NULL)),
+            WHERE to_regprocedure(format('streetgen.%I(name, bigint[], bigint[], bigint[])', name)) IS NOT NULL),
+            (SELECT string_agg(format('PERFORM streetgen.%I(current_schema(), axes);', name), E'\n    ' ORDER BY n)
+            FROM unnest(streetgen._subjects(model)) WITH ORDINALITY u(s, n), concat('_settle_', s) name
+            WHERE to_regprocedure(format('streetgen.%I(name, bigint[])', name)) IS NOT NULL)),
         '_update_groups(bigint[], bigint[], bigint[])',
         'After the one statement wrote rows of axes (NULL: of all): brings the groups up to date',
         'VOLATILE ROWS 5');
 END $$;
 COMMENT ON FUNCTION streetgen._make_update_groups(name) IS
-    'Makes the functions of a model that call the functions _note_SUBJECT and _update_SUBJECT of its groups.';
+    'Makes the functions of a model that call the functions _note_SUBJECT and _update_SUBJECT of its groups, and then '
+    '_settle_SUBJECT of all its subjects, for what waits for groups.';
 
 CREATE OR REPLACE FUNCTION streetgen._update_groups(model name, axes bigint[], moved bigint[] DEFAULT NULL,
     noted bigint[] DEFAULT NULL)

@@ -34,6 +34,9 @@ BEGIN
     COMMENT ON COLUMN rim_marking.kind IS 'stop, yield or arrow';
     COMMENT ON COLUMN rim_marking.geom IS 'across the lane, or from the foot of an arrow to its tip';
     COMMENT ON COLUMN rim_marking.surface IS 'the paint';
+    COMMENT ON COLUMN rim_marking.free_geom IS 'geom as it would be without crossings; NULL: no crossing moves it';
+    COMMENT ON COLUMN rim_marking.free_surface IS
+        'surface as it would be without crossings; NULL: no crossing moves it';
     CREATE OR REPLACE VIEW movement WITH (security_invoker = true) AS
     SELECT m.junction_id, NULL::bigint AS node_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.angle,
         m.plausible, m.reason, m.connecting, m.interconnections, m.junction_movement_id, m.geom, m.traffic

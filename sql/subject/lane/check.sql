@@ -32,6 +32,9 @@ BEGIN
         FROM lane l, (SELECT value::float8 AS least FROM setting WHERE name = 'lane_width_minimal') s
         WHERE l.kind IN ('general', 'bus', 'carpool') AND l.width < s.least - 1e-6
     UNION ALL
+    SELECT 'notice', 'paint without room before a crossing', 'marking', marking_id, ST_Length(free_geom), free_geom
+        FROM marking WHERE free_geom IS NOT NULL AND ST_IsEmpty(surface)
+    UNION ALL
     SELECT 'warning', 'lane adjacency override without its lanes', 'lane_adjacency_override',
         o.lane_adjacency_override_id, o.abscissa, o.geom FROM lane_adjacency_override o
         WHERE NOT EXISTS (SELECT FROM edge e JOIN lane f USING (edge_id) JOIN lane t USING (edge_id)
@@ -70,7 +73,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('lane override without its lane', 'no lane of that number is there', 'delete the override'),
     ('lane adjacency override without its lanes',
         'no two lanes of these numbers and of one direction lie beside each other there',
-        'delete the override, or give the axis its lanes again');
+        'delete the override, or give the axis its lanes again'),
+    ('paint without room before a crossing',
+        'the lane is too short for its line or arrow before the crossing, and has none', 'move the crossing');
 INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
     ('narrow lane, m',
         'a general, bus or carpool lane is narrower than setting `lane_width_minimal`',

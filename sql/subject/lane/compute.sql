@@ -55,10 +55,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_lane(places jsonb) RETURNS text
             SELECT lane_separator_id FROM {model}.lane_separator s WHERE s.edge_id = e.edge_id {by_key}) s
                 WHERE e.affected AND NOT e.fresh$part$),
     streetgen._upsert_rows(places, 'marking',
-        columns => 'edge_id, lane_position, along_axis, node_id, kind, geom, surface', rows => $part$
-        SELECT number, edge_id, kind, lane_position, along_axis, node_id, geom, surface
-        FROM streetgen._computed_marking((SELECT streets FROM computed), (SELECT ids FROM node_ids),
-            (SELECT ids FROM edge_ids))$part$,
+        columns => 'edge_id, lane_position, along_axis, node_id, kind, geom, surface, free_geom, free_surface',
+        rows => streetgen._part(CASE places ->> 'run' WHEN 'empty' THEN 'free_markings' ELSE 'laid_markings' END),
         there => $part$
         SELECT m.marking_id FROM new_edge e, LATERAL (SELECT marking_id FROM {model}.marking m
             WHERE m.edge_id = e.edge_id {by_key}) m WHERE e.affected AND NOT e.fresh$part$)) $$;

@@ -51,7 +51,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_lane_functions(model name) RETURNS vo
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._use_model(model), streetgen._make_line_function(model);
     CREATE OR REPLACE FUNCTION _carrying(edges bigint[]) RETURNS SETOF bigint
         LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 5 SET search_path FROM CURRENT SET jit = off
         SET enable_seqscan = off SET plan_cache_mode = force_generic_plan
@@ -106,4 +106,4 @@ BEGIN
         'on over nodes of two edges and short edges');
 END $$;
 COMMENT ON FUNCTION streetgen._make_lane_functions(name) IS
-    'Makes the function of a model that tells how far turn marks let a change reach.';
+    'Makes the functions of a model that tell how far turn marks let a change reach, and lay lines before crossings.';

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._lane_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
     AS $$ VALUES
     ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL::text[]),
     ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10,
@@ -15,5 +15,9 @@ CREATE OR REPLACE FUNCTION streetgen._lane_setting()
         NULL, ARRAY['left_first', 'right_first']),
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
     ('control_distance', '50', 'm',
-        'a control point farther before its junction than this stands in the middle of its block', 0, 1000, NULL) $$;
+        'a control point farther before its junction than this stands in the middle of its block', 0, 1000, NULL),
+    ('line_before_crossing', '1', 'm',
+        'so far before a crossing of its arm lies a stop line, and a yield line away from rings', 0, 10, NULL),
+    ('crossing_of_arm', '15', 'm',
+        'a crossing so near to where the lanes of an arm end is one of the arm', 0, 50, NULL) $$;
 COMMENT ON FUNCTION streetgen._lane_setting() IS 'The settings of lanes, with their defaults and ranges.';

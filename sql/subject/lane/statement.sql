@@ -48,3 +48,104 @@ marked_before => (
         AND (list IS NULL OR list !~ 'left|right|through|reverse' OR cardinality(string_to_array(list, '|')) <> (
             SELECT count(*) FROM {model}.lane o WHERE o.edge_id = l.edge_id AND o.along_axis = l.along_axis
                 AND NOT o.both_ways AND o.kind IN ('general', 'bus', 'carpool'))))
+
+--{crossings_of_controls
+-- As wide and as square as crossings of which nothing is said.
+SELECT p.edge_id, g.ground
+FROM (SELECT e.edge_id, e.geom, e.width, e.width_end, e.roadway_offset, p.abscissa - e.start_abscissa AS abscissa
+    FROM control_point p JOIN edge e ON e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+    WHERE p.kind = 'pedestrian_crossing' AND (axes IS NULL OR p.axis_id = ANY (axes)) {unknown} OFFSET 0) p,
+    streetgen._usual_crossing() usual,
+    LATERAL (SELECT streetgen._crossing_ground(ST_Force2D(p.geom)::bytea, streetgen._even_borders(p.width, p.width_end,
+        ST_Length2D(p.geom), p.roadway_offset), p.abscissa, usual.width, usual.angle)::geometry AS ground OFFSET 0) g
+WHERE g.ground IS NOT NULL
+
+--{without_object
+-- Whoever placed a crossing there knows better.
+AND NOT EXISTS (SELECT FROM street_object o WHERE o.control_point_id = p.control_point_id)
+AND NOT EXISTS (SELECT FROM street_object o JOIN pedestrian_crossing USING (street_object_id)
+    WHERE o.axis_id = p.axis_id AND abs(o.abscissa - p.abscissa) < (streetgen._usual_crossing()).width)
+
+--{crossings_of_objects
+SELECT e.edge_id, c.surface AS ground
+FROM edge e JOIN section s USING (edge_id) JOIN pedestrian_crossing c ON c.surface && s.surface
+    JOIN street_object o USING (street_object_id) JOIN axis a ON a.axis_id = o.axis_id AND a.level = e.level
+WHERE axes IS NULL OR e.axis_id = ANY (axes)
+UNION ALL {crossings_of_controls}
+
+--{heads_at_lines
+UPDATE signal_head h SET geom = w.geom, angle = w.angle
+FROM edge e JOIN lane l USING (edge_id) JOIN marking m USING (edge_id, lane_position),
+    LATERAL streetgen._waiting_place(l.geom, m.along_axis, m.geom) w
+WHERE (axes IS NULL OR e.axis_id = ANY (axes)) AND m.kind = 'stop' AND (h.lane_id, h.along_axis) = (l.lane_id,
+    m.along_axis) AND (h.geom::bytea, h.angle) IS DISTINCT FROM (w.geom::bytea, w.angle);
+
+--{lay_lines
+#variable_conflict use_column
+BEGIN
+    IF axes IS NOT NULL AND NOT EXISTS (SELECT FROM marking m JOIN edge USING (edge_id)
+            WHERE axis_id = ANY (axes) AND m.free_geom IS NOT NULL)
+        AND NOT EXISTS ({crossings}) THEN
+        RETURN;
+    END IF;
+    WITH crossing AS MATERIALIZED (
+        SELECT edge_id, array_agg(ST_Multi(ground)::bytea) AS grounds FROM ({crossings}) c GROUP BY edge_id),
+    lane_way AS MATERIALIZED (
+        SELECT m.edge_id, m.lane_position, m.along_axis, array_agg(m.marking_id ORDER BY marking_id) AS markings,
+            array_agg(coalesce(m.free_geom, m.geom)::bytea ORDER BY marking_id) AS lines,
+            array_agg(m.kind = 'arrow' ORDER BY marking_id) AS arrows,
+            -- Who comes to a ring waits at the ring.
+            array_agg(m.kind = 'yield' AND (SELECT value = 'true' FROM setting WHERE name = 'roundabout_tags')
+                AND EXISTS (SELECT FROM edge r JOIN axis a USING (axis_id) WHERE m.node_id IN (r.from_node, r.to_node)
+                    AND streetgen._names_ring(a.roundabout_tag)) ORDER BY marking_id) AS stays
+        FROM edge e JOIN marking m USING (edge_id)
+        WHERE (axes IS NULL OR e.axis_id = ANY (axes))
+            AND (m.free_geom IS NOT NULL OR m.edge_id IN (SELECT c.edge_id FROM crossing c))
+        GROUP BY m.edge_id, m.lane_position, m.along_axis),
+    laid AS MATERIALIZED (
+        SELECT w.markings[p.number] AS marking_id, p.*
+        FROM lane_way w JOIN lane l USING (edge_id, lane_position) JOIN edge e USING (edge_id)
+            LEFT JOIN crossing c USING (edge_id),
+            LATERAL (SELECT count(*) > 2 AS between_junctions FROM (
+                SELECT FROM edge WHERE from_node = CASE WHEN w.along_axis THEN e.from_node ELSE e.to_node END
+                UNION ALL SELECT FROM edge WHERE to_node = CASE WHEN w.along_axis THEN e.from_node ELSE e.to_node
+                    END) a) j,
+            LATERAL streetgen._lay_paint(CASE WHEN w.along_axis THEN l.geom ELSE ST_Reverse(l.geom) END::bytea,
+                l.width, between_junctions, coalesce(c.grounds, ARRAY[]::bytea[]), w.lines, w.arrows, w.stays,
+                (SELECT value::float8 FROM setting WHERE name = 'line_before_crossing'),
+                (SELECT value::float8 FROM setting WHERE name = 'crossing_of_arm')) p
+        WHERE l.method <> 'crossed_limits'),
+    new AS MATERIALIZED (
+        SELECT marking_id, CASE WHEN moves THEN ST_Affine(m.line, cosine, -sine, sine, cosine, x, y) ELSE m.line
+                END AS geom,
+            CASE WHEN NOT has_room THEN ST_SetSRID('MULTIPOLYGON EMPTY'::geometry, ST_SRID(m.line))
+                WHEN moves THEN ST_Affine(m.paint, cosine, -sine, sine, cosine, x, y) ELSE m.paint END AS surface,
+            CASE WHEN moves THEN m.line END AS free_geom, CASE WHEN moves THEN m.paint END AS free_surface
+        FROM laid JOIN (SELECT marking_id, coalesce(free_geom, geom) AS line, coalesce(free_surface, surface) AS paint
+            FROM marking) m USING (marking_id))
+    UPDATE marking m SET geom = n.geom, surface = n.surface, free_geom = n.free_geom, free_surface = n.free_surface
+    FROM new n WHERE n.marking_id = m.marking_id
+        AND (m.geom::bytea, m.surface::bytea, m.free_geom::bytea) IS DISTINCT FROM (n.geom::bytea, n.surface::bytea,
+            n.free_geom::bytea);
+    {heads}
+END
+
+--{free_markings
+SELECT number, edge_id, kind, lane_position, along_axis, node_id, geom, surface, NULL::geometry AS free_geom,
+    NULL::geometry AS free_surface
+FROM streetgen._computed_marking((SELECT streets FROM computed), (SELECT ids FROM node_ids),
+    (SELECT ids FROM edge_ids))
+
+--{laid_markings
+-- The core knows no crossing: what one moved stays until lines are laid anew, where the core would put it as before.
+SELECT f.number, f.edge_id, f.kind, f.lane_position, f.along_axis, f.node_id,
+    CASE WHEN l.stays THEN l.geom ELSE f.geom END AS geom,
+    CASE WHEN l.stays THEN l.surface ELSE f.surface END AS surface,
+    CASE WHEN l.stays THEN l.free_geom END AS free_geom, CASE WHEN l.stays THEN l.free_surface END AS free_surface
+FROM streetgen._computed_marking((SELECT streets FROM computed), (SELECT ids FROM node_ids),
+        (SELECT ids FROM edge_ids)) f
+    LEFT JOIN LATERAL (
+        SELECT m.geom, m.surface, m.free_geom, m.free_surface,
+            (m.free_geom::bytea, m.free_surface::bytea) = (f.geom::bytea, f.surface::bytea) AS stays
+        FROM {model}.marking m WHERE m.free_geom IS NOT NULL AND (m.edge_id, m.kind, m.lane_position, m.along_axis)
+            = (f.edge_id, f.kind, f.lane_position, f.along_axis) {by_key}) l ON true

@@ -88,7 +88,7 @@ CREATE INDEX marking_surface ON :"model".marking USING gist (surface);
 COMMENT ON TABLE :"model".marking IS
     'What is painted on a lane: a stop or yield line where it leads to a roundabout or a more important street (of a '
     'lane for both directions, across the half on which one comes), an arrow in its direction with the turns that it '
-    'allows';
+    'allows. What a crossing of the street is in the way of lies before the crossing';
 COMMENT ON COLUMN :"model".marking.marking_id IS 'key';
 COMMENT ON COLUMN :"model".marking.edge_id IS 'the edge';
 COMMENT ON COLUMN :"model".marking.lane_position IS 'position of the lane';
@@ -96,4 +96,10 @@ COMMENT ON COLUMN :"model".marking.along_axis IS 'does it speak to traffic in th
 COMMENT ON COLUMN :"model".marking.node_id IS 'node that this traffic comes to';
 COMMENT ON COLUMN :"model".marking.kind IS 'stop, yield or arrow';
 COMMENT ON COLUMN :"model".marking.geom IS 'across the lane; of an arrow from its foot to its tip';
-COMMENT ON COLUMN :"model".marking.surface IS 'its paint';
+COMMENT ON COLUMN :"model".marking.surface IS 'its paint; empty where a crossing leaves it no room';
+ALTER TABLE :"model".marking ADD COLUMN IF NOT EXISTS free_geom geometry(LineString, :srid),
+    ADD COLUMN IF NOT EXISTS free_surface geometry(MultiPolygon, :srid);
+COMMENT ON COLUMN :"model".marking.free_geom IS
+    'geom as it would be without crossings; NULL: no crossing moves it';
+COMMENT ON COLUMN :"model".marking.free_surface IS
+    'surface as it would be without crossings; NULL: no crossing moves it';

@@ -72,6 +72,16 @@ BEGIN
     LOOP
         RETURN NEXT finding;
     END LOOP;
+    IF to_regclass(format('%I.marking', model)) IS NOT NULL THEN
+        RETURN QUERY SELECT 'warning', CASE m.kind WHEN 'arrow' THEN 'arrow on a crossing'
+            ELSE 'line on a crossing' END, 'marking', m.marking_id, NULL::float8, m.surface
+        FROM marking m JOIN edge e USING (edge_id) JOIN street_object o USING (axis_id)
+            JOIN pedestrian_crossing c ON c.street_object_id = o.street_object_id AND c.surface && m.surface
+        -- Who comes to a ring waits at the ring.
+        WHERE (m.kind <> 'yield' OR NOT EXISTS (SELECT FROM edge r JOIN axis_used u USING (axis_id)
+                WHERE m.node_id IN (r.from_node, r.to_node) AND u.on_ring))
+            AND streetgen._takes_ground(c.surface, m.surface);
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_object(name) IS
     'The rows of streetgen.check_model for objects.';
@@ -93,6 +103,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'drag it to a street in `parking_bay_editing`, or delete it'),
     ('pedestrian crossing without its roadway', 'a crossing stands at no street, or meets no kerb',
         'drag it to a street in `pedestrian_crossing_editing`, or delete it'),
+    ('line on a crossing', 'a stop or yield line lies where people walk', '`generate`'),
+    ('arrow on a crossing', 'an arrow of a lane lies where people walk', '`generate`'),
     ('placement rule for a kind that no street has',
         '`kind` names what is neither a class nor the kind of an axis; the rule places nothing there',
         'write a kind of `axis_class`, or none'),

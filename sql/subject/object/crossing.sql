@@ -1,11 +1,5 @@
 -- Pedestrian crossings: their ground between the borders of the roadway, and their stripes.
 
-CREATE OR REPLACE FUNCTION streetgen._usual_crossing(OUT width float8, OUT angle float8)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT 4.0::float8, 90.0::float8 $$;
-COMMENT ON FUNCTION streetgen._usual_crossing() IS
-    'Width (m) and angle (degrees) of a crossing of which nothing is said, such as one that a rule places.';
-
 CREATE OR REPLACE FUNCTION streetgen._on_roadway(ground geometry, surfaces geometry[]) RETURNS geometry
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$

@@ -19,7 +19,7 @@ BEGIN
             'carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,_renew_crossings,_renew_bays,'
             '_types_below,_has_rules,_arms_at,_take_from_rules,_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
             'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
-            '_hold_borders,redraw_ground}');
+            '_hold_borders,redraw_ground,_renew_lines,_lock_streets}');
         RETURN;
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
@@ -121,6 +121,12 @@ BEGIN
             _renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
             streetgen._join_specialised(current_schema(), ARRAY(SELECT street_object_id FROM new_object));
         PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM new_object));
+        IF TG_OP = 'UPDATE' THEN
+            PERFORM _renew_lines(ARRAY(SELECT geom FROM new_object WHERE type = ANY (_types_below('crossing'))
+                UNION ALL SELECT geom FROM old_object WHERE type = ANY (_types_below('crossing'))));
+        ELSE
+            PERFORM _renew_lines(ARRAY(SELECT geom FROM new_object WHERE type = ANY (_types_below('crossing'))));
+        END IF;
         RETURN NULL;
     END $body$;
     CREATE OR REPLACE FUNCTION leave_edges() RETURNS trigger
@@ -267,8 +273,9 @@ BEGIN
     CREATE OR REPLACE TRIGGER join_objects_insert AFTER INSERT ON street_object REFERENCING NEW TABLE AS new_object
         FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
         EXECUTE FUNCTION join_objects();
-    CREATE OR REPLACE TRIGGER join_objects_update AFTER UPDATE ON street_object REFERENCING NEW TABLE AS new_object
-        FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
+    CREATE OR REPLACE TRIGGER join_objects_update AFTER UPDATE ON street_object
+        REFERENCING OLD TABLE AS old_object NEW TABLE AS new_object FOR EACH STATEMENT
+        WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
         EXECUTE FUNCTION join_objects();
     COMMENT ON TRIGGER join_objects_insert ON street_object IS 'Finds the edges at which objects stand';
     COMMENT ON TRIGGER join_objects_update ON street_object IS 'Finds the edges at which objects stand';

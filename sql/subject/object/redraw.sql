@@ -21,6 +21,9 @@ BEGIN
             PERFORM _renew_bays(ARRAY(SELECT street_object_id FROM after));
         END IF;
         PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM after JOIN street_object USING (street_object_id)));
+        IF TG_TABLE_NAME = 'pedestrian_crossing' THEN
+            PERFORM _renew_lines(ARRAY(SELECT geom FROM after JOIN street_object USING (street_object_id)));
+        END IF;
         RETURN NULL;
     END $body$;
     CREATE OR REPLACE TRIGGER redraw_update AFTER UPDATE ON pedestrian_crossing REFERENCING NEW TABLE AS after

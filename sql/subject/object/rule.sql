@@ -291,27 +291,49 @@ BEGIN
         END IF;
         RETURN ruled;
     END $body$;
-    CREATE OR REPLACE FUNCTION _lock_beside(places geometry[], holding boolean) RETURNS bigint[]
-        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+    CREATE OR REPLACE FUNCTION _lock_streets(axes bigint[], holding boolean) RETURNS void
+        LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT
         AS $body$
     DECLARE
-        beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
-            JOIN axis a ON ST_DWithin(a.geom, place, 100));
         timeout constant text := current_setting('lock_timeout');
     BEGIN
         -- A session that holds places may wait for an object that this one has written.
         IF holding THEN
             PERFORM set_config('lock_timeout', '100ms', true);
         END IF;
-        PERFORM streetgen._lock_places(current_schema(), beside, wait => true);
+        PERFORM streetgen._begin_edit(current_schema());
+        PERFORM streetgen._lock_places(current_schema(), axes, wait => true);
         PERFORM set_config('lock_timeout', timeout, true);
-        RETURN beside;
     EXCEPTION WHEN lock_not_available OR deadlock_detected THEN
         IF holding THEN
             PERFORM streetgen._refuse('55P03', 'another session works beside the objects of this edit',
                 detail => streetgen._holders(current_schema()), hint => streetgen._object_edit_waits());
         END IF;
         RAISE;
+    END $body$;
+    CREATE OR REPLACE FUNCTION _lock_beside(places geometry[], holding boolean) RETURNS bigint[]
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
+            JOIN axis a ON ST_DWithin(a.geom, place, 100));
+    BEGIN
+        PERFORM _lock_streets(beside, holding);
+        RETURN beside;
+    END $body$;
+    CREATE OR REPLACE FUNCTION _renew_lines(places geometry[]) RETURNS void
+        LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        crossed bigint[];
+    BEGIN
+        IF places <> '{}' AND to_regclass(format('%I.marking', current_schema())) IS NOT NULL THEN
+            -- An oblique crossing of a wide street goes so far along it.
+            crossed := ARRAY(SELECT DISTINCT e.axis_id FROM unnest(places) place
+                JOIN section s ON ST_DWithin(s.surface, place, 30) JOIN edge e USING (edge_id));
+            PERFORM _lock_streets(crossed, holding => true);
+            PERFORM streetgen._settle_lane(current_schema(), crossed);
+        END IF;
     END $body$;
     CREATE OR REPLACE FUNCTION _renew_rules_beside(places geometry[]) RETURNS void
         LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'
@@ -324,6 +346,7 @@ BEGIN
                 beside := _lock_beside(places, holding => true);
             END IF;
             PERFORM FROM _place_objects(beside);
+            PERFORM streetgen._settle_lane(current_schema(), beside);
         END IF;
     END $body$;
     CREATE OR REPLACE FUNCTION enter_rules() RETURNS trigger
@@ -362,6 +385,7 @@ BEGIN
             WHERE r.rule_id = f.rule_id);
         IF streetgen._live(current_schema()) THEN
             PERFORM FROM _place_objects(NULL);
+            PERFORM streetgen._settle_lane(current_schema(), NULL);
         END IF;
         RETURN NULL;
     END $body$;
@@ -379,12 +403,14 @@ BEGIN
             INSERT INTO free_place (rule_id, geom) SELECT rule_id, geom FROM old_object WHERE placed_by = 'rule'
                 ORDER BY street_object_id;
             PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM old_object));
+            PERFORM _renew_lines(ARRAY(SELECT geom FROM old_object WHERE type = ANY (_types_below('crossing'))));
         ELSIF TG_WHEN = 'BEFORE' THEN
             -- TRUNCATE: what goes is known only before.
             INSERT INTO free_place (rule_id, geom) SELECT rule_id, geom FROM street_object
                 WHERE placed_by = 'rule' ORDER BY street_object_id;
         ELSE
             PERFORM _renew_rules_beside(NULL);
+            PERFORM streetgen._settle_lane(current_schema(), NULL);
         END IF;
         RETURN NULL;
     END $body$;
@@ -443,6 +469,10 @@ BEGIN
         'Locks the model beside other editors where rules place objects, and tells whether they do'),
         streetgen._own_function(model, '_lock_beside(geometry[], boolean)',
         'Locks the axes within 100 m of places against other edits, and tells them; who holds objects does not wait'),
+        streetgen._own_function(model, '_lock_streets(bigint[], boolean)',
+        'Locks axes against other edits; who holds objects does not wait'),
+        streetgen._own_function(model, '_renew_lines(geometry[])',
+        'Lays lines before crossings that were or are at places, under locks'),
         streetgen._own_function(model, '_renew_rules_beside(geometry[])',
         'Brings the objects that rules place within 100 m of places (NULL: everywhere) up to date, under locks'),
         streetgen._own_function(model, 'enter_rules()', 'Before an edit of rules or objects: locks the model'),

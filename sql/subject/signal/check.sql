@@ -42,6 +42,11 @@ BEGIN
     SELECT 'warning', 'controller override without its axis', 'controller_override', o.controller_override_id, 0, o.geom
         FROM controller_override o WHERE NOT EXISTS (SELECT FROM edge e JOIN axis a USING (axis_id)
             WHERE e.axis_id = o.axis_id AND streetgen._metres_beyond(ST_Force2D(a.geom), o.geom) <= 3 * tolerance)
+    UNION ALL
+    SELECT 'warning', 'signal head off its stop line, m', 'lane', h.lane_id, ST_Distance(h.geom, m.geom), h.geom
+        FROM signal_head h JOIN lane l USING (lane_id) JOIN marking m ON (m.edge_id, m.kind, m.lane_position,
+            m.along_axis) = (l.edge_id, 'stop', l.lane_position, h.along_axis)
+        WHERE NOT ST_DWithin(h.geom, m.geom, 0.01)
     LOOP
         RETURN NEXT finding;
     END LOOP;
@@ -69,6 +74,7 @@ COMMENT ON FUNCTION streetgen._signal_marked_by_hand() IS
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('junction of kind signals without a controller', 'the junction should have a program', '`generate`'),
+    ('signal head off its stop line, m', 'traffic would wait elsewhere than its signal stands', '`generate`'),
     ('movement that never has green', 'the program forgets it', '`generate`; mend the program of the controller'),
     ('signals that the classifier alone says', 'no control point and no decision says that signals stand there',
         'put a control point, or decide the kind of the junction'),

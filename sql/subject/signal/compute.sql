@@ -191,12 +191,12 @@ BEGIN
         SELECT 'signal_movement', count(*) FILTER (WHERE fresh), count(*) FILTER (WHERE changed AND NOT fresh),
             (SELECT count(*) FROM gone), count(*) FILTER (WHERE NOT changed), 0::bigint FROM compared;
         RETURN QUERY WITH new AS MATERIALIZED (
-            SELECT l.lane_id, m.along_in AS along_axis, m.controller_id, e.geom,
-                degrees(ST_Azimuth(e.before, e.geom)) AS angle
+            SELECT l.lane_id, m.along_in AS along_axis, m.controller_id, w.geom, w.angle
             FROM (SELECT DISTINCT controller_id, lane_in, along_in FROM unnest(found) WHERE lane_in IS NOT NULL) m
                 JOIN lane l ON l.lane_id = m.lane_in
-                CROSS JOIN LATERAL (SELECT CASE WHEN along_in THEN ST_EndPoint(l.geom) ELSE ST_StartPoint(l.geom) END
-                    AS geom, CASE WHEN along_in THEN ST_PointN(l.geom, -2) ELSE ST_PointN(l.geom, 2) END AS before) e),
+                LEFT JOIN marking s ON (s.edge_id, s.kind, s.lane_position, s.along_axis)
+                    = (l.edge_id, 'stop', l.lane_position, m.along_in)
+                CROSS JOIN LATERAL streetgen._waiting_place(l.geom, m.along_in, s.geom) w),
         there AS (SELECT * FROM signal_head WHERE controller_id = ANY (known)),
         gone AS (DELETE FROM signal_head o USING there t WHERE (o.lane_id, o.along_axis) = (t.lane_id, t.along_axis)
             AND NOT EXISTS (SELECT FROM new n WHERE (n.lane_id, n.along_axis) = (t.lane_id, t.along_axis)) RETURNING 1),

@@ -58,5 +58,6 @@ COMMENT ON TABLE :"model".signal_head IS 'Where each lane waits for its signal';
 COMMENT ON COLUMN :"model".signal_head.lane_id IS 'the lane that waits';
 COMMENT ON COLUMN :"model".signal_head.along_axis IS 'does it wait for what drives along the axis?';
 COMMENT ON COLUMN :"model".signal_head.controller_id IS 'the controller';
-COMMENT ON COLUMN :"model".signal_head.geom IS 'where the lane ends';
+COMMENT ON COLUMN :"model".signal_head.geom IS
+    'the middle of the stop line of the lane; where there is none, where the lane ends';
 COMMENT ON COLUMN :"model".signal_head.angle IS 'direction of who waits, degrees clockwise from the north';
