@@ -11,10 +11,13 @@ BEGIN
     CREATE TEMPORARY TABLE _import_carriageway ON COMMIT DROP AS
     SELECT row_number() OVER () AS number, l.way_id, l.class, coalesce(l.name, '') AS name, m.level,
         m.direction <> 'both' AS one_way,
-        CASE m.direction WHEN 'reverse' THEN ST_Reverse(g.geom) ELSE g.geom END AS geom, ST_Length(g.geom) AS length,
-        ST_Length(g.geom) < 1.2 * ST_Distance(ST_StartPoint(g.geom), ST_EndPoint(g.geom)) AS straight,
+        CASE m.direction WHEN 'reverse' THEN ST_Reverse(g.geom) ELSE g.geom END AS geom, length,
+        CASE WHEN m.direction <> 'both' AND length < 1.2 * ST_Distance(ST_StartPoint(g.geom), ST_EndPoint(g.geom))
+            THEN ST_Azimuth(ST_StartPoint(g.geom), ST_EndPoint(g.geom))
+                + CASE m.direction WHEN 'reverse' THEN pi() ELSE 0 END END AS heading,
         num_nonnulls(m.width, m.lane_width_forward, m.lane_width_backward) = 0 AS estimated,
-        EXISTS (SELECT FROM jsonb_object_keys(l.tags) key WHERE key ~ 'lanes') AS counted, n.lanes, k.kerbside,
+        m.direction <> 'both' AND EXISTS (SELECT FROM jsonb_object_keys(l.tags) key WHERE key ~ 'lanes') AS counted,
+        n.lanes, k.kerbside,
         coalesce(m.width, least(200, streetgen.estimated_width(n.lanes::integer, CASE WHEN m.direction <> 'both'
             THEN coalesce(c.width_one_way, c.lanes_one_way * s.lane, c.width) ELSE c.width END, s.lane, s.usual)
             + k.kerbside)) AS width
@@ -31,15 +34,17 @@ BEGIN
         LATERAL (SELECT streetgen._kerbside_width(m.kind_forward, m.lane_width_forward, s.cycle, s.parking)
             + streetgen._kerbside_width(m.kind_backward, m.lane_width_backward, s.cycle, s.parking) AS kerbside) k,
         LATERAL (SELECT CASE WHEN GeometryType(l.geom) = 'LINESTRING' THEN ST_Force2D(
-            CASE ST_SRID(l.geom) WHEN srid THEN l.geom ELSE ST_Transform(l.geom, srid) END) END AS geom OFFSET 0) g
-    WHERE m.roundabout_tag IS NULL AND ST_Length(g.geom) > 1;
+            CASE ST_SRID(l.geom) WHEN srid THEN l.geom ELSE ST_Transform(l.geom, srid) END) END AS geom OFFSET 0) g,
+        LATERAL (SELECT ST_Length(g.geom) AS length OFFSET 0) o
+    WHERE m.roundabout_tag IS NULL AND length > 1;
     CREATE INDEX ON pg_temp._import_carriageway USING gist (geom) WHERE one_way;
     ANALYZE pg_temp._import_carriageway;
 END $$;
 COMMENT ON FUNCTION streetgen._take_carriageways(name) IS
     'Copies the lines of an import of OpenStreetMap, roundabouts apart, with the width that they become, to where '
     'their room is looked for. One-way lines run with the traffic; estimated: no width is stated; counted: lanes are; '
-    'straight: hardly longer than from end to end. kerbside is what of the width lanes of the kerbs take.';
+    'heading: where a straight one leads, hardly longer than from end to end. kerbside is what of the width lanes of '
+    'the kerbs take.';
 
 CREATE OR REPLACE FUNCTION streetgen._room_beside(median float8)
     RETURNS TABLE(way_id text, room float8)
@@ -53,27 +58,32 @@ WITH near AS MATERIALIZED (
         SELECT * FROM pg_temp._import_carriageway b WHERE b.one_way AND b.geom && ST_Expand(a.geom, 20) OFFSET 0) b
     WHERE a.one_way AND b.name = a.name AND b.level = a.level AND b.number <> a.number
         -- Most are the next line of the same carriageway.
-        AND NOT (a.straight AND b.straight AND cos(ST_Angle(ST_StartPoint(a.geom), ST_EndPoint(a.geom),
-            ST_StartPoint(b.geom), ST_EndPoint(b.geom))) > 0)),
-pair AS MATERIALIZED (
+        AND (cos(b.heading - a.heading) > 0) IS NOT TRUE),
+pair AS (
     SELECT * FROM (
         SELECT *, min(apart) OVER own AS least, max(other_width) OVER own AS widest FROM near WHERE apart <= 20
         WINDOW own AS (PARTITION BY number)) n
     WHERE least - median < (width + widest) / 2),
-place AS MATERIALIZED (
-    SELECT p.*, (nth - 0.5) / many AS share, ST_LineInterpolatePoint(p.geom, (nth - 0.5) / many) AS here
-    FROM pair p, LATERAL (SELECT ceil(p.length / 10)::integer AS many) c, generate_series(1, many) nth),
-beside AS MATERIALIZED (
-    SELECT p.*, ST_LineLocatePoint(other, here) AS there FROM place p WHERE ST_DWithin(other, here, 20)),
+-- A line once, with all that run beside it.
+line AS MATERIALIZED (
+    SELECT number, length, ceil(length / 10)::integer AS many, (array_agg(geom))[1] AS geom, array_agg(other) AS others,
+        array_agg(other_length) AS lengths, array_agg(other_width) AS widths
+    FROM pair GROUP BY number, length),
 -- The other one goes on there, and runs the other way.
 across AS (
-    SELECT b.number, b.length, b.share, b.other_width, ST_Distance(b.here, b.other) AS apart
-    FROM beside b, LATERAL (SELECT least(1, 1 / length) AS step, least(1, 1 / other_length) AS other_step) t
+    SELECT l.number, l.length, p.share, o.width AS other_width, ST_Distance(p.here, o.geom) AS apart
+    FROM line l, LATERAL (
+            SELECT share, ST_LineInterpolatePoint(l.geom, share) AS here
+            FROM generate_series(1, l.many) nth, LATERAL (SELECT (nth - 0.5::float8) / l.many AS share) s OFFSET 0) p,
+        LATERAL (SELECT ST_Expand(p.here, 20) AS box OFFSET 0) x,
+        LATERAL unnest(l.others, l.lengths, l.widths) o(geom, length, width),
+        LATERAL (SELECT ST_LineLocatePoint(o.geom, p.here) AS there, least(1, 1 / l.length) AS step,
+            least(1, 1 / o.length) AS other_step WHERE o.geom && x.box AND ST_DWithin(o.geom, p.here, 20) OFFSET 0) t
     WHERE there > 0 AND there < 1 AND cos(ST_Angle(
-            ST_LineInterpolatePoint(geom, greatest(0, share - step)),
-            ST_LineInterpolatePoint(geom, least(1, share + step)),
-            ST_LineInterpolatePoint(other, greatest(0, there - other_step)),
-            ST_LineInterpolatePoint(other, least(1, there + other_step)))) < -0.9),
+            ST_LineInterpolatePoint(l.geom, greatest(0, share - step)),
+            ST_LineInterpolatePoint(l.geom, least(1, share + step)),
+            ST_LineInterpolatePoint(o.geom, greatest(0, there - other_step)),
+            ST_LineInterpolatePoint(o.geom, least(1, there + other_step)))) < -0.9),
 nearest AS (SELECT DISTINCT ON (number, share) * FROM across ORDER BY number, share, apart),
 measured AS (
     SELECT number, percentile_cont(ARRAY[0.1, 0.75]) WITHIN GROUP (ORDER BY apart) AS apart,

@@ -75,14 +75,13 @@ DECLARE
     doubted bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- To plan the values used costs more than to see that there is nothing to doubt.
-    IF axes IS NOT NULL THEN
-        SELECT array_agg(a.axis_id) FROM axis a WHERE a.axis_id = ANY (axes) AND NOT a.width_by_hand
-            AND a.source IS NOT NULL AND a.lane_count IS NOT NULL
-            AND (a.width IS NOT NULL OR a.width_end IS NOT NULL) INTO doubted;
-        IF doubted IS NULL THEN
-            RETURN;
-        END IF;
+    -- To plan the values used costs more than to see that there is nothing to doubt, and to compute those of all axes
+    -- more than of these.
+    SELECT array_agg(a.axis_id) FROM axis a WHERE (axes IS NULL OR a.axis_id = ANY (axes) AND a.lane_count IS NOT NULL)
+        AND NOT a.width_by_hand AND a.source IS NOT NULL AND (a.width IS NOT NULL OR a.width_end IS NOT NULL)
+        INTO doubted;
+    IF doubted IS NULL THEN
+        RETURN;
     END IF;
     RETURN QUERY SELECT a.axis_id, w.attribute, w.width, w.taken, NOT s.estimated, a.lane_count, a.source_ref,
             a.geom::geometry
@@ -90,10 +89,10 @@ BEGIN
             LATERAL (VALUES ('width', a.width, u.width), ('width_end', a.width_end, u.width_end))
                 w(attribute, width, taken), LATERAL (SELECT w.attribute = ANY (u.estimated) AS estimated) s
         -- Both relations are narrowed: the planner computes the values used of all axes otherwise.
-        WHERE (axes IS NULL OR a.axis_id = ANY (doubted) AND u.axis_id = ANY (doubted))
+        WHERE a.axis_id = ANY (doubted) AND u.axis_id = ANY (doubted)
             AND w.width IS NOT NULL AND CASE WHEN s.estimated THEN a.lane_count IS NOT NULL
-                ELSE w.width < w.taken AND a.source IS NOT NULL AND NOT a.width_by_hand AND NOT EXISTS (SELECT
-                    FROM kerb_point_override k WHERE k.axis_id = a.axis_id) END
+                ELSE w.width < w.taken AND NOT EXISTS (SELECT FROM kerb_point_override k
+                    WHERE k.axis_id = a.axis_id) END
         ORDER BY 1, 2;
 END $$;
 COMMENT ON FUNCTION streetgen._unbelieved(name, bigint[]) IS
