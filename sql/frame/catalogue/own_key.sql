@@ -53,10 +53,12 @@ BEGIN
         AS $body$
     DECLARE
         keys constant text := pg_get_serial_sequence(TG_RELID::regclass::text, TG_ARGV[0]);
+        key bigint;
     BEGIN
-        IF keys IS NOT NULL THEN
-            EXECUTE streetgen._passing_key(keys, format('($1).%I', TG_ARGV[0]))
-                USING NEW, streetgen._last_passed_key();
+        EXECUTE 'SELECT ($1).' || quote_ident(TG_ARGV[0]) INTO key USING NEW;
+        -- Most keys are generated, and none is to be passed.
+        IF keys IS NOT NULL AND key > coalesce(pg_sequence_last_value(keys), 0) THEN
+            EXECUTE streetgen._passing_key(keys, '$1') USING key, streetgen._last_passed_key();
         END IF;
         RETURN NEW;
     END $body$;
