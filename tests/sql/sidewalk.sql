@@ -94,6 +94,7 @@ UPDATE dual.axis SET name = 'South Bank' WHERE axis_id = 5;
 SELECT 'and so does a name', pg_temp.walks('{5,6}') = '5r 6l' AND test.followed('dual', 'anew');
 UPDATE dual.axis SET sidewalk_left = 1 WHERE axis_id = 3;
 SELECT 'what an axis says holds', pg_temp.walks('{3,4}') = '3l 3r 4l' AND test.followed('dual', 'anew');
+SELECT 'and is told', array_agg(relation) = '{sidewalk}' AND bool_and(severity = 'notice' AND abs(measure - 200) < 1) FROM streetgen.check_model('dual') WHERE rule = 'sidewalk beside a kerb of a median, splitter or island, m2';
 UPDATE dual.axis SET direction = 'both' WHERE axis_id = 4;
 SELECT 'a street of both directions is no carriageway of another', pg_temp.walks('{4}') = '4l 4r' AND (SELECT beside_left = 'outer' FROM dual.edge WHERE axis_id = 3) AND test.followed('dual', 'anew');
 DELETE FROM dual.axis WHERE axis_id = 2;
@@ -114,6 +115,8 @@ CREATE FUNCTION pg_temp.follows(statement text) RETURNS TABLE(name text, holds b
   PERFORM streetgen.create_model('scratch', 2154, subjects => '{sidewalk}');
   INSERT INTO scratch.sidewalk_override SELECT * FROM town.sidewalk_override;
   INSERT INTO scratch.axis SELECT * FROM town.axis;
+  RETURN QUERY SELECT 'edges as from scratch: ' || statement, count(*) > 0 AND bool_and((e.sidewalk_left, e.sidewalk_right) = (s.sidewalk_left, s.sidewalk_right))
+    FROM town.edge e FULL JOIN scratch.edge s ON e.axis_id = s.axis_id AND abs(e.start_abscissa - s.start_abscissa) < 1e-6;
   RETURN QUERY SELECT 'as from scratch: ' || statement, NOT EXISTS ((SELECT pg_temp.sidewalks('town') EXCEPT SELECT pg_temp.sidewalks('scratch')) UNION ALL (SELECT pg_temp.sidewalks('scratch') EXCEPT SELECT pg_temp.sidewalks('town')))
     AND (SELECT count(*) > 0 FROM town.sidewalk);
   PERFORM streetgen.drop_model('scratch');
@@ -132,6 +135,7 @@ SELECT 'a part over nothing changed writes no row', inserted + updated + deleted
 -- By hand.
 UPDATE town.sidewalk_editing SET width = 1.25 WHERE sidewalk_id = (SELECT sidewalk_id FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left');
 SELECT 'a width typed holds', (s.width, s.method) = (1.25, 'by_hand') FROM town.sidewalk s JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
+SELECT 'so does that of the edge', (sidewalk_left, sidewalk_right) = (1.25, 0) FROM town.edge WHERE axis_id = 2;
 SELECT 'the view says so', by_hand FROM town.sidewalk_editing JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND side = 'left';
 SELECT * FROM pg_temp.follows('UPDATE town.sidewalk_override SET width = 1.5');
 UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 2;

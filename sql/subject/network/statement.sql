@@ -52,15 +52,15 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
        level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
        width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both,
        -- No sidewalk is estimated on medians, splitters and islands.
-       CASE WHEN beside_left <> 'outer' AND 'sidewalk_left' = ANY (estimated) THEN 0 ELSE sidewalk_left END
-           AS sidewalk_left,
-       CASE WHEN beside_right <> 'outer' AND 'sidewalk_right' = ANY (estimated) THEN 0 ELSE sidewalk_right END
-           AS sidewalk_right, beside_left, beside_right, speed, importance, estimated,
+       coalesce(sidewalk_left_by_hand, CASE WHEN beside_left <> 'outer' AND 'sidewalk_left' = ANY (estimated) THEN 0
+           ELSE sidewalk_left END) AS sidewalk_left,
+       coalesce(sidewalk_right_by_hand, CASE WHEN beside_right <> 'outer' AND 'sidewalk_right' = ANY (estimated) THEN 0
+           ELSE sidewalk_right END) AS sidewalk_right, beside_left, beside_right, speed, importance, estimated,
            input_hash, setting_hash
 FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
-    u.sidewalk_left, u.sidewalk_right, u.speed, u.importance,
+    u.sidewalk_left, u.sidewalk_right, h.sidewalk_left_by_hand, h.sidewalk_right_by_hand, u.speed, u.importance,
              u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
-      FROM written_edge e JOIN used u USING (axis_id) {edge_circulation} LEFT JOIN (
+      FROM written_edge e JOIN used u USING (axis_id) {sidewalks_by_hand} {edge_circulation} LEFT JOIN (
           -- Identity of edges: by their ends along the axis, then by the node they begin at and their turn
           -- there.
           SELECT number, edge_id FROM same_edge

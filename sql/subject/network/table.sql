@@ -49,7 +49,8 @@ COMMENT ON COLUMN :"model".edge.lanes_forward IS 'general, bus and carpool lanes
 COMMENT ON COLUMN :"model".edge.lanes_backward IS 'general, bus and carpool lanes against the axis that were used';
 COMMENT ON COLUMN :"model".edge.lanes_both IS 'lanes that both directions use';
 COMMENT ON COLUMN :"model".edge.sidewalk_left IS
-    'width of the sidewalk on its left that was used, metres; 0: none; none is estimated where the city is not beside';
+    'width of the sidewalk on its left that was used, by hand too, metres; 0: none; none is estimated where the city '
+    'is not beside';
 COMMENT ON COLUMN :"model".edge.sidewalk_right IS 'the same on its right';
 COMMENT ON COLUMN :"model".edge.speed IS 'speed that was used, km/h';
 COMMENT ON COLUMN :"model".edge.importance IS 'importance that was used';

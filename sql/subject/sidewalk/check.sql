@@ -15,6 +15,11 @@ BEGIN
         FROM sidewalk s WHERE NOT EXISTS (SELECT FROM kerb k
             WHERE (k.edge_id, k.side, k.part) = (s.edge_id, s.side, s.part)
                 AND ST_DWithin(k.geom, s.surface, 0.001))
+    UNION ALL
+    SELECT 'notice', 'sidewalk beside a kerb of a median, splitter or island, m2', 'sidewalk', s.sidewalk_id,
+            ST_Area(s.surface), s.surface
+        FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
+        WHERE k.beside <> 'outer' AND ST_Area(s.surface) >= 1
     LOOP
         RETURN NEXT finding;
     END LOOP;
@@ -31,4 +36,7 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_summary()
 COMMENT ON FUNCTION streetgen._sidewalk_summary() IS 'What streetgen.summary counts of sidewalks.';
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
-    ('sidewalk without its kerb', 'the sidewalk is a leftover, or touches its kerb nowhere', '`generate`');
+    ('sidewalk without its kerb', 'the sidewalk is a leftover, or touches its kerb nowhere', '`generate`'),
+    ('sidewalk beside a kerb of a median, splitter or island, m2',
+        'a width that is stated, by hand or led about a corner makes a sidewalk where no city lies beside the street',
+        'type 0 m in `sidewalk_editing` if nobody walks there; leave it where people cross in two steps');

@@ -20,6 +20,13 @@ COMMENT ON FUNCTION streetgen._sidewalks(bytea[], integer[], float8[], boolean[]
     'roadway goes on there. transition: metres of kerb that a change of width takes. Lists of different '
     'length: 2202E. NULL lists: no row.';
 
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_places(places jsonb) RETURNS jsonb
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT jsonb_build_object('sidewalks_by_hand',
+        streetgen._fill_template(streetgen._part('sidewalks_by_hand'), places)) $$;
+COMMENT ON FUNCTION streetgen._sidewalk_places(jsonb) IS
+    'The place of the one statement where edges get the widths of sidewalks by hand.';
+
 -- What is known of the kerbs of a query with the columns of table kerb and `wanted`, as the core asks for it.
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs(kerbs text, edges text) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

@@ -78,3 +78,10 @@ FROM ({kerbs}) k JOIN ({edges}) e USING (edge_id) LEFT JOIN LATERAL (
 {name}_row AS MATERIALIZED (
     SELECT k.* FROM {name} n, unnest(n.kerbs) u(kerb_id), LATERAL (
         SELECT * FROM {model}.kerb k WHERE k.kerb_id = u.kerb_id OFFSET 0) k)
+
+--{sidewalks_by_hand
+CROSS JOIN LATERAL (
+    SELECT (array_agg(width ORDER BY id DESC) FILTER (WHERE side = 'left'))[1] AS sidewalk_left_by_hand,
+        (array_agg(width ORDER BY id DESC) FILTER (WHERE side = 'right'))[1] AS sidewalk_right_by_hand
+    FROM (SELECT sidewalk_override_id AS id, side, width FROM {model}.sidewalk_override o
+        WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) o) h
