@@ -73,6 +73,7 @@ struct LaneWish {
   double width = 0;        // metres; 0: an equal share of what the others leave
   double widest = 0;       // metres that such a share grows to; 0: however wide
   unsigned turns = 0;
+  bool yields = false;  // the width is that of its kind: it gives way to widths that are stated
 };
 
 // The lanes of one axis, each list from left to right in its driving direction; those of both
@@ -126,7 +127,7 @@ struct PaintRules {
 struct LaneSettings {
   LaneOrder order = LaneOrder::left_first;
   DrivingSide driving_side = DrivingSide::right;
-  double narrowest = 2;            // metres: lanes of unknown width get less only if all lanes do
+  double narrowest = 2;            // metres: lanes of unknown width get less only for want of room
   bool edge_lines = false;         // separators along the kerbs too
   double kerb_radius_minimal = 0;  // metres, as the kerbs of the sections have it
   double control_distance = 50;    // metres before a node within which its control points stand

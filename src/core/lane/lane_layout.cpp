@@ -10,6 +10,13 @@
 
 namespace streetgen {
 
+namespace {
+
+// What lanes without a stated width keep of their least where stated widths leave less.
+constexpr double least_kept = 0.5;
+
+}  // namespace
+
 double LaneStrip::half_at(double abscissa) const {
   if (half_start == half_end) return half_start;
   return half_start + (half_end - half_start) * std::clamp(abscissa / length(axis), 0.0, 1.0);
@@ -66,18 +73,22 @@ LaneSide side_of(int position, int count) {
 
 std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double width,
                                 double narrowest) {
-  double given = 0;
+  double stated = 0, usual = 0;
   int open = 0;
   for (const LaneWish& wish : wishes) {
-    given += wish.width;
+    (wish.yields ? usual : stated) += wish.width;
     if (wish.width <= 0) ++open;
   }
-  const double rest = open > 0 ? std::max((width - given) / open, narrowest) : 0;
+  const double rest = open > 0 ? std::max((width - stated - usual) / open, narrowest) : 0,
+               yielding = usual + open * rest;
+  const double kept = stated + yielding > width + same_place
+                          ? std::clamp((width - stated) / yielding, least_kept, 1.0)
+                          : 1;
   std::vector<double> widths;
   for (const LaneWish& wish : wishes)
-    widths.push_back(wish.width > 0    ? wish.width
-                     : wish.widest > 0 ? std::min(rest, wish.widest)
-                                       : rest);
+    widths.push_back(wish.width > 0    ? wish.width * (wish.yields ? kept : 1)
+                     : wish.widest > 0 ? std::min(rest * kept, wish.widest)
+                                       : rest * kept);
   const double filled = std::accumulate(widths.begin(), widths.end(), 0.0);
   const bool driven = std::any_of(wishes.begin(), wishes.end(),
                                   [](const LaneWish& wish) { return drives(wish.kind); });

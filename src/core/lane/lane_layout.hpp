@@ -35,9 +35,10 @@ int ordinality_of(int position, int count, LaneOrder order);
 LaneSide side_of(int position, int count);
 
 // The shares of the roadway, from the left kerb, where each lane begins, and where the last one
-// ends.  Lanes fill the roadway, unless stated widths, or the widest that others grow to, leave some
-// of it: that lies beside the lanes, half of it at either kerb.  Of cycle and parking lanes alone
-// nothing is left.
+// ends.  Lanes fill the roadway, unless stated widths, or the widest that others grow to, leave
+// some of it: that lies beside the lanes, half of it at either kerb.  Of cycle and parking lanes
+// alone nothing is left.  Where the roadway is short, lanes that state no width share that, down to
+// half of their least; beyond that all lanes do.
 std::vector<double> lane_shares(const std::vector<LaneWish>& wishes, double width,
                                 double narrowest);
 

@@ -73,7 +73,10 @@ void LaneWishes::decide(const Edge& edge, OfEdge& found) const {
         wish.along_axis = by_hand->direction != LaneOverride::Direction::against;
         wish.both_ways = by_hand->direction == LaneOverride::Direction::both;
       }
-      if (by_hand->width > 0) wish.width = by_hand->width;
+      if (by_hand->width > 0) {
+        wish.width = by_hand->width;
+        wish.yields = false;
+      }
       if (!by_hand->line.empty()) found.decisions[p - 1].line = &by_hand->line;
       found.decisions[p - 1].by_hand = true;
     }

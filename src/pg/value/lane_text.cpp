@@ -72,8 +72,7 @@ std::vector<LaneKind> read_kinds(const std::string& kinds, const std::string& wh
 
 std::string kinds_text(const LaneKinds& kinds) {
   std::string text;
-  for (const LaneKind kind :
-       {LaneKind::general, LaneKind::bus, LaneKind::carpool, LaneKind::cycle})
+  for (const LaneKind kind : {LaneKind::general, LaneKind::bus, LaneKind::carpool, LaneKind::cycle})
     if (kinds[index_of(kind)])
       text += (text.empty() ? "" : "|") + std::string(lane_kind_name(kind));
   return text;
@@ -113,8 +112,10 @@ std::vector<LaneWish> read_lanes(int count, const std::string& kinds, const std:
   each(widths, [&](LaneWish& lane, const std::string& word) { lane.width = width_of(word, what); });
   each(turns, [&](LaneWish& lane, const std::string& word) { lane.turns = turns_of(word, what); });
   for (LaneWish& lane : lanes) {
-    if (lane.width == 0 && lane.kind == LaneKind::cycle) lane.width = defaults.cycle;
-    if (lane.width == 0 && lane.kind == LaneKind::parking) lane.width = defaults.parking;
+    if (lane.width == 0 && (lane.kind == LaneKind::cycle || lane.kind == LaneKind::parking)) {
+      lane.width = lane.kind == LaneKind::cycle ? defaults.cycle : defaults.parking;
+      lane.yields = true;
+    }
     if (lane.kind == LaneKind::general) lane.kind = general_as;
   }
   return lanes;

@@ -18,6 +18,7 @@ std::vector<LaneWish> random_wishes(Random& random) {
     wish.kind = random.of(std::vector<LaneKind>{LaneKind::general, LaneKind::general, LaneKind::bus,
                                                 LaneKind::cycle, LaneKind::parking});
     wish.width = random.one_in(3) ? random.scaled(0.1, 20) : 0;
+    wish.yields = wish.width > 0 && random.one_in(3);
     wish.turns = random.one_in(3) ? random.below(1024) : 0;
   }
   return wishes;

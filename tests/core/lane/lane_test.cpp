@@ -154,10 +154,31 @@ TEST(Lane, FillsTheRoadwayInProportionWhereWidthsSumToMore) {
   wanted.forward[0].width = 4;
   wanted.forward[1].width = 2;
   EXPECT_NEAR(on_straight(wanted, {}, 3)[0].width, 2, 1e-12);
-  wanted.forward[1].width = 0;  // nothing left: as if it were as narrow as may be
+  wanted.forward[1].width = 0;  // nothing left: as if it were half as narrow as may be
   const std::vector<Lane> lanes = on_straight(wanted, {}, 3);
-  EXPECT_NEAR(lanes[0].width, 2, 1e-12);
-  EXPECT_NEAR(lanes[1].width, 1, 1e-12);
+  EXPECT_NEAR(lanes[0].width, 2.4, 1e-12);
+  EXPECT_NEAR(lanes[1].width, 0.6, 1e-12);
+}
+
+TEST(Lane, HoldsStatedWidthsWhereLanesWithoutOneHaveRoomToGiveWay) {
+  AxisLanes wanted = general(2, 1);
+  wanted.forward[1] = {LaneKind::cycle};
+  wanted.forward[1].width = 1.8;
+  wanted.backward.push_back({LaneKind::parking});
+  wanted.backward[1].width = 2;
+  wanted.backward[1].yields = true;
+  // From left to right: parking, general, general, cycle.
+  const std::vector<Lane> lanes = on_straight(wanted, {}, 7);
+  EXPECT_NEAR(lanes[3].width, 1.8, 1e-12);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(lanes[i].width, 5.2 / 3, 1e-12) << i;
+  wanted.backward[1].yields = false;
+  const std::vector<Lane> stated = on_straight(wanted, {}, 7);
+  EXPECT_NEAR(stated[0].width, 2, 1e-12);
+  EXPECT_NEAR(stated[3].width, 1.8, 1e-12);
+  for (int i = 1; i < 3; ++i) EXPECT_NEAR(stated[i].width, 1.6, 1e-12) << i;
+  wanted.forward[1].width = 0;
+  wanted.forward[1].kind = LaneKind::general;
+  EXPECT_NEAR(on_straight(wanted, {}, 9)[0].width, 2, 1e-12) << "nothing is short";
 }
 
 TEST(Lane, WithoutAnyWishIsOneAlongTheAxis) {
