@@ -140,7 +140,7 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'class', type = 'text', not_null = true },
     { column = 'direction', type = 'text' },
     { column = 'traffic_signals_direction', type = 'text' },
-    { column = 'lights', type = 'boolean' }, -- a crossing with lights
+    { column = 'lights', type = 'boolean' }, -- a crossing with lights, or signals with a crossing
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
@@ -162,7 +162,7 @@ local function no_crossing(tags)
 end
 
 local function has_lights(tags)
-    return tags.highway == 'crossing' and
+    return (tags.highway == 'crossing' or tags.highway == 'traffic_signals') and
         (tags.crossing == 'traffic_signals' or tags['crossing:signals'] == 'yes')
 end
 
@@ -216,16 +216,19 @@ local route = osm2pgsql.define_relation_table(prefix .. '_route', {
 
 local route_kinds = { bus = 'bus', trolleybus = 'bus', tram = 'tram', bicycle = 'bicycle', truck = 'truck', hgv = 'truck' }
 
--- A row for each way of a route of buses, trams, bicycles or trucks, but for those of stops.
+-- A row for each way of a route of buses, trams, bicycles or trucks, but for those of stops; where route has several
+-- values, parted by ;, for each kind.
 local function insert_route(object)
-    local kind = route_kinds[object.tags.route]
-    if object.tags.type ~= 'route' or not kind then
-        return
+    local kinds = {}
+    for word in (object.tags.type == 'route' and object.tags.route or ''):gmatch('[^;%s]+') do
+        kinds[route_kinds[word] or word] = route_kinds[word]
     end
     for i, member in ipairs(object.members) do
         if member.type == 'w' and not member.role:find('^platform') and not member.role:find('^stop') then
-            route:insert({ kind = kind, ref = object.tags.ref, name = object.tags.name, ordinality = i,
-                           role = member.role, way_id = member.ref })
+            for _, kind in pairs(kinds) do
+                route:insert({ kind = kind, ref = object.tags.ref, name = object.tags.name, ordinality = i,
+                               role = member.role, way_id = member.ref })
+            end
         end
     end
 end

@@ -21,6 +21,7 @@ struct OsmLane {
   bool listed = true;             // lists of lanes count it; lanes of kerbs lie beside these
   std::string turn{}, change{};   // words of OSM's lists; empty: nothing is said
   std::optional<double> width{};  // metres
+  bool width_usual = false;       // no tag states the width: cars that stand so need it
 };
 
 // What the reader takes from elsewhere.

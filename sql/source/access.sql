@@ -52,7 +52,10 @@ CREATE OR REPLACE FUNCTION streetgen._osm_access_way(tags jsonb, class text, way
     AS $$
 BEGIN
     -- The tag that is nearest to a vehicle decides, and of one tag that of the direction.
-    RETURN (SELECT CASE WHEN car NOT IN ('no', 'bus', 'carpool', 'cycle') THEN replace(car, '?', '')
+    RETURN (SELECT CASE WHEN car = '' AND reserved THEN 'carpool'
+        -- Buses drive through where cars of the owner alone may drive.
+        WHEN car = 'private' AND bus NOT IN ('no', '?', 'private') THEN 'bus'
+        WHEN car NOT IN ('no', 'bus', 'carpool', 'cycle') THEN replace(car, '?', '')
         WHEN car <> 'no' THEN car
         WHEN coalesce(bus, CASE WHEN alone <> 'no' THEN '' END) NOT IN ('no', '?', 'private') THEN 'bus'
         WHEN hov NOT IN ('no', '?') THEN 'carpool'
@@ -72,8 +75,10 @@ BEGIN
         LATERAL (SELECT coalesce(motorcar, motor, vehicle, every, usual) AS car,
             -- Cars alone are shut out: other motor traffic is not.
             CASE WHEN motorcar = 'no' THEN coalesce(motor, vehicle, every, usual) ELSE 'no' END AS alone,
-            coalesce(cycle, vehicle, CASE WHEN every IS NULL THEN nullif(usual, 'cycle') ELSE every END, '') AS bicycle)
-            c);
+            coalesce(cycle, vehicle, CASE WHEN every IS NULL THEN nullif(usual, 'cycle') ELSE every END, '') AS bicycle,
+            -- A list says which lanes are those of carpools.
+            coalesce(tags ->> ('hov:' || way), tags ->> 'hov') = 'designated' AND NOT tags ?| ARRAY['hov:lanes',
+                'hov:lanes:forward', 'hov:lanes:backward'] AS reserved) c);
 END $$;
 COMMENT ON FUNCTION streetgen._osm_access_way(jsonb, text, text) IS
     'Who may drive a way of OSM with such tags and of a class, in one direction (forward or backward), as a word of '
@@ -92,7 +97,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_access(tags jsonb, class text) RETURNS
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN CASE WHEN tags ?| ARRAY['access', 'access:forward', 'access:backward', 'vehicle', 'vehicle:forward',
             'vehicle:backward', 'motor_vehicle', 'motor_vehicle:forward', 'motor_vehicle:backward', 'motorcar',
-            'motorcar:forward', 'motorcar:backward']
+            'motorcar:forward', 'motorcar:backward', 'hov', 'hov:forward', 'hov:backward']
             OR class IN ('busway', 'bus_guideway', 'cycleway', 'path', 'pedestrian', 'footway', 'steps')
         THEN streetgen._osm_access_both(tags, class) END;
 COMMENT ON FUNCTION streetgen._osm_access(jsonb, text) IS

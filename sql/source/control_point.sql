@@ -128,15 +128,16 @@ BEGIN
         array_agg(n.source_ref ORDER BY n.source_ref) FROM pg_temp._import_node n
         WHERE n.class IN ('turning_circle', 'turning_loop', 'passing_place') GROUP BY n.class ORDER BY n.class;
     DROP TABLE pg_temp._import_node;
-    -- A crossing with lights is two: a crossing, and signals for both ways.
+    -- A crossing with lights is two: a crossing, and signals for both ways. So are signals with a crossing.
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format('SELECT geom, kind, '
         'streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
         'node_id::text AS source_ref FROM (SELECT *, streetgen._osm_control(class) AS kind FROM %1$s) c '
         'WHERE kind IS NOT NULL UNION ALL SELECT geom, ''signals'', '
-        'streetgen._osm_direction(traffic_signals_direction), node_id || ''/lights'' FROM %1$s WHERE %2$s', control,
-        lights), only_on_axes => true);
+        'streetgen._osm_direction(traffic_signals_direction), node_id || ''/lights'' FROM %1$s WHERE %2$s '
+        'AND class = ''crossing'' UNION ALL SELECT geom, ''pedestrian_crossing'', NULL, node_id || ''/crossing'' '
+        'FROM %1$s WHERE %2$s AND class = ''traffic_signals''', control, lights), only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes, of a crossing with lights the '
-    'signals too; importing again follows the table. Turning circles and passing places are reported. A NULL table '
-    'leaves all as it was.';
+    'signals too, and of signals with a crossing the crossing; importing again follows the table. Turning circles and '
+    'passing places are reported. A NULL table leaves all as it was.';

@@ -60,7 +60,8 @@ COMMENT ON TABLE :"model".axis_route IS
     'Input: the axes that routes of buses, trams, bicycles and trucks lead along, in their order. An import writes '
     'the rows of its source anew; others stay';
 COMMENT ON COLUMN :"model".axis_route.axis_route_id IS 'key';
-COMMENT ON COLUMN :"model".axis_route.route IS 'the route; of OpenStreetMap the id of its relation';
+COMMENT ON COLUMN :"model".axis_route.route IS
+    'the route; of OpenStreetMap the id of its relation, with the kind where it has several, such as 7/bus';
 COMMENT ON COLUMN :"model".axis_route.ordinality IS
     'place of the axis in the route, from 1; numbers are left out where a part of the route is no axis';
 COMMENT ON CONSTRAINT axis_route_ordinality_check ON :"model".axis_route IS

@@ -132,8 +132,10 @@ BEGIN
         RETURN QUERY SELECT 'no table of routes, those of the model stay', NULL::text, 0::bigint, NULL::text[];
         RETURN;
     END IF;
-    PERFORM streetgen._take_points('_import_route', format('SELECT relation_id::text AS route, ordinality, '
-        'way_id::text AS way_id, role, kind, ref, name, relation_id::text AS source_ref FROM %s', route));
+    -- A relation of several kinds is a route of each.
+    PERFORM streetgen._take_points('_import_route', format('SELECT concat_ws(''/'', relation_id, CASE WHEN min(kind) '
+        'OVER r <> max(kind) OVER r THEN kind END) AS route, ordinality, way_id::text AS way_id, role, kind, ref, '
+        'name, relation_id::text AS source_ref FROM %s WINDOW r AS (PARTITION BY relation_id)', route));
     CREATE TEMPORARY TABLE _import_piece ON COMMIT DROP AS
         SELECT * FROM streetgen._routed_pieces(model, line::text, origin);
     CREATE TEMPORARY TABLE _import_orphan ON COMMIT DROP AS

@@ -9,8 +9,10 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
         'A control point: traffic_signals, stop, give_way, mini_roundabout, crossing; an object: these, street_lamp '
         'and bus_stop.'),
     ('OpenStreetMap, nodes', 'crossing',
-        'Of a crossing: traffic_signals are signals beside it; no: there is none.'),
-    ('OpenStreetMap, nodes', 'crossing:signals', 'Of a crossing: yes is signals beside it.'),
+        'Of a crossing: traffic_signals are signals beside it; no: there is none. Of traffic_signals: the same word is '
+        'a crossing beside them.'),
+    ('OpenStreetMap, nodes', 'crossing:signals',
+        'Of a crossing: yes is signals beside it. Of traffic_signals: yes is a crossing beside them.'),
     ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),
     ('OpenStreetMap, nodes', 'traffic_signals:direction', 'The direction of the traffic that signals are for.'),
     ('OpenStreetMap, nodes', 'natural', 'Value tree is an object.'),
@@ -22,7 +24,8 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
         'Nothing: the restriction holds at all times, and is told.'),
     ('OpenStreetMap, relations', 'restriction', 'The turns that are forbidden, or the only one that is not.'),
     ('OpenStreetMap, relations', 'except', 'Whom the restriction does not bind: psv, bus, bicycle, hov.'),
-    ('OpenStreetMap, relations', 'route', 'Whose route it is: bus, trolleybus, tram, bicycle, truck, hgv.'),
+    ('OpenStreetMap, relations', 'route',
+        'Whose route it is: bus, trolleybus, tram, bicycle, truck, hgv; of several values, parted by ;, each.'),
     ('OpenStreetMap, relations', '[ref|name]', 'The number and the name of the route.')
     UNION ALL SELECT 'BD TOPO', array_to_string(columns, ', '), becomes FROM streetgen._bdtopo_column() $$;
 COMMENT ON FUNCTION streetgen.tag_use() IS

@@ -13,13 +13,14 @@ INSERT INTO tag_kind VALUES
   ('list of who', '{vehicle:lanes,access:lanes:forward,bicycle:lanes,bicycle:lanes:backward,bus:lanes,psv:lanes:forward,taxi:lanes,hov:lanes,cycleway:lanes,cycleway:lanes:forward,motor_vehicle:lanes}',
     '{xyzzy|,designatd|yes,|||-3,"yes,no|yes",läne}', '{yes|no,designated|,|yes|no,no|designated}'),
   ('word', '{oneway,oneway:bus,oneway:bicycle,centre_turn_lane,hov,access,vehicle,motor_vehicle,motorcar,bus,psv,bus:backward,access:forward,busway,busway:left,cycleway,cycleway:left,cycleway:both,
-    cycleway:right:oneway,cycleway:left:lane,parking:right,parking:lane:both,parking:left:orientation,placement,placement:forward}',
+    cycleway:right:oneway,cycleway:left:lane,parking:right,parking:lane:both,parking:lane:both:parallel,parking:lane:left:marked,parking:left:orientation,placement,placement:forward}',
     '{xyzzy,-3,"yes,no",läne,🚲,"{}",lane;xyzzy,"left_of:","lane lane"}', '{yes,no,lane,opposite_lane,reversible,alternating,designated,-1,parallel,diagonal,left_of:1,right_of:2,separate}'),
-  ('width of a kerb lane', '{cycleway:right:width,cycleway:both:width,parking:right:width,parking:both:width}', '{-1,0,wide,1e9,3 furlongs,"1,2,3"}', '{1.5,2 m,6 ft}'),
+  ('width of a kerb lane', '{cycleway:right:width,cycleway:both:width,cycleway:left:est_width,parking:right:width,parking:both:width}', '{-1,0,wide,1e9,3 furlongs,"1,2,3"}', '{1.5,2 m,6 ft}'),
   ('metres', '{width,width:carriageway,est_width,sidewalk:left:width,sidewalk:both:width}', '{-1,wide,1e9,3 furlongs,"1.234,5",NaN,6 mph}', '{7,"3,5 m",10 feet,"12''6\"",~6,5-6}'),
   ('speed', '{maxspeed,maxspeed:forward,zone:maxspeed}', '{fast,-30,1e9,30 furlongs,XX:urban,NaN}', '{50,30 mph,DE:zone30,walk,30;50,20 knots}'),
+  ('list of speeds', '{maxspeed:lanes,maxspeed:lanes:forward,maxspeed:lanes:backward}', '{fast|50,50|-30,30 furlongs|,XX:urban|50,NaN|NaN}', '{50|,none|50,30 mph|20 mph,|}'),
   ('level', '{layer}', '{x,1e3,--1,1.5,99999999999}', '{-1,1,0,2}'),
-  ('misspelt', '{Lanes,lane,turns:lanes,Oneway,cicleway,lanes:foward}', '{2,yes,xyzzy}', '{2}');
+  ('misspelt', '{Lanes,lane,turns:lanes,Oneway,cicleway,lanes:foward,access:motorcar,width:feet}', '{2,yes,xyzzy}', '{2}');
 CREATE FUNCTION pg_temp.any_of(list text[]) RETURNS text LANGUAGE sql VOLATILE AS 'SELECT list[1 + floor(random() * cardinality(list))]';
 -- A width of a kerb lane is asked for where there is such a lane.
 CREATE TABLE osm_line AS

@@ -27,17 +27,20 @@ SELECT n, class, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), S
   (42, 'secondary', '{"oneway": "yes", "width": "7", "busway": "lane"}'), (43, 'residential', '{"junction": "roundabout", "lanes": "1", "width": "7"}'),
   (44, 'residential', '{"width": "7", "parking:both": "lane"}'), (45, 'residential', '{"width": "5", "parking:right": "lane"}'), (46, 'residential', '{"width": "6", "cycleway": "lane"}'), (47, 'residential', '{"width": "6", "parking:left": "lane"}'),
   (50, 'residential', '{"width": "10", "parking:both": "lane", "parking:both:orientation": "perpendicular"}'), (51, 'residential', '{"width": "13", "parking:both": "lane", "parking:both:orientation": "perpendicular"}'),
-  (52, 'residential', '{"width": "5", "lanes": "2", "parking:both": "lane"}'), (53, 'residential', '{"width": "3", "oneway": "yes", "cycleway": "lane"}'), (54, 'residential', '{"width": "8", "lanes": "2", "parking:both": "lane"}')) v(n, class, tags);
+  (52, 'residential', '{"width": "5", "lanes": "2", "parking:both": "lane"}'), (53, 'residential', '{"width": "3", "oneway": "yes", "cycleway": "lane"}'), (54, 'residential', '{"width": "8", "lanes": "2", "parking:both": "lane"}'),
+  (60, 'residential', '{"lanes": "2", "width": "5", "cycleway:right": "lane", "cycleway:right:width": "1.75"}'), (61, 'residential', '{"lanes": "2", "width": "5", "cycleway:right": "lane"}'),
+  (62, 'residential', '{"lanes": "2", "parking:lane:both": "parallel", "parking:lane:both:parallel": "half_on_kerb"}'), (63, 'service', '{"access": "private", "psv": "yes", "busway": "lane"}'),
+  (64, 'motorway_link', '{"lanes": "2", "lanes:backward": "1"}'), (65, 'primary', '{"oneway": "yes", "lanes": "2", "width": "8", "access:lanes": "private|yes", "turn:lanes": "|through"}'), (66, 'motorway', '{"oneway": "reversible", "lanes": "2", "hov": "designated"}')) v(n, class, tags);
 CREATE TABLE report AS SELECT * FROM streetgen.import_osm('town', 'osm');
 SELECT streetgen.import_osm('left_hand', 'osm') \g /dev/null
 CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coalesce(a.kind_forward, '-'), coalesce(a.kind_backward, '-')) AS kinds, u.lanes_forward AS forward, u.lanes_backward AS backward,
   u.lanes_both AS both_ways, u.width AS across, a.* FROM town.axis a JOIN town.axis_used u USING (axis_id);
 SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (VALUES (1, 'bus|general / bus'), (2, 'bus / bus'), (3, 'general|general|cycle|general / -'), (4, 'general|cycle / general|cycle'), (5, '- / cycle'),
   (6, '- / -'), (7, '- / general|general|general|cycle'), (8, 'general|general|general|cycle / -'), (13, 'general|general|cycle / -'), (14, '- / -'), (15, 'general|cycle / -'), (18, 'bus|general|general / -'),
-  (19, '- / -')) v(way, kinds) USING (way) ORDER BY way;
+  (19, '- / -'), (62, '- / -'), (63, 'bus / bus'), (64, '- / -'), (65, 'closed|general / -')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'one lane for both directions lies where lanes of the kerbs leave no room for two: way ' || way, (forward, backward, both_ways, s.kinds) = (0, 0, 1, v.kinds) FROM seen s JOIN (VALUES (44, 'parking / parking'), (45, 'parking / -'), (46, 'cycle / cycle'), (47, '- / parking')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'parking across the street leaves its lanes what is there', array_agg(round(across::numeric, 2) ORDER BY way) = '{10,13}' AND bool_and((forward, backward, both_ways) = (0, 0, 1)) FROM seen WHERE way IN (50, 51);
-SELECT 'streets of which the kerbs leave no room for the other lanes are told', source_refs = '{50,52,53}' AND count = 3 FROM report WHERE what = 'parking or cycle lanes leave less than 2 m for each other lane';
+SELECT 'streets of which the kerbs leave no room for the other lanes are told', source_refs = '{52,53,60,61}' AND count = 4 FROM report WHERE what = 'parking or cycle lanes leave less than 2 m for each other lane';
 SELECT 'lists speak of lanes one by one', (turn_forward, lane_width_forward) = ('left|through|through|right', '3|3|1.5|3.5') FROM seen WHERE way = 3;
 SELECT 'a width of the cycle lane alone', lane_width_forward = '||2.25' FROM seen WHERE way = 22;
 SELECT 'a lane for cycling against the traffic leaves lanes of cars no narrower than they are', (forward, backward) = (1, 0) AND across - 1.5 BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 5;
@@ -54,14 +57,19 @@ SELECT 'rows without tags or with NULL in them become streets like others', arra
 SELECT 'a width of a source is believed beside the lanes of the kerbs', across = 13.5 FROM seen WHERE way = 28;
 SELECT 'an odd lane of no direction lies in the middle', (forward, backward, both_ways) = (1, 1, 1) FROM seen WHERE way = 20;
 SELECT 'all lanes of a reversible street are for both directions', bool_and(forward = 0 AND backward = 0 AND both_ways > 0) FROM seen WHERE way IN (16, 17);
-SELECT 'what was not made is named', array_agg(source_ref || ' ' || tag ORDER BY source_ref) = '{"15 cycleway:right","19 parking:lanes:forward","20 lanes"}' FROM town.unread_tag WHERE source = 'osm_line';
+SELECT 'what was not made is named', array_agg(source_ref || ' ' || tag ORDER BY source_ref) = '{"15 cycleway:right","19 parking:lanes:forward","20 lanes","50 width","65 access:lanes"}' FROM town.unread_tag WHERE source = 'osm_line';
 SELECT 'with what it says, and why', bool_and(value = 'lane' AND reason LIKE 'a cycle lane at this kerb%') FROM town.unread_tag WHERE source_ref = '15';
-SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{"cycleway:right 15","lanes 20","parking:lanes:forward 19"}' FROM report WHERE what LIKE 'lanes not understood%';
+SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{"access:lanes 65","cycleway:right 15","lanes 20","parking:lanes:forward 19","width 50"}' FROM report WHERE what LIKE 'lanes not understood%';
 UPDATE osm_line SET tags = tags - 'parking:lanes:forward' WHERE way_id = 19;
-SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 2 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
+SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 4 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
 SELECT 'where one drives on the left, the near kerb is the left one', string_agg(kind_forward, ' ' ORDER BY source_ref) = 'general|general|cycle cycle|general|general' FROM (SELECT '1' AS source_ref, kind_forward FROM left_hand.axis WHERE source_ref = '22'
   UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1, 4.5) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
 SELECT 'the streets are sound', bool_and(deleted = 0) FROM streetgen.generate('town');
 SELECT 'the one lane of a busway is for buses', array_agg(l.kind) = '{bus}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 29;
+SELECT 'a stated width of a cycle lane holds where the roadway is short, and what is short is shared by others: way ' || way, array_agg(round(l.width::numeric, 3) ORDER BY l.lane_position) = widths
+  FROM (VALUES (60, '{1.625,1.625,1.750}'::numeric[]), (61, '{1.818,1.818,1.364}')) v(way, widths) JOIN seen USING (way) JOIN town.edge USING (axis_id) JOIN town.lane l USING (edge_id) GROUP BY way, widths ORDER BY way;
+SELECT 'a link with lanes both ways is driven both ways', (direction, forward, backward) = ('both', 1, 1) FROM seen WHERE way = 64;
+SELECT 'a lane that is private is closed, and as wide as the other', array_agg(l.kind || round(l.width::numeric, 2) ORDER BY l.lane_position) = '{closed4.00,general4.00}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 65;
+SELECT 'lanes for both directions are those of carpools', array_agg(l.kind) = '{carpool,carpool}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 66;
 SELECT 'no list goes astray', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error' OR rule LIKE '%not those of all lanes%');
 SELECT 'every tag that is read has a word on what becomes of it', count(*) > 40 AND bool_and(becomes <> '') AND count(DISTINCT (source, tag)) = count(*) FROM streetgen.tag_use();

@@ -21,6 +21,11 @@ UPDATE town_route SET ref = '30' WHERE relation_id = 7;
 DELETE FROM town_route WHERE relation_id = 9;
 SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 SELECT 'a second delivery follows the source and leaves what is by hand', (SELECT string_agg(DISTINCT concat(route, ref), ' ' ORDER BY concat(route, ref)) = '730 8 mine' FROM town.axis_route);
+INSERT INTO town_route SELECT 10, kind, '5', NULL, way, '', way FROM unnest('{bus,tram}'::text[]) kind, generate_series(1, 2) way;
+CREATE TABLE several AS SELECT * FROM streetgen.import_osm('town', 'town');
+SELECT 'a relation of two kinds is a route of each', pg_temp.routes() LIKE '10/bus 1 1 direct, 10/bus 2 2 reverse, 10/tram 1 1 direct, 10/tram 2 2 reverse, 7 1 1 direct%' AND (SELECT string_agg(class || count, ' ' ORDER BY class) = 'bicycle1 bus2 tram1' FROM several WHERE what = 'routes');
+DELETE FROM town_route WHERE relation_id = 10;
+SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 -- Routes follow their axes: pieces of a cut axis, an axis drawn the other way or elsewhere, a deleted one.
 SELECT FROM streetgen.create_model('line', 2154, subjects => '{}') \g /dev/null
 CREATE TABLE line_line (LIKE town_line);
@@ -142,6 +147,10 @@ SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 SELECT FROM streetgen.generate('town') \g /dev/null
 SELECT 'a crossing with lights is a crossing and signals', (SELECT string_agg(source_ref || kind, ' ' ORDER BY source_ref) = '1pedestrian_crossing 1/lightssignals 2pedestrian_crossing' FROM town.control_point);
 SELECT 'the junction beyond it has signals', EXISTS (SELECT FROM town.junction WHERE kind = 'signals');
+INSERT INTO town_control (node_id, class, geom, lights) VALUES (3, 'traffic_signals', 'SRID=2154;POINT(650200 6860012)', true), (4, 'traffic_signals', 'SRID=2154;POINT(650030 6860000)', false);
+SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
+SELECT 'signals with a crossing are signals and a crossing', (SELECT string_agg(source_ref || kind, ' ' ORDER BY source_ref) = '3signals 3/crossingpedestrian_crossing 4signals' FROM town.control_point WHERE source_ref ~ '^[34]');
+DELETE FROM town_control WHERE node_id > 2;
 UPDATE town_control SET lights = false;
 SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 SELECT 'which go with the tag', (SELECT array_agg(DISTINCT kind) = '{pedestrian_crossing}' FROM town.control_point);

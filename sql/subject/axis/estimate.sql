@@ -131,6 +131,14 @@ COMMENT ON FUNCTION streetgen._kerbside_width(text, text, float8, float8) IS
     'Width in metres of the cycle and parking lanes of a direction with these kinds and widths of lanes, each as wide '
     'as it says, else as the settings do; 0 where there are none.';
 
+CREATE OR REPLACE FUNCTION streetgen._closed_lanes(kind_forward text, kind_backward text) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN kind_forward LIKE '%closed%' OR kind_backward LIKE '%closed%'
+        THEN cardinality(array_positions(string_to_array(concat_ws('|', kind_forward, kind_backward), '|'), 'closed'))
+        ELSE 0 END;
+COMMENT ON FUNCTION streetgen._closed_lanes(text, text) IS
+    'How many lanes of a street are closed to all traffic, by the lists of kinds of both directions.';
+
 CREATE OR REPLACE FUNCTION streetgen._kinds_beside_parking(driving integer, parking_left float8, parking_right float8)
     RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

@@ -132,7 +132,8 @@ CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward
         AS lanes_stated,
     streetgen._kerbside_width(kind_forward, lane_width_forward, cycle_lane_width, parking_lane_width)
         + streetgen._kerbside_width(kind_backward, lane_width_backward, cycle_lane_width, parking_lane_width)
-        AS kerbside, CASE WHEN parks THEN class_parking_left + class_parking_right ELSE 0 END AS parking) stated
+        + streetgen._closed_lanes(kind_forward, kind_backward) * lane_width AS kerbside,
+    CASE WHEN parks THEN class_parking_left + class_parking_right ELSE 0 END AS parking) stated
 -- Lanes of the kerbs lie beside those that lane_count counts.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN streetgen.believed_width(width - kerbside, lane_count, most_per_lane) IS NOT NULL

@@ -1,5 +1,7 @@
 #include "osm/bus_lanes.hpp"
 
+#include "osm/car_access.hpp"
+
 namespace streetgen {
 
 namespace {
@@ -44,13 +46,30 @@ bool lets_in(const std::string& word) {
   return word == "yes" || word == "designated" || word == "official" || word == "permissive";
 }
 
-// The value of the first of these keys that has one, with the suffix of a direction or without.
-std::string nearest_word(std::initializer_list<const char*> keys, Heading heading,
-                         const WayTags& tags) {
+// The first of these keys that has a value, with the suffix of a direction or without.
+std::string nearest_key(std::initializer_list<const char*> keys, Heading heading,
+                        const WayTags& tags) {
   for (const char* key : keys)
     for (const std::string& each : {tags.key_of(key, heading), std::string(key)})
-      if (const std::string word = tags.value(each); !word.empty()) return word;
+      if (!tags.value(each).empty()) return each;
+  return *keys.begin();
+}
+
+// The tag that lets buses in; empty: none does.
+std::string key_of_buses(Heading heading, const WayTags& tags) {
+  for (const char* name : {"bus", "psv"})
+    if (const std::string key = nearest_key({name}, heading, tags); lets_in(tags.value(key)))
+      return key;
   return {};
+}
+
+std::string word_of_cars(Heading heading, const WayTags& tags) {
+  return tags.value(nearest_key({"motorcar", "motor_vehicle", "vehicle", "access"}, heading, tags));
+}
+
+bool for_buses_alone(Heading heading, const WayTags& tags) {
+  return tags.value("highway") == "busway" ||
+         (shuts_cars_out(word_of_cars(heading, tags)) && !key_of_buses(heading, tags).empty());
 }
 
 }  // namespace
@@ -61,12 +80,21 @@ BusWishes wanted_bus_lanes(WayTags& tags) {
   if (tags.takes_turns()) return wishes;
   look_at_kerb(RoadSide::near, tags, wishes);
   look_at_kerb(RoadSide::far, tags, wishes);
+  // A kerb has no bus lane beside others that are all bus lanes.
+  if (for_buses_alone(Heading::along, tags) && !wishes.along.by_count) wishes.along = {};
+  if (!tags.one_way() && for_buses_alone(Heading::against, tags) && !wishes.against.by_count)
+    wishes.against = {};
   return wishes;
 }
 
 void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLanes& lanes,
                    WayTags& tags) {
   if (wish.lanes() == 0 || lanes.has(LaneKind::bus)) return;
+  if (for_buses_alone(lanes.heading, tags) && wish.by_count && !lanes.known && !beside) {
+    lanes.lanes.assign(wish.lanes(), {LaneKind::bus});
+    lanes.known = true;
+    return;
+  }
   const int driving = lanes.driving();
   const bool within = lanes.known && !beside &&
                       (driving > wish.lanes() || (wish.by_count && driving == wish.lanes()));
@@ -89,16 +117,21 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
     }
 }
 
-void give_to_buses(HeadingLanes& lanes, const WayTags& tags) {
-  const bool closed =
-      nearest_word({"motorcar", "motor_vehicle", "vehicle", "access"}, lanes.heading, tags) == "no";
-  const bool buses = lets_in(nearest_word({"bus"}, lanes.heading, tags)) ||
-                     lets_in(nearest_word({"psv"}, lanes.heading, tags));
-  const bool alone = tags.value("highway") == "busway" || (closed && buses);
-  const bool shared = !alone && nearest_word({"hov"}, lanes.heading, tags) == "designated";
-  if (!alone && !shared) return;
+void give_to_buses(HeadingLanes& lanes, WayTags& tags) {
+  if (const std::string key = key_of_buses(lanes.heading, tags);
+      !key.empty() && lets_cars_end(word_of_cars(lanes.heading, tags)))
+    tags.name(key, "cars may drive there too, if not through: no lane is for buses alone");
+  if (!for_buses_alone(lanes.heading, tags)) return;
   for (OsmLane& lane : lanes.lanes)
-    if (lane.kind == LaneKind::general) lane.kind = alone ? LaneKind::bus : LaneKind::carpool;
+    if (lane.kind == LaneKind::general) lane.kind = LaneKind::bus;
+}
+
+void give_to_carpools(HeadingLanes& lanes, const WayTags& tags) {
+  if (lanes.has(LaneKind::carpool) ||
+      tags.value(nearest_key({"hov"}, lanes.heading, tags)) != "designated")
+    return;
+  for (OsmLane& lane : lanes.lanes)
+    if (lane.kind == LaneKind::general) lane.kind = LaneKind::carpool;
 }
 
 }  // namespace streetgen

@@ -23,6 +23,8 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
                    WayTags& tags);
 
 // Where buses may drive and cars may not, all lanes are theirs.
-void give_to_buses(HeadingLanes& lanes, const WayTags& tags);
+void give_to_buses(HeadingLanes& lanes, WayTags& tags);
+// All lanes of a way for carpools are theirs, unless a list says which.
+void give_to_carpools(HeadingLanes& lanes, const WayTags& tags);
 
 }  // namespace streetgen

@@ -1,5 +1,7 @@
 #include "osm/kerb_lanes.hpp"
 
+#include <algorithm>
+
 #include "osm/lane_list.hpp"
 
 namespace streetgen {
@@ -48,14 +50,15 @@ CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
   return wish;
 }
 
+// The first that is a width of a lane.
 std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
-  for (const std::string& key :
-       {tags.key_of("cycleway", kerb), std::string("cycleway:both"), std::string("cycleway")})
-    if (const std::string said = tags.value(key + ":width"); !said.empty()) {
-      const std::optional<double> width = lane_width_of(said);
-      if (!width) tags.name(key + ":width", "it is no width of a lane");
-      return width;
-    }
+  for (const char* said : {":width", ":est_width"})
+    for (const std::string& key :
+         {tags.key_of("cycleway", kerb), std::string("cycleway:both"), std::string("cycleway")})
+      if (const std::string word = tags.value(key + said); !word.empty()) {
+        if (const std::optional<double> width = lane_width_of(word)) return width;
+        tags.name(key + said, "it is no width of a lane");
+      }
   return std::nullopt;
 }
 
@@ -80,19 +83,38 @@ void name_kinds_without_lane(RoadSide kerb, WayTags& tags) {
     tags.name(key, "no cycle lane is there");
 }
 
-// Metres; none where cars stand along the kerb and no width is stated.
-std::optional<double> parking_width_at(RoadSide kerb, const std::string& stands, WayTags& tags) {
+// Do cars stand on a lane, by the tags of this kerb?
+bool cars_stand_on_lane(RoadSide kerb, const std::string& stands, WayTags& tags) {
+  const std::string place = word_among(tags.value(tags.said_of("parking", kerb)), {"lane"});
+  if (place == "yes")
+    tags.name(tags.said_of("parking", kerb), "it does not say whether cars stand on a lane");
+  else if (!place.empty())
+    return place == "lane";
+  if (std::find(parking_words.begin(), parking_words.end(), stands) == parking_words.end())
+    return false;
+  // The older scheme says the place beneath the way in which they stand.
+  for (const std::string& key :
+       {tags.key_of("parking:lane", kerb), std::string("parking:lane:both")})
+    if (const std::string where = tags.value(key + ":" + stands); !where.empty())
+      return where == "on_street" || where == "lane" || where == "painted_area_only";
+  return true;
+}
+
+// Without a width where cars stand along the kerb and no tag states one.
+OsmLane parking_lane_at(RoadSide kerb, const std::string& stands, WayTags& tags) {
+  OsmLane lane{LaneKind::parking, false};
   for (const std::string& key : {tags.key_of("parking", kerb), std::string("parking:both")})
     if (const std::string said = tags.value(key + ":width"); !said.empty()) {
-      if (const std::optional<double> width = lane_width_of(said)) return width;
+      if ((lane.width = lane_width_of(said))) return lane;
       tags.name(key + ":width", "it is no width of a lane");
     }
   std::string turned = tags.value(tags.key_of("parking", kerb) + ":orientation");
   if (turned.empty()) turned = tags.value("parking:both:orientation");
   if (turned.empty()) turned = stands;
-  if (turned == "diagonal") return depth_of_diagonal;
-  if (turned == "perpendicular") return depth_of_perpendicular;
-  return std::nullopt;
+  if (turned == "diagonal") lane.width = depth_of_diagonal;
+  if (turned == "perpendicular") lane.width = depth_of_perpendicular;
+  lane.width_usual = lane.width.has_value();
+  return lane;
 }
 
 }  // namespace
@@ -123,18 +145,12 @@ void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) 
 
 void lay_parking_lanes(WayLanes& lanes, WayTags& tags) {
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
-    const std::string place = word_among(tags.value(tags.said_of("parking", kerb)), {"lane"}),
-                      stands =
-                          word_among(tags.value(tags.said_of("parking:lane", kerb)), parking_words);
-    if (place == "yes")
-      tags.name(tags.said_of("parking", kerb), "it does not say whether cars stand on a lane");
-    if (place != "lane" && stands != "parallel" && stands != "diagonal" &&
-        stands != "perpendicular" && stands != "marked")
-      continue;
+    const std::string stands =
+        word_among(tags.value(tags.said_of("parking:lane", kerb)), parking_words);
+    if (!cars_stand_on_lane(kerb, stands, tags)) continue;
     const bool beyond = kerb == RoadSide::far &&
                         (!tags.one_way() || tags.takes_turns() || !lanes.against.lanes.empty());
-    put_at(beyond ? RoadSide::near : kerb, lanes.side,
-           {LaneKind::parking, false, {}, {}, parking_width_at(kerb, stands, tags)},
+    put_at(beyond ? RoadSide::near : kerb, lanes.side, parking_lane_at(kerb, stands, tags),
            beyond ? lanes.against.lanes : lanes.along.lanes);
   }
 }

@@ -88,7 +88,11 @@ void share(WayLanes& lanes, int total, const BusWishes& buses, Count& along, Cou
   const int forth = buses.along.lanes(), back = buses.against.lanes();
   const int rest = total - forth - back;
   lanes.shared = true;
-  if (rest >= 2 && rest % 2 == 0) {
+  if (rest == 0 && buses.along.by_count && buses.against.by_count) {
+    lanes.shared = false;
+    along.lanes = forth;
+    against.lanes = back;
+  } else if (rest >= 2 && rest % 2 == 0) {
     along.lanes = rest / 2 + forth;
     against.lanes = rest / 2 + back;
   } else if (total % 2 == 0 && total / 2 > std::max(forth, back)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "osm/car_access.hpp"
 #include "streetgen/measure_text.hpp"
 
 namespace streetgen {
@@ -54,9 +55,10 @@ LaneLists::LaneLists(WayTags& tags, Heading heading) : heading_(heading) {
   }
 }
 
-int LaneLists::Reading::driving() const {
-  return static_cast<int>(
-      std::count_if(kinds.begin(), kinds.end(), [](LaneKind kind) { return drives(kind); }));
+int LaneLists::Reading::of_motor_traffic() const {
+  return static_cast<int>(std::count_if(kinds.begin(), kinds.end(), [](LaneKind kind) {
+    return drives(kind) || kind == LaneKind::closed;
+  }));
 }
 
 std::string LaneLists::word(const std::string& name, std::size_t length, std::size_t lane) const {
@@ -76,19 +78,20 @@ LaneLists::Mark LaneLists::mark(std::size_t length, std::size_t lane, WayTags& t
                          cars == "psv" || cars == "taxi";
   if (reserved(said("hov")) || cars == "hov") return Mark::carpool;
   if (for_buses) return Mark::bus;
-  const bool closed = cars == "no" || cars == "private" || cars == "bicycle";
+  const bool closed = shuts_cars_out(cars) || cars == "bicycle";
   if (closed && (reserved(bicycle) || cars == "bicycle")) return Mark::cycle;
   if (closed && (open(bus) || open(psv) || open(taxi))) return Mark::bus;
   if (lane_of_cycles(said("cycleway"))) return Mark::cycle;
   if (closed && open(bicycle)) return Mark::cycle;
   if (closed) {
-    if (!tags.lets_buses_in(Heading::along) && !tags.lets_buses_in(Heading::against))
-      for (std::size_t i = 0; i < lists_.size(); ++i)
-        if (lists_[i].words.size() == length && lists_[i].words[lane] == cars &&
-            (names_[i] == "access" || names_[i].find("vehicle") != std::string::npos ||
-             names_[i] == "motorcar"))
-          tags.name(lists_[i].key, "nothing says who may drive on a lane that is closed to cars");
-    return Mark::bus;
+    if (tags.lets_buses_in(Heading::along) || tags.lets_buses_in(Heading::against))
+      return Mark::bus;
+    for (std::size_t i = 0; i < lists_.size(); ++i)
+      if (lists_[i].words.size() == length && lists_[i].words[lane] == cars &&
+          (names_[i] == "access" || names_[i].find("vehicle") != std::string::npos ||
+           names_[i] == "motorcar"))
+        tags.name(lists_[i].key, "nothing says who may drive on a lane that is closed to cars");
+    return Mark::closed;
   }
   return reserved(bicycle) ? Mark::maybe_cycle : Mark::general;
 }
@@ -104,14 +107,15 @@ std::vector<LaneLists::Reading> LaneLists::readings(KerbCycles kerbs, WayTags& t
       const Mark said = mark(length, lane, tags);
       const LaneKind kind = said == Mark::bus       ? LaneKind::bus
                             : said == Mark::carpool ? LaneKind::carpool
+                            : said == Mark::closed  ? LaneKind::closed
                             : said == Mark::general ? LaneKind::general
                                                     : LaneKind::cycle;
       doubtful |= said == Mark::maybe_cycle;
       strict.kinds.push_back(kind);
       shared.kinds.push_back(said == Mark::maybe_cycle ? LaneKind::general : kind);
     }
-    strict.counted = strict.driving();
-    shared.counted = shared.driving();
+    strict.counted = strict.of_motor_traffic();
+    shared.counted = shared.of_motor_traffic();
     // A direction is not for bicycles alone where nothing closes it to cars.
     if (!(doubtful && strict.counted == 0 && heading_ == Heading::along)) found.push_back(strict);
     shared.supposed = true;
@@ -124,7 +128,7 @@ std::vector<LaneLists::Reading> LaneLists::readings(KerbCycles kerbs, WayTags& t
     Reading kerbside = strict;
     if (kerbs.at_left) kerbside.kinds.front() = LaneKind::cycle;
     if (kerbs.at_right) kerbside.kinds.back() = LaneKind::cycle;
-    kerbside.counted = kerbside.driving();
+    kerbside.counted = kerbside.of_motor_traffic();
     kerbside.supposed = true;
     if (kerbside.counted > 0 && kerbside.counted < strict.counted) found.push_back(kerbside);
   }

@@ -34,7 +34,7 @@ class LaneLists {
     int counted = 0;              // lanes that tag lanes counts, if this is how the lists are meant
     bool disagrees = false;       // tag lanes counts the cycle lanes too, against its definition
     bool supposed = false;        // a mark is not meant, or a cycle lane has none
-    int driving() const;
+    int of_motor_traffic() const;  // also closed ones
   };
   // The longest first; of one length that first where all that may be a cycle lane is one.  Lists
   // that name no cycle lane may count those of the kerbs.
@@ -47,7 +47,7 @@ class LaneLists {
   bool say_who() const;
 
  private:
-  enum class Mark { general, bus, carpool, cycle, maybe_cycle };
+  enum class Mark { general, bus, carpool, cycle, maybe_cycle, closed };
   std::string word(const std::string& name, std::size_t length, std::size_t lane) const;
   Mark mark(std::size_t length, std::size_t lane, WayTags& tags) const;
 

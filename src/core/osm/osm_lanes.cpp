@@ -171,6 +171,25 @@ void fill_width(WayLanes& lanes, const OsmLaneUse& use, const WayTags& tags) {
     make_driving(std::max(lanes_in(room / 2, use), of_heading->driving()), *of_heading);
 }
 
+// Cars that stand across the street have what lanes of least width leave, or a lane as along it.
+void leave_lanes(WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
+  if (!use.roadway_width) return;
+  const double least = narrowest_counted * use.lane_width;
+  double taken = lanes.middle * least, wanted = 0;
+  std::vector<OsmLane*> across;
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    for (OsmLane& lane : of_heading->lanes) {
+      const double own = drives(lane.kind) ? lane.width.value_or(least) : usual_width(lane, use);
+      (lane.width_usual ? wanted : taken) += own;
+      if (lane.width_usual) across.push_back(&lane);
+    }
+  if (across.empty() || taken + wanted <= *use.roadway_width) return;
+  const double share = (*use.roadway_width - taken) / wanted;
+  for (OsmLane* lane : across) lane->width = std::max(*lane->width * share, use.parking_lane_width);
+  tags.name_first_of({"width:carriageway", "width", "est_width"},
+                     "it leaves too little for cars that stand across the street");
+}
+
 // Of a two-way street a list without a direction speaks of no lane.
 void name_lists_of_both(const OsmTags& said, WayTags& tags) {
   if (tags.one_way()) return;
@@ -210,10 +229,14 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   const LaneLists along(tags, Heading::along), against(tags, Heading::against);
   const CycleWishes cycles = wanted_cycle_lanes(tags);
   WayLanes lanes = counted_lanes(along, against, cycles, use, tags);
-  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) give_to_buses(*of_heading, tags);
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) {
+    give_to_buses(*of_heading, tags);
+    give_to_carpools(*of_heading, tags);
+  }
   lay_cycle_lanes(cycles, lanes, tags);
   lay_parking_lanes(lanes, tags);
   fill_width(lanes, use, tags);
+  leave_lanes(lanes, use, tags);
   if (!tags.takes_turns()) {
     take_lists(along, lanes.along, tags);
     if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);

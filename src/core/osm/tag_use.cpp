@@ -13,8 +13,8 @@ namespace streetgen {
 constexpr const char* who_may =
     "yes no none designated official permissive private permit destination customers customer "
     "delivery loading residents resident employees restricted agricultural forestry emergency "
-    "military construction discouraged use_sidepath dismount unknown public closed local limited "
-    "lane bus psv taxi hov carpool bicycle cycle foot hgv";
+    "military construction discouraged use_sidepath dismount unknown public closed local "
+    "bus psv taxi hov carpool bicycle cycle foot";
 constexpr const char* yes_or_no = "yes no true false 1 0 -1";
 constexpr const char* cycleways =
     "lane opposite_lane track opposite_track opposite shared_lane share_busway "
@@ -22,8 +22,12 @@ constexpr const char* cycleways =
     "yes no none";
 
 const std::vector<OsmTagUse>& osm_tag_uses() {
+  static const std::string of_lane = std::string(who_may) + " lane";
+  static const char* const who_may_on_lane = of_lane.c_str();
   static const std::vector<OsmTagUse> uses = {
-      {"highway", "Class busway: all lanes are bus lanes. Motorways run one way."},
+      {"highway",
+       "Class busway: all lanes are bus lanes. Motorways run one way, unless oneway or "
+       "lanes:backward says otherwise."},
       {"junction", "A roundabout or a circular junction runs one way.", nullptr,
        "roundabout circular"},
       {"oneway",
@@ -46,37 +50,46 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"change:lanes[|:forward|:backward]", "Where one may leave each lane."},
       {"width:lanes[|:forward|:backward]", "The width of each lane."},
       {"[access|vehicle|motor_vehicle|motorcar]:lanes[|:forward|:backward]",
-       "A lane that is closed to cars is one of those that may drive there: a bus or cycle lane.",
-       who_may},
+       "A lane that is closed to cars is one of those that may drive there: a bus or cycle lane. "
+       "Where nothing lets anybody in, it is a closed lane, and is named.",
+       who_may_on_lane},
       {"[bus|psv|taxi]:lanes[|:forward|:backward]",
        "A designated lane is a bus lane, as is one that is closed to cars and open to these.",
-       who_may},
-      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane.", who_may},
+       who_may_on_lane},
+      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane.", who_may_on_lane},
       {"bicycle:lanes[|:forward|:backward]",
        "A designated lane that is closed to cars, or that tag lanes does not count, is a cycle "
        "lane.",
-       who_may},
+       who_may_on_lane},
       {"cycleway:lanes[|:forward|:backward]", "A lane so named is a cycle lane.",
        "lane exclusive advisory designated soft_lane shared_lane pictogram track yes no none"},
       {"hov[|:forward|:backward]",
-       "Value designated: all lanes of the direction are carpool lanes.", who_may},
+       "Value designated: all lanes of the direction are carpool lanes, unless a list says "
+       "which. Value lane says of no lane which it is, and is named.",
+       who_may},
       {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
-       "Value no, where buses may drive: all lanes of the direction are bus lanes.", who_may},
+       "Values such as no and private, where buses may drive: all lanes of the direction are bus "
+       "lanes.",
+       who_may},
       {"[bus|psv][|:forward|:backward]",
-       "Where cars may not drive, a value that lets buses in makes all lanes bus lanes.", who_may},
+       "Where cars may not drive, a value that lets buses in makes all lanes bus lanes. Where "
+       "cars may drive to a destination, it is named.",
+       who_may},
       {"busway[|:left|:right|:both]",
-       "Value lane: a bus lane at the kerb, among the lanes that are counted; opposite_lane: one "
-       "against the traffic.",
+       "Value lane: a bus lane at the kerb, among the lanes that are counted, unless all of them "
+       "are bus lanes; opposite_lane: one against the traffic.",
        "lane opposite_lane opposite separate no none"},
       {"cycleway[|:left|:right|:both]",
-       "Value lane or soft_lane: a cycle lane at the kerb, beside the lanes that are counted; opposite_lane: "
-       "one against the traffic. Tracks and shared lanes are no lanes of the roadway.",
+       "Value lane or soft_lane: a cycle lane at the kerb, beside the lanes that are counted; "
+       "opposite_lane: one against the traffic. Tracks and shared lanes are no lanes of the "
+       "roadway.",
        cycleways},
       {"cycleway[:left|:right|:both]:oneway",
        "The direction of the cycle lane. One for both directions is made at the far kerb of a "
        "one-way street alone.",
        yes_or_no},
-      {"cycleway[|:left|:right|:both]:width", "The width of the cycle lane."},
+      {"cycleway[|:left|:right|:both]:[width|est_width]",
+       "The width of the cycle lane; est_width where width is none."},
       {"cycleway[|:left|:right|:both]:lane",
        "Nothing: an advisory lane is a cycle lane as an exclusive one is. Without a cycle lane "
        "the way is named.",
@@ -87,15 +100,20 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb, so deep.",
        "parallel diagonal perpendicular marked yes no none no_parking no_stopping no_standing "
        "separate fire_lane"},
+      {"parking:lane[:left|:right|:both]:[parallel|diagonal|perpendicular|marked]",
+       "Where cars that stand so do: on_street, lane and painted_area_only are on a parking lane, "
+       "others off the roadway.",
+       "on_street lane painted_area_only on_kerb half_on_kerb shoulder street_side lay_by"},
       {"parking[:left|:right|:both]:width", "The width of the parking lane."},
       {"parking[:left|:right|:both]:orientation",
-       "The depth of a parking lane without a width: diagonal 4.5 m, perpendicular 5 m.",
+       "The depth of a parking lane without a width: diagonal 4.5 m, perpendicular 5 m; less where "
+       "the stated width of the street is too small for the lanes beside it, and that is named.",
        "parallel diagonal perpendicular"},
       {"lane_markings", "Nothing: all lanes are drawn, marked or not."},
       {"placement[|:forward|:backward]",
        "The distance from the way to the middle of the roadway, by the lane that the way marks."},
       {"[destination|destination:ref|destination:symbol|destination:colour|destination:street|"
-       "destination:country|destination:int_ref|destination:to|destination:ref:to|maxspeed|"
+       "destination:country|destination:int_ref|destination:to|destination:ref:to|"
        "minspeed|overtaking|hgv|goods|motorcycle|foot|maxheight|maxweight|maxwidth|surface|"
        "smoothness|stop|traffic_signals]:lanes[|:forward|:backward|:both_ways]",
        "Nothing of lanes: it says neither which there are nor whose."},
@@ -107,9 +125,12 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
   static const std::vector<OsmTagUse> uses = {
       {"width:carriageway, width, est_width",
        "The width of the roadway from kerb to kerb: the first of them that is a length."},
-      {"maxspeed[|:lanes][|:forward|:backward], zone:maxspeed, source:maxspeed, maxspeed:type",
+      {"maxspeed[|:forward|:backward], zone:maxspeed, source:maxspeed, maxspeed:type",
        "The speed: of the way, else the highest of its directions, else of its lanes, else that "
        "of its zone."},
+      {"maxspeed:lanes[|:forward|:backward]",
+       "The speed where neither the way nor a direction has one: the highest. A word that is no "
+       "speed is named."},
       {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
        "Who may drive, column access: the tag nearest to cars counts, and of one tag that of the"
        " direction."},
@@ -173,6 +194,17 @@ const std::map<std::string, const OsmTagUse*>& told_keys() {
   return told;
 }
 
+// Keys that people write in place of one that is known.
+std::string known_in_place_of(const std::string& key) {
+  const std::string start = "access:";
+  if (key.compare(0, start.size(), start) == 0 && tag_is_told(key.substr(start.size())))
+    return key.substr(start.size());
+  for (const char* unit :
+       {"feet", "foot", "ft", "inches", "metres", "meters", "metre", "meter", "m"})
+    if (key == std::string("width:") + unit) return "width";
+  return {};
+}
+
 constexpr std::size_t shortest_misspelt = 4;  // letters; shorter keys are too much alike
 
 // A key, and what it is with a letter taken out.  Keys that are a letter away from each other share
@@ -226,6 +258,7 @@ std::string key_nearest_to(const std::string& key) {
   for (const char letter : key)
     small += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   if (tag_is_told(small)) return small;
+  if (const std::string known = known_in_place_of(small); !known.empty()) return known;
   std::string nearest;
   if (small.size() >= shortest_misspelt)
     each_worn(small, [&](const std::string& each) {

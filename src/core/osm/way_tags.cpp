@@ -4,9 +4,23 @@
 #include <cctype>
 
 #include "osm/tag_use.hpp"
+#include "streetgen/measure_text.hpp"
 #include "support/invariant.hpp"
 
 namespace streetgen {
+
+namespace {
+
+// Without spaces, in small letters.
+std::string plain(const std::string& text) {
+  std::string word;
+  for (const char letter : text)
+    if (!std::isspace(static_cast<unsigned char>(letter)))
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return word;
+}
+
+}  // namespace
 
 WayTags::WayTags(const OsmTags& tags, DrivingSide side) : tags_(tags) {
   const std::string oneway = value("oneway"), junction = value("junction"),
@@ -21,8 +35,11 @@ WayTags::WayTags(const OsmTags& tags, DrivingSide side) : tags_(tags) {
     direction_ = WayDirection::reverse;
   else if (!takes_turns_ && !is(oneway, {"no", "false", "0"})) {
     if (!oneway.empty()) name("oneway", "it is no direction");
-    if (is(junction, {"roundabout", "circular"}) || is(highway, {"motorway", "motorway_link"}))
-      direction_ = WayDirection::direct;
+    // Lanes that are stated against it go before a direction that the class alone implies.
+    const bool motorway = is(highway, {"motorway", "motorway_link"}) &&
+                          !(count("lanes:backward", 0) > 0 && value("oneway:bus") != "no" &&
+                            value("oneway:psv") != "no");
+    if (is(junction, {"roundabout", "circular"}) || motorway) direction_ = WayDirection::direct;
   }
   near_is_right_ = (side == DrivingSide::right) != drawn_against();
 }
@@ -30,12 +47,7 @@ WayTags::WayTags(const OsmTags& tags, DrivingSide side) : tags_(tags) {
 std::string WayTags::value(const std::string& key) const {
   must_hold(tag_is_told(key), "the table of tags says what becomes of each key that is read", 0);
   const auto found = tags_.find(key);
-  if (found == tags_.end()) return {};
-  std::string word;
-  for (const char letter : found->second)
-    if (!std::isspace(static_cast<unsigned char>(letter)))
-      word += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return word;
+  return found == tags_.end() ? std::string{} : plain(found->second);
 }
 
 std::string means_nothing(const std::string& word) {
@@ -111,6 +123,15 @@ void WayTags::name_first_of(const std::vector<std::string>& keys, const std::str
   if (had != keys.end()) name(*had, reason);
 }
 
+void WayTags::name_strange_speeds(const std::string& key, const std::string& list) {
+  for (const std::string& word : parted_list(list)) {
+    const std::string small = plain(word);
+    if (!small.empty() && small != "none" && small != "signals" && small != "variable" &&
+        !read_kmh(word))
+      name(key, means_nothing(word));
+  }
+}
+
 void WayTags::name_strangers() {
   for (const auto& [key, word] : tags_) {
     if (key.compare(0, 7, "source:") == 0) continue;
@@ -119,6 +140,7 @@ void WayTags::name_strangers() {
         name(key, "it lists lanes, and its key speaks of none");
       if (const std::string strange = strange_word(key, value(key)); !strange.empty())
         name(key, means_nothing(strange));
+      if (key.compare(0, 14, "maxspeed:lanes") == 0) name_strange_speeds(key, word);
     } else if (const std::string meant = key_nearest_to(key); !meant.empty())
       name(key, "it is not known; " + meant + " is");
     else if ((":" + key + ":").find(":lanes:") != std::string::npos)

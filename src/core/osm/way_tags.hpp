@@ -56,6 +56,9 @@ class WayTags {
   bool lets_buses_in(Heading heading) const;
 
  private:
+  // Words of a list of speeds that are none.
+  void name_strange_speeds(const std::string& key, const std::string& list);
+
   const OsmTags& tags_;
   bool near_is_right_;  // of the way as it is drawn
   bool takes_turns_ = false;

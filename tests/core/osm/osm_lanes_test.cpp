@@ -19,6 +19,8 @@ const char* letter(LaneKind kind) {
       return "cycle";
     case LaneKind::parking:
       return "parking";
+    case LaneKind::closed:
+      return "closed";
     default:
       return "general";
   }
@@ -146,6 +148,22 @@ TEST(OsmLanes, OneWayStreetsOfUnknownLanesHaveTheUsualOnes) {
   EXPECT_FALSE(read_osm_lanes({{"oneway", "yes"}}, use).forward_known);
   EXPECT_EQ(read({{"highway", "motorway"}}, use), "general general general | ");
   EXPECT_EQ(read({{"highway", "motorway"}, {"oneway", "no"}}, use), "general | general");
+  const OsmTags link = {{"highway", "motorway_link"}, {"lanes", "3"}};
+  const auto with = [&](OsmTags tags) {
+    tags.insert(link.begin(), link.end());
+    return read(tags);
+  };
+  EXPECT_EQ(with({}), "general general general | ");
+  EXPECT_EQ(with({{"lanes:backward", "1"}}), "general general | general")
+      << "stated lanes go before what a class implies";
+  EXPECT_EQ(with({{"lanes:backward", "0"}}), "general general general | ");
+  EXPECT_EQ(with({{"lanes:backward", "some"}}), "general general general |  ?lanes:backward");
+  EXPECT_EQ(with({{"lanes:backward", "1"}, {"oneway", "yes"}, {"oneway:bus", "no"}}),
+            "general general | bus");
+  EXPECT_EQ(with({{"lanes:backward", "1"}, {"oneway:bus", "no"}}), "general general | bus");
+  EXPECT_EQ(read({{"junction", "roundabout"}, {"lanes", "2"}, {"lanes:backward", "1"}}),
+            "general | bus ?lanes:backward")
+      << "nobody drives round both ways";
 }
 
 TEST(OsmLanes, ListsGoFromLeftToRightInDrivingDirection) {
@@ -194,6 +212,26 @@ TEST(OsmLanes, AWordThatMeansNothingIsLostAlone) {
     EXPECT_EQ(read({{"lanes", "2"}, {"cycleway:right", "lane"}, {"cycleway:right:width", strange}}),
               "general cycle | general ?cycleway:right:width")
         << strange;
+  EXPECT_EQ(
+      read({{"lanes", "2"}, {"cycleway:right", "lane"}, {"cycleway:right:est_width", "1.25"}}),
+      "general cycle=1.25 | general");
+  EXPECT_EQ(read({{"lanes", "2"},
+                  {"cycleway:right", "lane"},
+                  {"cycleway:right:width", "wide"},
+                  {"cycleway:est_width", "1.25"}}),
+            "general cycle=1.25 | general ?cycleway:right:width");
+  for (const char* key : {"maxspeed:lanes", "maxspeed:lanes:forward"}) {
+    for (const char* strange : {"fast|50", "50|", "50|none", "30 mph|DE:urban"})
+      EXPECT_EQ(read({{key, strange}}),
+                *strange == 'f' ? std::string("general | general ?") + key : "general | general")
+          << strange;
+  }
+}
+
+TEST(OsmLanes, WordsOfListsAreNoWordsOfAWay) {
+  for (const char* key : {"motor_vehicle", "access", "bus", "motorcar:forward"})
+    EXPECT_EQ(read({{key, "lane"}}), std::string("general | general ?") + key);
+  EXPECT_EQ(read({{"access", "designated"}}), "general | general");
 }
 
 TEST(OsmLanes, WidthsOfLanesThatTheStreetHasNoRoomForAreNamed) {
@@ -246,6 +284,9 @@ TEST(OsmLanes, MisspeltKeysAreNamed) {
   for (const char* key : {"turns:lanes", "Turn:lanes", "turn:lane", "Oneway", "onway", "lane",
                           "Lanes", "lanes:foward", "bus:lane", "cicleway", "LANES:Backward"})
     EXPECT_EQ(read({{key, "1"}}), std::string("general | general ?") + key);
+  for (const char* key :
+       {"access:motorcar", "access:bus", "access:motor_vehicle", "width:feet", "width:m"})
+    EXPECT_EQ(read({{key, "7"}}), std::string("general | general ?") + key);
   for (const char* key : {"surface", "name", "maxspeed", "lit", "foot", "layer", "sidewalk",
                           "source:lanes", "lane_markings", "oneway:foot", "width", "bridge", "taxi",
                           "hgv", "goods", "shoulder", "overtaking"})
@@ -322,9 +363,18 @@ TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
             "general general bus | ")
       << "bicycles on a bus lane";
   EXPECT_EQ(with({{"vehicle:lanes", "||no"}, {"change:lanes", "no|no|no"}}),
-            "general/no general/no bus/no |  ?vehicle:lanes");
+            "general/no general/no closed/no |  ?vehicle:lanes");
+  EXPECT_EQ(with({{"access:lanes", "private|yes|yes"}}), "closed general general |  ?access:lanes")
+      << "nobody says that buses drive there";
+  EXPECT_EQ(with({{"access:lanes", "private|yes|yes"}, {"psv", "yes"}}), "bus general general | ");
+  EXPECT_EQ(with({{"access:lanes", "private|yes|yes"}, {"bicycle:lanes", "designated||"}}),
+            "cycle general general |  ?lanes");
   EXPECT_EQ(with({{"parking:lanes", "||designated"}}), "general general general |  ?parking:lanes");
   EXPECT_EQ(with({{"hov", "designated"}}), "carpool carpool carpool | ");
+  EXPECT_EQ(with({{"hov", "designated"}, {"hov:lanes", "designated||"}}),
+            "carpool general general | ")
+      << "a list says which";
+  EXPECT_EQ(with({{"hov", "lane"}}), "general general general |  ?hov");
   EXPECT_EQ(with({{"lanes:bus", "1"}}), "general general bus | ");
   EXPECT_EQ(with({{"busway", "lane"}}), "general general bus | ");
   EXPECT_EQ(with({{"busway:left", "lane"}, {"turn:lanes", "left|through|through"}}),
@@ -361,6 +411,25 @@ TEST(OsmLanes, StreetsForBusesAlone) {
   EXPECT_EQ(read({{"motor_vehicle:backward", "no"}, {"bus:backward", "designated"}}),
             "general | bus");
   EXPECT_EQ(read({{"access", "no"}, {"lanes", "2"}}), "general | general");
+  const OsmTags closed = {{"access", "no"}, {"bus", "yes"}};
+  const auto with = [&](OsmTags tags) {
+    tags.insert(closed.begin(), closed.end());
+    return read(tags);
+  };
+  EXPECT_EQ(with({{"busway", "lane"}}), "bus | bus") << "its lanes are the bus lanes";
+  EXPECT_EQ(with({{"busway", "lane"}, {"lanes", "2"}}), "bus | bus");
+  EXPECT_EQ(with({{"busway:right", "lane"}, {"oneway", "yes"}}), "bus | ");
+  EXPECT_EQ(with({{"busway", "opposite_lane"}, {"oneway", "yes"}}), "bus | bus");
+  EXPECT_EQ(with({{"lanes:psv:forward", "2"}, {"lanes:psv:backward", "1"}}), "bus bus | bus");
+  EXPECT_EQ(with({{"lanes", "2"}, {"lanes:psv", "2"}}), "bus | bus");
+  EXPECT_EQ(read({{"highway", "busway"}, {"busway:both", "lane"}}), "bus | bus");
+  for (const char* word : {"private", "permit", "agricultural;private", "residents"})
+    EXPECT_EQ(read({{"access", word}, {"psv", "yes"}, {"lanes", "2"}}), "bus | bus") << word;
+  for (const char* word : {"destination", "delivery", "private;destination", "customers"})
+    EXPECT_EQ(read({{"motor_vehicle", word}, {"bus", "yes"}, {"lanes", "2"}}),
+              "general | general ?bus")
+        << word;
+  EXPECT_EQ(read({{"access", "private"}, {"bus", "no"}, {"lanes", "2"}}), "general | general");
   EXPECT_EQ(read({{"access", "no"}, {"motor_vehicle", "yes"}, {"bus", "yes"}, {"lanes", "2"}}),
             "general | general");
 }
@@ -498,6 +567,40 @@ TEST(OsmLanes, ParkingLanesLieOutermost) {
             "general parking=5.00 | general parking=5.00 ?parking:both:width");
   EXPECT_EQ(read({{"lanes", "2"}, {"parking:lane:right", "diagonal"}}),
             "general parking=4.50 | general");
+  const OsmTags parallel = {{"lanes", "2"}, {"parking:lane:right", "parallel"}};
+  const auto with = [&](OsmTags tags) {
+    tags.insert(parallel.begin(), parallel.end());
+    return read(tags);
+  };
+  for (const char* off : {"on_kerb", "half_on_kerb", "shoulder", "street_side", "lay_by"})
+    for (const char* key : {"parking:lane:right:parallel", "parking:lane:both:parallel"})
+      EXPECT_EQ(with({{key, off}}), "general | general") << key << "=" << off;
+  for (const char* on : {"on_street", "lane", "painted_area_only"})
+    EXPECT_EQ(with({{"parking:lane:right:parallel", on}}), "general parking | general") << on;
+  EXPECT_EQ(with({{"parking:lane:right:diagonal", "on_kerb"}}), "general parking | general")
+      << "no car stands so";
+  EXPECT_EQ(with({{"parking:lane:right:parallel", "kerb"}}),
+            "general | general ?parking:lane:right:parallel");
+  EXPECT_EQ(with({{"parking:right", "on_kerb"}}), "general | general")
+      << "the newer scheme goes before the older one";
+}
+
+TEST(OsmLanes, CarsThatStandAcrossTheStreetLeaveItsLanes) {
+  OsmLaneUse use;
+  const OsmTags tags = {{"lanes", "2"},
+                        {"width", "9"},
+                        {"parking:right", "lane"},
+                        {"parking:right:orientation", "diagonal"}};
+  use.roadway_width = 10;
+  EXPECT_EQ(read(tags, use), "general parking=4.50 | general");
+  use.roadway_width = 9;
+  EXPECT_EQ(read(tags, use), "general parking=3.75 | general ?width")
+      << "2.625 m are left to each lane";
+  use.roadway_width = 6;
+  EXPECT_EQ(read(tags, use), "general parking=2.00 | general ?width") << "as along the street";
+  OsmTags stated = tags;
+  stated["parking:right:width"] = "4.5";
+  EXPECT_EQ(read(stated, use), "general parking=4.50 | general");
 }
 
 TEST(OsmLanes, LanesInTheMiddle) {

@@ -6,7 +6,7 @@ kinds of doubt that the wiki leaves, each with its page. near is the side that o
 import re
 from dataclasses import dataclass, field
 
-GENERAL, BUS, CARPOOL, CYCLE, PARKING = 'general', 'bus', 'carpool', 'cycle', 'parking'
+GENERAL, BUS, CARPOOL, CYCLE, PARKING, CLOSED = 'general', 'bus', 'carpool', 'cycle', 'parking', 'closed'
 # Of a direction whose number of lanes for cars nobody says.
 SOME = 'some'
 FORWARD, BACKWARD = 'forward', 'backward'
@@ -66,9 +66,9 @@ def direction_of(tags, reading):
     if oneway in ('reversible', 'alternating'):
         reading.doubt('a street whose direction changes')
     if oneway is None:
-        if tags.get('junction') in ('roundabout', 'circular') or tags.get('highway') == 'motorway':
+        if tags.get('junction') in ('roundabout', 'circular') or tags.get('highway') == 'motorway' and 'lanes:backward' not in tags:
             return FORWARD
-        if tags.get('highway') == 'motorway_link':
+        if tags.get('highway') == 'motorway_link' and 'lanes:backward' not in tags:
             reading.doubt('the direction of a motorway link')
     return None
 
@@ -120,7 +120,9 @@ def kind_in(lists, i, reading):
     if at('bicycle') == 'designated':
         reading.doubt('bicycle:lanes=designated, and cars not barred')
     if barred:
+        # The likelier reading is that nobody drives there.
         reading.doubt('a lane that nobody may use')
+        return CLOSED
     return GENERAL
 
 
@@ -271,7 +273,7 @@ def add_buses(tags, oneway, near, counted, reading):
             reading.states = True
             direction, at_right = place(side, oneway, near)
             row = lanes[direction]
-            if BUS in row:
+            if BUS in row or kind_of_all(tags) == BUS:
                 continue
             if SOME in row:
                 put(row, BUS, at_right)
@@ -366,7 +368,9 @@ def read(tags, near):
                 reading.doubt('who drives on a contraflow lane')
     add_buses(tags, oneway, near, counted, reading)
     for row in reading.lanes.values():
-        row[:] = [kind_of_all(tags) if kind == GENERAL else kind for kind in row]
+        # A list says which lanes are those of carpools.
+        general = GENERAL if CARPOOL in row else kind_of_all(tags)
+        row[:] = [general if kind == GENERAL else kind for kind in row]
     add_cycle_lanes(tags, oneway, near, reading)
     for direction, row in reading.lanes.items():
         turns = reading.turns[direction]
