@@ -23,31 +23,45 @@ COMMENT ON FUNCTION streetgen._waiting_place(geometry, boolean, geometry) IS
     'Where traffic of a lane waits, and its direction there, degrees clockwise from the north: in the middle of a '
     'line across the lane, or where the lane ends (line NULL).';
 
+CREATE OR REPLACE FUNCTION streetgen._line_statement(subjects text[], chosen text, OUT crossings text, OUT lay text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    places constant jsonb := jsonb_build_object('chosen', chosen);
+    with_objects constant boolean := 'object' = ANY (subjects);
+BEGIN
+    crossings := streetgen._fill_template(streetgen._part('crossings_of_controls'), places || jsonb_build_object(
+        'unknown', CASE WHEN with_objects THEN streetgen._part('without_object') ELSE '' END));
+    IF with_objects THEN
+        crossings := streetgen._fill_template(streetgen._part('crossings_of_objects'),
+            places || jsonb_build_object('crossings_of_controls', crossings));
+    END IF;
+    lay := streetgen._fill_template(streetgen._part('lay_chosen_lines'), places || jsonb_build_object('crossings',
+        crossings, 'heads', CASE WHEN 'signal' = ANY (subjects)
+            THEN streetgen._fill_template(streetgen._part('heads_at_lines'), places) ELSE '' END));
+END $$;
+COMMENT ON FUNCTION streetgen._line_statement(text[], text) IS
+    'The query of the crossings of edges, and the statements that lay lines before them, of the edges e that are '
+    'chosen by a condition.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_line_function(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     subjects constant text[] := streetgen._subjects(model);
-    crossings text;
 BEGIN
     PERFORM streetgen._use_model(model);
     IF 'lane' <> ALL (subjects) THEN
         PERFORM streetgen._drop_own_functions(model, '{_lay_lines}');
         RETURN;
     END IF;
-    crossings := streetgen._fill_template(streetgen._part('crossings_of_controls'), jsonb_build_object('unknown',
-        CASE WHEN 'object' = ANY (subjects) THEN streetgen._part('without_object') ELSE '' END));
-    IF 'object' = ANY (subjects) THEN
-        crossings := streetgen._fill_template(streetgen._part('crossings_of_objects'),
-            jsonb_build_object('crossings_of_controls', crossings));
-    END IF;
     PERFORM streetgen._compose_function(model, '_lay_lines(axes bigint[])', 'void', streetgen._fill_template(
-        streetgen._part('lay_lines'), jsonb_build_object(
-            'crossings', crossings,
-            'heads', CASE WHEN 'signal' = ANY (subjects) THEN streetgen._part('heads_at_lines') ELSE '' END)),
+            streetgen._part('lay_lines'), jsonb_build_object('lay_all', whole.lay, 'lay_some', few.lay,
+            'crossings_of_some', few.crossings)),
         '_lay_lines(bigint[])', 'Lays what is painted on the lanes of axes (NULL: of all) before the crossings there',
-        -- All axes and a few need other plans.
-        'VOLATILE SET jit = off SET plan_cache_mode = force_custom_plan');
+        'VOLATILE SET jit = off SET plan_cache_mode = auto')
+    FROM streetgen._line_statement(subjects, 'true') whole,
+        streetgen._line_statement(subjects, 'e.axis_id = ANY (axes)') few;
 END $$;
 COMMENT ON FUNCTION streetgen._make_line_function(name) IS
     'Makes the function of a model by which lines lie before crossings, or drops it where there are no lanes.';

@@ -54,7 +54,7 @@ marked_before => (
 SELECT p.edge_id, g.ground
 FROM (SELECT e.edge_id, e.geom, e.width, e.width_end, e.roadway_offset, p.abscissa - e.start_abscissa AS abscissa
     FROM control_point p JOIN edge e ON e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
-    WHERE p.kind = 'pedestrian_crossing' AND (axes IS NULL OR p.axis_id = ANY (axes)) {unknown} OFFSET 0) p,
+    WHERE p.kind = 'pedestrian_crossing' AND {chosen} {unknown} OFFSET 0) p,
     streetgen._usual_crossing() usual,
     LATERAL (SELECT streetgen._crossing_ground(ST_Force2D(p.geom)::bytea, streetgen._even_borders(p.width, p.width_end,
         ST_Length2D(p.geom), p.roadway_offset), p.abscissa, usual.width, usual.angle)::geometry AS ground OFFSET 0) g
@@ -70,24 +70,29 @@ AND NOT EXISTS (SELECT FROM street_object o JOIN pedestrian_crossing USING (stre
 SELECT e.edge_id, c.surface AS ground
 FROM edge e JOIN section s USING (edge_id) JOIN pedestrian_crossing c ON c.surface && s.surface
     JOIN street_object o USING (street_object_id) JOIN axis a ON a.axis_id = o.axis_id AND a.level = e.level
-WHERE axes IS NULL OR e.axis_id = ANY (axes)
+WHERE {chosen}
 UNION ALL {crossings_of_controls}
 
 --{heads_at_lines
 UPDATE signal_head h SET geom = w.geom, angle = w.angle
 FROM edge e JOIN lane l USING (edge_id) JOIN marking m USING (edge_id, lane_position),
     LATERAL streetgen._waiting_place(l.geom, m.along_axis, m.geom) w
-WHERE (axes IS NULL OR e.axis_id = ANY (axes)) AND m.kind = 'stop' AND (h.lane_id, h.along_axis) = (l.lane_id,
+WHERE {chosen} AND m.kind = 'stop' AND (h.lane_id, h.along_axis) = (l.lane_id,
     m.along_axis) AND (h.geom::bytea, h.angle) IS DISTINCT FROM (w.geom::bytea, w.angle);
 
 --{lay_lines
 #variable_conflict use_column
 BEGIN
-    IF axes IS NOT NULL AND NOT EXISTS (SELECT FROM marking m JOIN edge USING (edge_id)
-            WHERE axis_id = ANY (axes) AND m.free_geom IS NOT NULL)
-        AND NOT EXISTS ({crossings}) THEN
-        RETURN;
+    IF axes IS NULL THEN{lay_all}
+    ELSIF EXISTS (SELECT FROM edge e JOIN marking m USING (edge_id)
+            WHERE e.axis_id = ANY (axes) AND m.free_geom IS NOT NULL)
+        OR EXISTS ({crossings_of_some}) THEN
+        -- Planning anew costs an edit more than the plan does.
+        PERFORM set_config('plan_cache_mode', 'force_generic_plan', true);{lay_some}
     END IF;
+END
+
+--{lay_chosen_lines
     WITH crossing AS MATERIALIZED (
         SELECT edge_id, array_agg(ST_Multi(ground)::bytea) AS grounds FROM ({crossings}) c GROUP BY edge_id),
     lane_way AS MATERIALIZED (
@@ -99,8 +104,7 @@ BEGIN
                 AND EXISTS (SELECT FROM edge r JOIN axis a USING (axis_id) WHERE m.node_id IN (r.from_node, r.to_node)
                     AND streetgen._names_ring(a.roundabout_tag)) ORDER BY marking_id) AS stays
         FROM edge e JOIN marking m USING (edge_id)
-        WHERE (axes IS NULL OR e.axis_id = ANY (axes))
-            AND (m.free_geom IS NOT NULL OR m.edge_id IN (SELECT c.edge_id FROM crossing c))
+        WHERE {chosen} AND (m.free_geom IS NOT NULL OR m.edge_id IN (SELECT c.edge_id FROM crossing c))
         GROUP BY m.edge_id, m.lane_position, m.along_axis),
     laid AS MATERIALIZED (
         SELECT w.markings[p.number] AS marking_id, p.*
@@ -128,7 +132,6 @@ BEGIN
         AND (m.geom::bytea, m.surface::bytea, m.free_geom::bytea) IS DISTINCT FROM (n.geom::bytea, n.surface::bytea,
             n.free_geom::bytea);
     {heads}
-END
 
 --{free_markings
 SELECT number, edge_id, kind, lane_position, along_axis, node_id, geom, surface, NULL::geometry AS free_geom,
