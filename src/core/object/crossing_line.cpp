@@ -70,7 +70,7 @@ std::optional<Stretch> on_way(const MultiPolygon& ground, const Way& way, double
 
 // Where the driver meets the first crossing of the arm.
 std::optional<double> first_of_arm(std::vector<Stretch> crossings, const DrivenLane& lane,
-                                   double size, double of_arm) {
+                                   double size, const CrossingRules& rules) {
   std::sort(crossings.begin(), crossings.end(), [](const Stretch& a, const Stretch& b) {
     return std::pair(-a.to, a.from) < std::pair(-b.to, b.from);
   });
@@ -78,8 +78,9 @@ std::optional<double> first_of_arm(std::vector<Stretch> crossings, const DrivenL
   for (const Stretch& crossing : crossings) {
     const double before_end = size - crossing.to;
     const bool nearer_behind = lane.between_junctions && before_end > crossing.from + equally_near;
-    if (nearer_behind && (first || before_end > room_of_car)) break;
-    if (before_end > of_arm && (!first || *first - crossing.to > room_of_car)) break;
+    const double gap = first.value_or(size) - crossing.to;
+    if (nearer_behind && gap > (first ? rules.ahead + 2 * half_line : room_of_car)) break;
+    if (before_end > rules.of_arm && (!first || gap > room_of_car)) break;
     first = std::min(first.value_or(crossing.from), crossing.from);
   }
   return first;
@@ -103,7 +104,7 @@ std::vector<LaidPaint> lay_before_crossings(const DrivenLane& lane,
   std::vector<Stretch> met;
   for (const MultiPolygon& ground : crossings)
     if (const auto stretch = on_way(ground, way, lane.width)) met.push_back(*stretch);
-  const std::optional<double> first = first_of_arm(met, lane, way.size(), rules.of_arm);
+  const std::optional<double> first = first_of_arm(met, lane, way.size(), rules);
   std::vector<LaidPaint> laid(paint.size());
   double last_tip = first ? *first - rules.ahead : INFINITY;
   for (std::size_t i = 0; i < paint.size(); ++i) {

@@ -71,6 +71,8 @@ TEST(CrossingLine, LeavesACrossingToTheJunctionBehind) {
   lane.between_junctions = true;
   EXPECT_NEAR(*laid(lane, {{64, 4, 0}}, end), 77.75, 1e-9);
   EXPECT_NEAR(*laid(lane, {{64, 4, 0}, {75, 4, 0}}, end), 73 - 1.25, 1e-9);
+  EXPECT_NEAR(*laid(lane, {{66, 4, 0}, {71, 4, 0}}, end), 64 - 1.25, 1e-9)
+      << "a line has no room between";
   lane.way = {{60, -2, 0}, {70, -2, 0}};
   EXPECT_NEAR(*laid(lane, {{64, 4, 0}}, {{{69.75, -3.5, 0}, {69.75, -0.5, 0}}}), 62 - 1.25, 1e-9)
       << "no car has room behind it";
