@@ -22,7 +22,8 @@ struct SidewalkKerb {
   // Metres behind it, 0: none; without a value it leads from the width of the kerb before to that
   // of the kerb after.
   std::optional<double> width;
-  bool across = false;   // of a dead end: a sidewalk leads around where both sides have one
+  // Of a dead end, or beside no city: there a sidewalk leads on where both sides have one.
+  bool across = false;
   bool ends = false;     // the roadway goes on there: no sidewalk leads around
   bool wanted = true;    // its sidewalk comes out; else the kerb is there for the others
   bool by_hand = false;  // the width is a user's

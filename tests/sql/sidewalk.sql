@@ -100,6 +100,22 @@ SELECT 'a street of both directions is no carriageway of another', pg_temp.walks
 DELETE FROM dual.axis WHERE axis_id = 2;
 SELECT 'nor is one that is gone', pg_temp.walks('{1}') = '1l 1r' AND test.followed('dual', 'anew');
 
+-- Sidewalks about the corners of a median, which a link between the carriageways ends. The link runs north, and a sidewalk on its left lies on the median in the west.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('avenue', 2154, subjects => '{sidewalk}');
+  INSERT INTO avenue.axis (axis_id, geom, width, direction, importance, name) VALUES
+    (1, pg_temp.line('LINESTRING(0 0,100 0)'), 7, 'direct', 4, 'Quay'), (2, pg_temp.line('LINESTRING(100 0,200 0)'), 7, 'direct', 4, 'Quay'),
+    (3, pg_temp.line('LINESTRING(200 15,100 15)'), 7, 'direct', 4, 'Quay'), (4, pg_temp.line('LINESTRING(100 15,0 15)'), 7, 'direct', 4, 'Quay'),
+    (5, pg_temp.line('LINESTRING(100 0,100 15)'), 6, 'both', 4, 'Link');
+END $$;
+CREATE FUNCTION pg_temp.on_median() RETURNS text LANGUAGE sql AS $$ SELECT concat(count(*) FILTER (WHERE s.node_id IS NULL), ' ', count(*) FILTER (WHERE s.node_id IS NOT NULL))
+  FROM avenue.sidewalk s JOIN avenue.kerb USING (edge_id, side, part) WHERE beside <> 'outer' $$;
+SELECT 'no sidewalk lies on the median', pg_temp.on_median() = '0 0';
+UPDATE avenue.axis SET sidewalk_left = 2 WHERE axis_id = 5;
+SELECT 'one that is stated leads on to none', pg_temp.on_median() = '1 0';
+UPDATE avenue.axis SET sidewalk_left = 2 WHERE axis_id = 1;
+SELECT 'but about a corner with one on both sides', pg_temp.on_median() = '2 1';
+
 -- Without kerbs too.
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 INSERT INTO bare.axis (axis_id, geom, width, direction) VALUES (1, pg_temp.line('LINESTRING(0 0,200 0)'), 7, 'direct');

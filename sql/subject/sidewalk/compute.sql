@@ -16,7 +16,7 @@ COMMENT ON FUNCTION streetgen._sidewalks(bytea[], integer[], float8[], boolean[]
     float8, integer) IS
     'The sidewalks (MULTIPOLYGON) behind the kerbs (LINESTRING, EWKB) that are wanted, by their numbers from 1. '
     'widths: metres, 0 for none, NULL for a kerb that leads from the width before it to that after it. across: of a '
-    'dead end, whose sidewalk leads around where both sides have one. ends: the '
+    'dead end, or beside no city: there a sidewalk leads on where both sides have one. ends: the '
     'roadway goes on there. transition: metres of kerb that a change of width takes. Lists of different '
     'length: 2202E. NULL lists: no row.';
 
@@ -69,7 +69,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', CASE places ->> 'run' WHEN 'part' THEN streetgen._sidewalk_kerbs_of_part(places)
         ELSE streetgen._fill_template(E'\nsidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
-            'SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb',
+            'SELECT edge_id, node_id, level, side, part, geom, method, beside, true AS wanted FROM new_kerb',
             'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM new_edge')
             || ')', places) END,
     streetgen._upsert_rows(places, 'sidewalk',

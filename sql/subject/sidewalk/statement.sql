@@ -42,17 +42,18 @@ moved_kerb AS MATERIALIZED (
 --{standing_kerb
 ,
 standing_kerb AS MATERIALIZED (
-    SELECT edge_id, node_id, level, side, part, geom, method, true AS wanted FROM new_kerb WHERE changed
-    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, true
+    SELECT edge_id, node_id, level, side, part, geom, method, beside, true AS wanted FROM new_kerb WHERE changed
+    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, beside, true
     FROM (TABLE near_kerb_row UNION ALL TABLE rival_kerb_row) k
-    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, false
+    UNION ALL SELECT edge_id, node_id, level, side, part, geom, method, beside, false
     FROM (TABLE beside_kerb_row UNION ALL TABLE outer_kerb_row) k),
 sidewalk_kerb AS MATERIALIZED (
 
 --{sidewalk_kerbs
 SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_id, k.node_id, k.side, k.part,
     k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
-    k.side IN ('start', 'end') AS across, o.width IS NOT NULL AS by_hand,
+    -- Nor does a sidewalk lead from the city on to a median, a splitter or an island.
+    k.side IN ('start', 'end') OR k.beside <> 'outer' AS across, o.width IS NOT NULL AS by_hand,
     CASE k.side WHEN 'left' THEN coalesce(o.width, e.sidewalk_left)
         WHEN 'right' THEN coalesce(o.width, e.sidewalk_right) END AS width
 FROM ({kerbs}) k JOIN ({edges}) e USING (edge_id) LEFT JOIN LATERAL (
