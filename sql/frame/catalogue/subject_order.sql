@@ -37,7 +37,7 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'heights along edges, with clearances and grades where roads pass over and under each other'),
     (17, 'bridge', '{overpass}'::text[], 'group', false, false, 'little',
         'bridges and tunnels: stretches of edges over others, or off the ground by their level'),
-    (18, 'object', '{network}', 'group', false, false, 'by the number of objects',
+    (18, 'object', '{kerb}'::text[], 'group', false, false, 'by the number of objects',
         'what stands at streets: objects that follow their axes, and the edge at which each stands') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '

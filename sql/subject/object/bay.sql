@@ -6,6 +6,19 @@ CREATE OR REPLACE FUNCTION streetgen._usual_bay(OUT length float8, OUT width flo
 COMMENT ON FUNCTION streetgen._usual_bay() IS
     'Length and width (m) of a bay of which nothing is said, such as one that a rule places.';
 
+CREATE OR REPLACE FUNCTION streetgen._bay_run(length float8, width float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    -- Bound when made, and thus inlined.
+    RETURN CASE angle WHEN 0 THEN length ELSE width / sind(angle) END;
+COMMENT ON FUNCTION streetgen._bay_run(float8, float8, float8) IS
+    'What a bay takes of its border, metres: bays beside each other lie no closer.';
+
+CREATE OR REPLACE FUNCTION streetgen._bay_depth(length float8, width float8, angle float8) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE angle WHEN 0 THEN width ELSE length * sind(angle) END;
+COMMENT ON FUNCTION streetgen._bay_depth(float8, float8, float8) IS
+    'How far a bay reaches from its border towards the roadway, metres.';
+
 CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, side text, abscissa float8,
     length float8, width float8, angle float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -13,15 +26,15 @@ CREATE OR REPLACE FUNCTION streetgen._bay_ground(axis geometry, beside float8, s
     SELECT CASE WHEN ST_IsSimple(ring) THEN ST_MakePolygon(ring) END
     FROM (SELECT CASE side WHEN 'left' THEN 1 ELSE -1 END AS outwards,
             streetgen._bay_run(length, width, angle) AS run,
-            streetgen._bay_depth(length, width, angle) AS deep) d,
+            streetgen._bay_depth(length, width, angle) AS deep OFFSET 0) d,
         -- Who drives past on this side drives into it, and so the end at the border lies ahead.
         LATERAL (SELECT CASE angle WHEN 0 THEN 0 ELSE length * cosd(angle) * outwards END AS lean,
-            abscissa - run / 2 AS low, abscissa + run / 2 AS high) r,
+            abscissa - run / 2 AS low, abscissa + run / 2 AS high OFFSET 0) r,
         LATERAL (SELECT streetgen._place_on(axis::bytea, low, beside)::geometry AS p1,
             streetgen._place_on(axis::bytea, high, beside)::geometry AS p2,
             streetgen._place_on(axis::bytea, high + lean, beside - outwards * deep)::geometry AS p3,
             streetgen._place_on(axis::bytea, low + lean, beside - outwards * deep)::geometry AS p4) q,
-        LATERAL (SELECT ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]) AS ring) g
+        LATERAL (SELECT ST_MakeLine(ARRAY[p1, p2, p3, p4, p1]) AS ring OFFSET 0) g
     WHERE low + least(lean, 0) >= 0 AND high + greatest(lean, 0) <= ST_Length2D(axis) $$;
 COMMENT ON FUNCTION streetgen._bay_ground(geometry, float8, text, float8, float8, float8, float8) IS
     'The ground (POLYGON) of a bay whose end at the border lies so many metres to the left of an axis, about an '
@@ -29,31 +42,18 @@ COMMENT ON FUNCTION streetgen._bay_ground(geometry, float8, text, float8, float8
     'the bay does, or bends too sharply.';
 
 CREATE OR REPLACE FUNCTION streetgen._bay_angle(orientation float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-    SELECT CASE WHEN turned < 10 OR turned > 170 THEN 0 ELSE greatest(20, least(160, turned)) END
-    FROM (SELECT orientation - 180 * floor(orientation / 180) AS turned) o $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN orientation - 180 * floor(orientation / 180) < 10
+            OR orientation - 180 * floor(orientation / 180) > 170 THEN 0
+        ELSE greatest(20, least(160, orientation - 180 * floor(orientation / 180))) END;
 COMMENT ON FUNCTION streetgen._bay_angle(float8) IS
     'The angle of a bay, degrees, that the orientation of a rule means: parallel within 10 degrees.';
 
 CREATE OR REPLACE FUNCTION streetgen._bay_reach(length float8, width float8, angle float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-    SELECT CASE angle WHEN 0 THEN length / 2 ELSE width / sind(angle) / 2 + length * abs(cosd(angle)) END $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE angle WHEN 0 THEN length / 2 ELSE width / sind(angle) / 2 + length * abs(cosd(angle)) END;
 COMMENT ON FUNCTION streetgen._bay_reach(float8, float8, float8) IS
     'How far a bay reaches along the axis on either side of its abscissa, at most, metres.';
-
-CREATE OR REPLACE FUNCTION streetgen._bay_run(length float8, width float8, angle float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE angle WHEN 0 THEN length ELSE width / sind(angle) END $$;
-COMMENT ON FUNCTION streetgen._bay_run(float8, float8, float8) IS
-    'What a bay takes of its border, metres: bays beside each other lie no closer.';
-
-CREATE OR REPLACE FUNCTION streetgen._bay_depth(length float8, width float8, angle float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE angle WHEN 0 THEN width ELSE length * sind(angle) END $$;
-COMMENT ON FUNCTION streetgen._bay_depth(float8, float8, float8) IS
-    'How far a bay reaches from its border towards the roadway, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._takes_ground(surface geometry, ground geometry) RETURNS boolean
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

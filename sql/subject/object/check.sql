@@ -16,6 +16,29 @@ END $$;
 COMMENT ON FUNCTION streetgen._crowding_objects(name) IS
     'The objects of users and imports that stand nearer to another such one than distance_least of their type.';
 
+CREATE OR REPLACE FUNCTION streetgen._hindered_objects(model name)
+    RETURNS TABLE(street_object_id bigint, geom geometry, hindrance text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+    -- What is a control point stands where its traffic obeys it, as on the axis.
+    WITH standing AS MATERIALIZED (
+        SELECT o.street_object_id, o.geom, ROW (o.type, o.geom, coalesce(e.level, 0),
+            CASE o.placement WHEN 'border' THEN o.axis_offset END,
+            o.placement = 'border' AND o.method = 'relative' AND coalesce(r.along, 'border') <> 'arm',
+            o.street_object_id)::streetgen.standing_place AS place, row_number() OVER () AS number
+        FROM street_object o LEFT JOIN object_edge USING (street_object_id) LEFT JOIN edge e USING (edge_id)
+            LEFT JOIN placement_rule r ON r.rule_id = o.rule_id
+        WHERE ST_Dimension(o.geom) = 0 AND o.control_point_id IS NULL)
+    SELECT DISTINCT s.street_object_id, s.geom, h.hindrance
+    FROM _hindrances((SELECT array_agg(place ORDER BY number) FROM standing)) h JOIN standing s USING (number);
+END $$;
+COMMENT ON FUNCTION streetgen._hindered_objects(name) IS
+    'The objects that stand where a rule would place none, with what is in the way: those by hand and imported ones '
+    'stay.';
+
 CREATE OR REPLACE FUNCTION streetgen._check_object(model name) RETURNS SETOF streetgen.finding
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
@@ -43,6 +66,14 @@ BEGIN
     UNION ALL
     SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id,
         NULL::float8, geom FROM streetgen._crowding_objects(model)
+    UNION ALL
+    SELECT 'notice', CASE hindrance WHEN 'roadway' THEN 'object in a roadway' WHEN 'bay' THEN 'object in a parking bay'
+            WHEN 'mouth' THEN 'object in the mouth of a crossing'
+            WHEN 'sight' THEN 'object in the sight of a stop or yield line'
+            WHEN 'no_kerb' THEN 'object beside no kerb' WHEN 'median' THEN 'tree on a narrow median'
+            WHEN 'underground' THEN 'object on a level below the ground'
+            WHEN 'near' THEN 'object nearer to another one than object_distance' END, 'street_object',
+        street_object_id, NULL::float8, geom FROM streetgen._hindered_objects(model)
     UNION ALL
     SELECT 'error', 'object off the place that its axis gives, m', 'street_object', o.street_object_id,
         ST_Distance(o.geom, g.geom), o.geom
@@ -114,6 +145,20 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('object nearer to another one than distance_least',
         'it was placed by hand or imported, and its type keeps a distance',
         'move it, delete one of both, or set distance_least of its type to 0'),
+    ('object in a roadway', 'it was put there by hand or by an import; rules place none in a roadway of its level',
+        'drag it behind the kerb, or give it a type below manhole, which lies on the roadway'),
+    ('object in a parking bay', 'a car that parks there meets it', 'drag the object or the bay'),
+    ('object in the mouth of a crossing', 'it stands where people walk from a crossing, within four metres of it',
+        'drag it along the kerb, or drag the crossing'),
+    ('object in the sight of a stop or yield line', 'it stands within setting `line_sight` of a line at a kerb',
+        'drag it away from the junction, or set `line_sight` smaller'),
+    ('object beside no kerb', 'it is placed by a border, and no kerb stands there, as where roadway goes on',
+        'drag it to a kerb, or place it by the axis'),
+    ('tree on a narrow median', 'the ground between two carriageways is narrower than setting `median_tree_width`',
+        'delete the tree, or set `median_tree_width` smaller'),
+    ('object on a level below the ground', 'its street is a tunnel', 'drag it to a street on the ground'),
+    ('object nearer to another one than object_distance', 'two of these types stand nearer than table '
+        '`object_distance` says', 'move it, delete one of both, or change the row of `object_distance`'),
     ('object whose axis is gone', 'the axis that placed the object is gone; it stays where it stood',
         'drag it to another street, or delete it'),
     ('object off the place that its axis gives, m', 'the object does not stand where its abscissa and offset say',

@@ -15,17 +15,28 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_functions(model name) RETURNS 
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._make_object_triggers(model);
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
-        PERFORM streetgen._drop_own_functions(model, '{_place_objects,_carry_objects,carry_objects_insert,'
-            'carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,_renew_crossings,_renew_bays,'
-            '_types_below,_has_rules,_arms_at,_take_from_rules,_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
+        PERFORM streetgen._drop_own_functions(model, '{_place_objects,_renew_grounds,_carry_objects,'
+            'carry_objects_insert,carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,'
+            '_renew_crossings,_renew_bays,'
+            '_types_below,_has_rules,_types_on_roadway,_object_spacing,_hindrances,_crowded,_take_from_rules,'
+            '_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
             'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
             '_hold_borders,redraw_ground,_renew_lines,_lock_streets}');
         RETURN;
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
-        streetgen._make_rule_functions(model),
+        streetgen._make_hindrances(model), streetgen._make_rule_functions(model),
         streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model),
         streetgen._make_redraw(model);
+    CREATE OR REPLACE FUNCTION _renew_grounds(axes bigint[], of_rules boolean) RETURNS void
+        LANGUAGE sql VOLATILE SET search_path FROM CURRENT
+        AS $body$
+        SELECT _renew_crossings(ARRAY(SELECT c.street_object_id FROM pedestrian_crossing c
+                JOIN street_object o USING (street_object_id)
+                WHERE (o.placed_by = 'rule') = of_rules AND (axes IS NULL OR o.axis_id = ANY (axes)))),
+            _renew_bays(ARRAY(SELECT b.street_object_id FROM parking_bay b
+                JOIN street_object o USING (street_object_id)
+                WHERE (o.placed_by = 'rule') = of_rules AND (axes IS NULL OR o.axis_id = ANY (axes)))) $body$;
     CREATE OR REPLACE FUNCTION _place_objects(axes bigint[])
         RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks
             bigint)
@@ -45,10 +56,6 @@ BEGIN
         END IF;
         -- Nothing is known of rows just computed: all of them are joined by hash, and a few are looked up by key.
         PERFORM set_config(CASE WHEN axes IS NULL THEN 'enable_nestloop' ELSE 'enable_seqscan' END, 'off', true);
-        IF _has_rules() OR EXISTS (SELECT FROM street_object
-            WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
-            PERFORM _renew_rule_objects(axes);
-        END IF;
         UPDATE street_object o SET geom = n.geom, angle = n.angle
         FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end,
                     a.roadway_offset, b.borders, o.abscissa, o.abscissa_end, o.side, o.axis_offset) AS geom,
@@ -61,11 +68,15 @@ BEGIN
             WHERE o.method = 'relative' AND o.placed_by <> 'rule' AND (axes IS NULL OR o.axis_id = ANY (axes))) n
         WHERE o.street_object_id = n.street_object_id
             AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
+        -- First what others placed, then what rules put on the roadway, then what they stand beside it.
+        PERFORM _renew_grounds(axes, of_rules => false);
+        IF _has_rules() OR EXISTS (SELECT FROM street_object
+            WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
+            PERFORM _renew_rule_objects(axes, lying => true);
+            PERFORM _renew_grounds(axes, of_rules => true);
+            PERFORM _renew_rule_objects(axes, lying => false);
+        END IF;
         PERFORM streetgen._renew_specialised(current_schema(), axes);
-        PERFORM _renew_crossings(ARRAY(SELECT c.street_object_id FROM pedestrian_crossing c
-                JOIN street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes))),
-            _renew_bays(ARRAY(SELECT b.street_object_id FROM parking_bay b
-                JOIN street_object o USING (street_object_id) WHERE axes IS NULL OR o.axis_id = ANY (axes)));
         RETURN QUERY WITH there AS MATERIALIZED (
             SELECT s.street_object_id, s.axis_id, s.abscissa FROM street_object s
             WHERE s.method = 'relative' AND (axes IS NULL OR s.axis_id = ANY (axes))),
@@ -260,7 +271,9 @@ BEGIN
             PERFORM FROM _place_objects(axes);
         END IF;
     END $body$;
-    PERFORM streetgen._own_function(model, '_place_objects(bigint[])',
+    PERFORM streetgen._own_function(model, '_renew_grounds(bigint[], boolean)',
+        'Draws the ground of crossings and bays along axes (NULL: along all) anew, of those of rules or of all others'),
+        streetgen._own_function(model, '_place_objects(bigint[])',
         'Brings the places of the objects of axes (NULL: of all), and their edges, up to date; a row per table'),
         streetgen._own_function(model, '_carry_objects(bigint[], geometry[], geometry[])',
         'Puts the objects of changed axes on the axis that they stand at now: axes with their lines before and after');

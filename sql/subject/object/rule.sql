@@ -67,12 +67,7 @@ BEGIN
         AS $body$
         SELECT EXISTS (SELECT FROM placement_rule WHERE active)
             OR EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none') $body$;
-    CREATE OR REPLACE FUNCTION _arms_at(node bigint) RETURNS bigint
-        LANGUAGE sql STABLE SET search_path FROM CURRENT
-        AS $body$
-        SELECT count(*) FROM (SELECT FROM edge WHERE from_node = node
-            UNION ALL SELECT FROM edge WHERE to_node = node) e $body$;
-    CREATE OR REPLACE FUNCTION _renew_rule_objects(axes bigint[]) RETURNS void
+    CREATE OR REPLACE FUNCTION _renew_rule_objects(axes bigint[], lying boolean) RETURNS void
         LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path FROM CURRENT SET jit = off
         SET streetgen.computes = 'on' SET plan_cache_mode = force_custom_plan
         AS $body$
@@ -80,38 +75,68 @@ BEGIN
     DECLARE
         bays constant text[] := _types_below('parking_bay');
         crossings constant text[] := _types_below('crossing');
+        on_roadway constant text[] := _types_on_roadway();
+        -- Rules of the other sort place what an object keeps distance_least from.
+        spaced constant boolean := EXISTS (SELECT FROM placement_rule JOIN object_type USING (type)
+            WHERE active AND distance_least > 0);
+        spacing constant float8 := (SELECT coalesce(max(metres), 0) FROM _object_spacing());
+        -- An object gives way to one of an axis beside, which is looked at and not written.
+        looked_at constant bigint[] := CASE WHEN axes IS NOT NULL AND NOT lying THEN ARRAY(
+            SELECT DISTINCT e.edge_id FROM edge w JOIN edge e ON e.geom && ST_Expand(w.geom, 100)
+                AND ST_DWithin(e.geom, w.geom, spacing + greatest(w.width, w.width_end, 0) / 2
+                    + greatest(e.width, e.width_end, 0) / 2 + abs(w.roadway_offset) + abs(e.roadway_offset)
+                    + 2 * (SELECT coalesce(greatest(max(axis_offset), 0), 0) FROM placement_rule
+                        WHERE active AND along IN ('border', 'corner')))
+            WHERE w.axis_id = ANY (axes) AND e.axis_id <> ALL (axes)) ELSE '{}' END;
+        computed constant bigint[] := CASE WHEN axes IS NOT NULL
+            THEN axes || ARRAY(SELECT axis_id FROM edge WHERE edge_id = ANY (looked_at)) END;
         rings constant bigint[] := streetgen._edges_on_rings(current_schema(), CASE WHEN axes IS NOT NULL
             THEN ARRAY(SELECT edge_id FROM edge WHERE axis_id = ANY (axes)) END);
         any_free constant boolean := EXISTS (SELECT FROM free_place);
         any_former constant boolean := EXISTS (SELECT FROM street_object WHERE placed_by <> 'rule'
-            AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes)));
+            AND rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
+            AND (axes IS NULL OR axis_id = ANY (axes)));
     BEGIN
         -- A rule that places something else now places it anew: rows of the former type go with their objects.
         DELETE FROM street_object o USING placement_rule r WHERE o.rule_id = r.rule_id
             AND o.placed_by = 'rule' AND o.type <> r.type AND (axes IS NULL OR o.axis_id = ANY (axes));
-        WITH rule AS MATERIALIZED (SELECT r.*, t.distance_least FROM placement_rule r
-            JOIN object_type t USING (type) WHERE r.active),
+        WITH rule AS MATERIALIZED (
+            SELECT r.*, t.distance_least, (r.type = ANY (on_roadway)) = lying AS own FROM placement_rule r
+                JOIN object_type t USING (type) WHERE r.active AND (spaced OR (r.type = ANY (on_roadway)) = lying)),
         street AS MATERIALIZED (
             SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa,
                 e.importance, a.kind, coalesce(c.crossed_on_foot, true) AS crossed, a.turn_forward, a.turn_backward,
                 e.edge_id IN (SELECT unnest(rings)) AS on_ring,
                 ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
-                e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high
+                e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high,
+                axes IS NOT NULL AND e.axis_id <> ALL (axes) AS beside
             FROM edge e JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id)
                 LEFT JOIN axis_class c ON c.class = a.kind
-                LEFT JOIN streetgen._axis_borders(current_schema(), axes) b USING (axis_id)
+                LEFT JOIN streetgen._axis_borders(current_schema(), computed) b USING (axis_id)
                 JOIN section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
                 JOIN section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
-            WHERE axes IS NULL OR e.axis_id = ANY (axes)),
+            WHERE axes IS NULL OR e.axis_id = ANY (axes) OR e.edge_id = ANY (looked_at)),
+        meeting AS MATERIALIZED (
+            SELECT node, (SELECT count(*) FROM edge WHERE from_node = node)
+                + (SELECT count(*) FROM edge WHERE to_node = node) AS arms
+            FROM (SELECT from_node AS node FROM street UNION SELECT to_node FROM street) n
+            WHERE EXISTS (SELECT FROM rule WHERE along = 'arm')),
         ruled AS (
             SELECT * FROM rule r, street s WHERE (r.importance_from IS NULL OR s.importance >= r.importance_from)
                 AND (r.importance_to IS NULL OR s.importance <= r.importance_to)
                 AND CASE WHEN r.kind IS NOT NULL THEN s.kind = ANY (r.kind) WHEN r.type = ANY (crossings)
                     THEN s.crossed AND NOT s.on_ring ELSE true END),
+        arc AS MATERIALIZED (
+            SELECT r.rule_id, r.edge_id, c.half, c.at_end, c.centre, c.radius, k.kerb, ST_Length(k.kerb) AS size
+            FROM ruled r, LATERAL (SELECT 0 AS half, arc, centre, radius, end_a AS at_end FROM corner
+                    WHERE edge_a = r.edge_id
+                    UNION ALL SELECT 1, arc, centre, radius, end_b FROM corner WHERE edge_b = r.edge_id) c,
+                LATERAL (SELECT ST_CurveToLine(ST_Force2D(c.arc), 64) AS kerb OFFSET 0) k
+            WHERE r.along = 'corner' AND c.radius > 0),
         place AS (
             SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
                 (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
-                r.axis_offset AS aside
+                r.axis_offset AS aside, NULL::float8 AS corner_offset
             FROM ruled r, LATERAL generate_series(
                     greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
                     floor((high - distance_from_limit - phase) / every)::bigint) k,
@@ -129,8 +154,9 @@ BEGIN
                 (-1 - 2 * (2 * round(10 * CASE WHEN w.at_start THEN start_abscissa ELSE end_abscissa END)
                     + w.at_start::integer) - (v.side = 'right')::integer)::integer,
                 r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
-                CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END
-            FROM ruled r, LATERAL (SELECT _arms_at(r.from_node) AS of_start, _arms_at(r.to_node) AS of_end) n,
+                CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END, NULL
+            FROM ruled r JOIN meeting f ON f.node = r.from_node JOIN meeting t ON t.node = r.to_node,
+                LATERAL (SELECT f.arms AS of_start, t.arms AS of_end) n,
                 LATERAL (SELECT of_start >= 3 AS at_start, of_end >= 3 AS at_end, 2 IN (of_start, of_end) AS goes_on,
                     -- Two crossings leave the length of one between them.
                     high - low > 2 * distance_from_limit + CASE WHEN r.type = ANY (crossings)
@@ -154,38 +180,35 @@ BEGIN
             -- Along the arc of a corner, behind its kerb: each half of it belongs to the street beside it, and is
             -- numbered by the place of the node there.
             SELECT r.*, NULL, at[1], (100000000 * (1 + (c.at_end = 'start')::integer + 2 * c.half) + n
-                + 50 * (round(10 * CASE c.at_end WHEN 'start' THEN start_abscissa ELSE end_abscissa END)::bigint
-                    % 1000000))::integer, r.orientation, at[2]
-            FROM ruled r, LATERAL (SELECT 0 AS half, arc, centre, radius, end_a AS at_end FROM corner
-                    WHERE edge_a = r.edge_id
-                    UNION ALL SELECT 1, arc, centre, radius, end_b FROM corner WHERE edge_b = r.edge_id) c,
-                LATERAL (SELECT ST_CurveToLine(ST_Force2D(c.arc), 64) AS kerb) k,
-                LATERAL (SELECT ST_Length(kerb) AS size, floor(ST_Length(kerb) / r.every)::integer AS last) s,
+                + 50 * (round(10 * CASE c.at_end WHEN 'start' THEN r.start_abscissa
+                    ELSE r.end_abscissa END)::bigint % 1000000))::integer, r.orientation, at[2], r.axis_offset
+            FROM arc c JOIN ruled r ON (r.rule_id, r.edge_id) = (c.rule_id, c.edge_id),
+                LATERAL (SELECT floor(size / r.every)::integer AS last OFFSET 0) s,
                 LATERAL generate_series(0, least(last, 49)) n,
-                LATERAL (SELECT (n * r.every + (size - last * r.every) / 2) / size AS share) h,
-                LATERAL (SELECT ST_LineInterpolatePoint(kerb, greatest(0, least(1, share))) AS foot) f,
+                LATERAL (SELECT (n * r.every + (size - last * r.every) / 2) / size AS share OFFSET 0) h,
+                LATERAL (SELECT ST_LineInterpolatePoint(kerb, greatest(0, least(1, share))) AS foot OFFSET 0) f,
                 LATERAL (SELECT streetgen._locate_on(r.line::bytea, ST_Translate(foot,
                     (ST_X(c.centre) - ST_X(foot)) / c.radius * r.axis_offset,
-                    (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at) l
-            WHERE r.along = 'corner' AND c.radius > 0 AND (share > 0.5) = (c.half = 1)
+                    (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at OFFSET 0) l
+            WHERE (share > 0.5) = (c.half = 1)
             UNION ALL
             -- By a function of the user, as rule 0, numbered by what it places and where.
-            SELECT (own.rule).*, t.distance_least, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type, p.side,
-                p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset
+            SELECT (own.rule).*, t.distance_least, true, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type,
+                p.side, p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset, NULL
             FROM (SELECT DISTINCT ON (type, axis_id, side, abscissa, axis_offset) *
                     FROM streetgen._own_placements(current_schema(), ARRAY(SELECT edge_id FROM street ORDER BY edge_id))
                     ORDER BY type, axis_id, side, abscissa, axis_offset, orientation) p
-                JOIN object_type t USING (type)
+                JOIN object_type t ON t.type = p.type AND (p.type = ANY (on_roadway)) = lying
                 JOIN LATERAL (SELECT * FROM street x WHERE x.axis_id = p.axis_id
                     AND p.abscissa BETWEEN x.start_abscissa AND x.end_abscissa ORDER BY x.start_abscissa LIMIT 1) s
                     ON true,
                 LATERAL (SELECT jsonb_populate_record(NULL::placement_rule, jsonb_build_object('rule_id', 0,
                     'type', p.type, 'density', 1)) AS rule) own),
         taken AS MATERIALIZED (
-            SELECT rule_id, type, every, distance_least, axis_id, level, edge_id, at_side, abscissa, rule_place, turned,
-                aside, streetgen._object_geometry(line, width, width_end, roadway_offset, borders, abscissa, NULL,
-                at_side, aside) AS geom,
-                streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle
+            SELECT rule_id, type, along, every, distance_least, own, beside, axis_id, level, edge_id, at_side, abscissa,
+                rule_place, turned, aside, streetgen._object_geometry(line, width, width_end, roadway_offset, borders,
+                abscissa, NULL, at_side, aside) AS geom,
+                streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle, corner_offset
             FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
         bay AS MATERIALIZED (
             SELECT rule_id, t.axis_id, rule_place, t.level, streetgen._bay_ground(line, streetgen._border_offset(
@@ -193,11 +216,12 @@ BEGIN
                         at_side), aside, at_side), at_side,
                 abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
                 streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
-            FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE type = ANY (bays)),
+            FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE own AND type = ANY (bays)),
         -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
         former AS MATERIALIZED (
             SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
-                JOIN street_object o USING (rule_id, axis_id, rule_place) WHERE any_former AND o.placed_by <> 'rule'),
+                JOIN street_object o USING (rule_id, axis_id, rule_place)
+            WHERE any_former AND own AND o.placed_by <> 'rule'),
         left_free AS (
             INSERT INTO free_place (rule_id, geom)
             SELECT rule_id, geom FROM former ORDER BY rule_id, axis_id, rule_place),
@@ -225,19 +249,33 @@ BEGIN
             -- By difference, since a hash join of a whole level would pass over the spatial index.
             UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
                 AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
-            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN pedestrian_crossing c
-                ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
-                JOIN street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'
-            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN parking_bay c
-                ON c.surface && b.ground AND streetgen._takes_ground(c.surface, b.ground)
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b, LATERAL (
+                    SELECT c.street_object_id FROM pedestrian_crossing c WHERE c.surface && b.ground
+                        AND streetgen._takes_ground(c.surface, b.ground)
+                    UNION ALL SELECT c.street_object_id FROM parking_bay c WHERE c.surface && b.ground
+                        AND streetgen._takes_ground(c.surface, b.ground) OFFSET 0) c
                 JOIN street_object o USING (street_object_id) WHERE o.placed_by <> 'rule'),
-        free AS MATERIALIZED (
-            SELECT * FROM taken t WHERE NOT EXISTS (SELECT FROM in_the_way w
+        asked AS MATERIALIZED (
+            SELECT t.*, row_number() OVER (ORDER BY rule_id, axis_id, rule_place) AS number,
+                ROW (type, geom, level, CASE along WHEN 'corner' THEN corner_offset
+                    WHEN 'axis' THEN NULL ELSE CASE WHEN at_side IS NOT NULL THEN aside END END,
+                    along IN ('border', 'corner'), NULL)::streetgen.standing_place AS place
+            FROM taken t WHERE own AND NOT EXISTS (SELECT FROM in_the_way w
                 WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
+        clear AS MATERIALIZED (
+            SELECT * FROM asked WHERE number NOT IN (SELECT h.number
+                FROM _hindrances((SELECT array_agg(place ORDER BY number) FROM asked)) h)),
+        crowded AS MATERIALIZED (
+            SELECT c.number FROM (SELECT array_agg(number) AS numbers, array_agg(place) AS places,
+                    array_agg(rule_id) AS rules, array_agg(axis_id) AS axes, array_agg(every) AS every
+                FROM clear WHERE NOT lying) a, _crowded(a.numbers, a.places, a.rules, a.axes, a.every) c),
+        free AS MATERIALIZED (
+            SELECT * FROM clear WHERE NOT beside AND number NOT IN (SELECT number FROM crowded)),
         held AS MATERIALIZED (
             SELECT street_object_id, type, geom, angle, axis_id, abscissa, side, axis_offset, orientation, rule_id,
                 rule_place, method
-            FROM street_object WHERE placed_by = 'rule' AND (axes IS NULL OR axis_id = ANY (axes))),
+            FROM street_object WHERE placed_by = 'rule' AND (type = ANY (on_roadway)) = lying
+                AND (axes IS NULL OR axis_id = ANY (axes))),
         compared AS MATERIALIZED (
             SELECT f.type, f.geom, f.angle, CASE WHEN f.at_side IS NULL THEN 'axis' ELSE 'border' END AS placement,
                 f.axis_id, f.abscissa, f.at_side, f.aside, f.turned, f.rule_id, f.rule_place,
@@ -261,7 +299,8 @@ BEGIN
         FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place;
         IF any_former THEN
             UPDATE street_object SET rule_id = NULL, rule_place = NULL WHERE placed_by <> 'rule'
-                AND rule_id IS NOT NULL AND (axes IS NULL OR axis_id = ANY (axes));
+                AND rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
+                AND (axes IS NULL OR axis_id = ANY (axes));
         END IF;
         INSERT INTO pedestrian_crossing (street_object_id)
             SELECT o.street_object_id FROM street_object o WHERE o.placed_by = 'rule'
@@ -354,7 +393,7 @@ BEGIN
         AS $body$
     BEGIN
         PERFORM streetgen._require_one_build();
-        IF TG_TABLE_NAME IN ('placement_rule', 'object_type') THEN
+        IF TG_TABLE_NAME IN ('placement_rule', 'object_type', 'object_distance') THEN
             PERFORM streetgen._lock_model(current_schema(), wait => true, alone => true);
         ELSIF TG_OP <> 'TRUNCATE' THEN
             PERFORM _begin_ruled_edit();
@@ -373,6 +412,10 @@ BEGIN
     CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON free_place
         FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
         EXECUTE FUNCTION enter_rules();
+    -- Distances that go with a type had no objects to part.
+    CREATE OR REPLACE TRIGGER enter_rules BEFORE INSERT OR UPDATE OR DELETE OR TRUNCATE ON object_distance
+        FOR EACH STATEMENT WHEN (pg_trigger_depth() = 0) EXECUTE FUNCTION enter_rules();
+    COMMENT ON TRIGGER enter_rules ON object_distance IS 'Locks the model: all its objects may follow';
     COMMENT ON TRIGGER enter_rules ON placement_rule IS 'Locks the model: all its objects may follow';
     COMMENT ON TRIGGER enter_rules ON object_type IS 'Locks the model: all its objects may follow';
     COMMENT ON TRIGGER enter_rules ON street_object IS 'Locks the model beside other editors, where rules place';
@@ -393,6 +436,9 @@ BEGIN
         FOR EACH STATEMENT EXECUTE FUNCTION apply_rules();
     CREATE OR REPLACE TRIGGER apply_rules AFTER UPDATE OF distance_least ON object_type
         FOR EACH STATEMENT EXECUTE FUNCTION apply_rules();
+    CREATE OR REPLACE TRIGGER apply_rules AFTER INSERT OR UPDATE OR DELETE OR TRUNCATE ON object_distance
+        FOR EACH STATEMENT WHEN (pg_trigger_depth() = 0) EXECUTE FUNCTION apply_rules();
+    COMMENT ON TRIGGER apply_rules ON object_distance IS 'The objects of rules keep their distance';
     COMMENT ON TRIGGER apply_rules ON placement_rule IS 'The objects follow their rules';
     COMMENT ON TRIGGER apply_rules ON object_type IS 'The objects of rules keep their distance';
     CREATE OR REPLACE FUNCTION free_places() RETURNS trigger
@@ -460,9 +506,9 @@ BEGIN
     COMMENT ON TRIGGER fill_places_update ON free_place IS 'Rules place objects where they may again';
     COMMENT ON TRIGGER fill_places_truncate ON free_place IS 'Rules place objects where they may again';
     PERFORM streetgen._own_function(model, '_has_rules()', 'Whether any rule places objects'),
-        streetgen._own_function(model, '_arms_at(bigint)', 'How many ends of edges meet at a node'),
-        streetgen._own_function(model, '_renew_rule_objects(bigint[])',
-        'Brings the objects that rules place along axes (NULL: along all) up to date'),
+        streetgen._own_function(model, '_renew_rule_objects(bigint[], boolean)',
+        'Brings the objects that rules place along axes (NULL: along all) up to date: those that lie on the roadway, '
+        'or those that stand beside it'),
         streetgen._own_function(model, '_take_from_rules(bigint[])',
         'Makes objects of rules those of the user, and leaves their places free'),
         streetgen._own_function(model, '_begin_ruled_edit()',

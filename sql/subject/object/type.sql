@@ -8,3 +8,15 @@ COMMENT ON COLUMN streetgen.placement.abscissa IS 'm along the axis';
 COMMENT ON COLUMN streetgen.placement.side IS 'left or right: by that border of the roadway; NULL: by the axis';
 COMMENT ON COLUMN streetgen.placement.axis_offset IS 'm away from the border, or to the left of the axis';
 COMMENT ON COLUMN streetgen.placement.orientation IS 'degrees clockwise from the axis; NULL: 0';
+
+-- A place at which an object may stand, or stands.
+CREATE TYPE streetgen.standing_place AS (type text, geom geometry, level integer, away float8, by_kerb boolean,
+    self bigint);
+COMMENT ON TYPE streetgen.standing_place IS
+    'A place of an object, of which is asked what keeps it from standing there.';
+COMMENT ON COLUMN streetgen.standing_place.type IS 'what it is: a row of object_type';
+COMMENT ON COLUMN streetgen.standing_place.geom IS 'the place';
+COMMENT ON COLUMN streetgen.standing_place.level IS 'level of its street';
+COMMENT ON COLUMN streetgen.standing_place.away IS 'm away from the border of the roadway; NULL: placed by the axis';
+COMMENT ON COLUMN streetgen.standing_place.by_kerb IS 'does it stand along a border or a corner, and thus at a kerb';
+COMMENT ON COLUMN streetgen.standing_place.self IS 'the object that stands there; NULL: none yet';
