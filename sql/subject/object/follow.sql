@@ -18,7 +18,7 @@ BEGIN
         PERFORM streetgen._drop_own_functions(model, '{_place_objects,_renew_grounds,_carry_objects,'
             'carry_objects_insert,carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,'
             '_renew_crossings,_renew_bays,'
-            '_types_below,_has_rules,_types_on_roadway,_object_spacing,_hindrances,_crowded,_take_from_rules,'
+            '_types_below,_has_rules,_types_on_roadway,_object_spacing,_hindrances,_near_earlier,_take_from_rules,'
             '_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
             'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
             '_hold_borders,redraw_ground,_renew_lines,_lock_streets}');

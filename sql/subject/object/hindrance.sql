@@ -116,10 +116,11 @@ BEGIN
                         (ST_Y(p.geom) - ST_Y(k.foot)) / k.distance * median)) AS way OFFSET 0) w));
         END IF;
     END $body$;
-    CREATE OR REPLACE FUNCTION _crowded(numbers bigint[], places streetgen.standing_place[], rules bigint[],
-        axes bigint[], every float8[]) RETURNS TABLE(number bigint)
+    CREATE OR REPLACE FUNCTION _near_earlier(numbers bigint[], places streetgen.standing_place[], rules bigint[],
+        axes bigint[], every float8[]) RETURNS TABLE(number bigint, earlier bigint)
         LANGUAGE sql STABLE ROWS 10 SET search_path FROM CURRENT SET jit = off
-        -- Places of the same cell of a grid are joined by hash, however few are expected.
+        -- An object gives way also where the earlier one gives way itself: what stands depends on what is near
+        -- alone. Places of the same cell of a grid are joined by hash, however few are expected.
         SET enable_nestloop = off SET enable_mergejoin = off
         AS $body$
         WITH place AS MATERIALIZED (
@@ -134,16 +135,15 @@ BEGIN
             SELECT p.*, s.other, s.metres, cell_x, cell_y FROM place p JOIN spaced s USING (type),
                 LATERAL unnest(ARRAY[floor((x - metres) / cell), floor((x + metres) / cell)]) cell_x,
                 LATERAL unnest(ARRAY[floor((y - metres) / cell), floor((y + metres) / cell)]) cell_y)
-        SELECT DISTINCT w.number FROM wanted w JOIN offered o ON (o.type, o.metres, o.cell_x, o.cell_y)
+        SELECT DISTINCT w.number, o.number FROM wanted w JOIN offered o ON (o.type, o.metres, o.cell_x, o.cell_y)
             = (w.other, w.metres, w.cell_x, w.cell_y)
         WHERE o.number < w.number AND o.level = w.level AND (o.rule, o.axis) <> (w.rule, w.axis)
             AND (o.x - w.x) ^ 2 + (o.y - w.y) ^ 2
                 < least(w.metres, CASE WHEN o.rule = w.rule THEN 0.9 * w.every END) ^ 2 $body$;
     PERFORM streetgen._own_function(model,
-        '_crowded(bigint[], streetgen.standing_place[], bigint[], bigint[], float8[])',
-        'Which places of rules, in the order of the rules, are too near to an earlier one, even where that one gives '
-        'way itself: so what stands depends on what is near alone. Places of one rule along one axis are as its rule '
-        'says'),
+        '_near_earlier(bigint[], streetgen.standing_place[], bigint[], bigint[], float8[])',
+        'Which places of rules are too near to earlier ones, in the order of the rules; those of one rule along one '
+        'axis are as far apart as the rule says'),
         streetgen._own_function(model, '_types_on_roadway()', 'The types of objects that lie on the roadway'),
         streetgen._own_function(model, '_object_spacing()',
         'How far objects of a type keep from those of another one, both ways, metres'),

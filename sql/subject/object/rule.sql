@@ -79,6 +79,8 @@ BEGIN
         -- Rules of the other sort place what an object keeps distance_least from.
         spaced constant boolean := EXISTS (SELECT FROM placement_rule JOIN object_type USING (type)
             WHERE active AND distance_least > 0);
+        several_bays constant boolean := 1 < (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
+            + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
         spacing constant float8 := (SELECT coalesce(max(metres), 0) FROM _object_spacing());
         -- An object gives way to one of an axis beside, which is looked at and not written.
         looked_at constant bigint[] := CASE WHEN axes IS NOT NULL AND NOT lying THEN ARRAY(
@@ -115,7 +117,8 @@ BEGIN
                 LEFT JOIN streetgen._axis_borders(current_schema(), computed) b USING (axis_id)
                 JOIN section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
                 JOIN section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
-            WHERE axes IS NULL OR e.axis_id = ANY (axes) OR e.edge_id = ANY (looked_at)),
+            WHERE axes IS NULL OR a.axis_id = ANY (computed) AND u.axis_id = ANY (computed)
+                AND (e.axis_id = ANY (axes) OR e.edge_id = ANY (looked_at))),
         meeting AS MATERIALIZED (
             SELECT node, (SELECT count(*) FROM edge WHERE from_node = node)
                 + (SELECT count(*) FROM edge WHERE to_node = node) AS arms
@@ -218,6 +221,7 @@ BEGIN
                 streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
             FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE own AND type = ANY (bays)),
         -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
+        crossed AS MATERIALIZED (SELECT axis_id, abscissa FROM taken WHERE own AND type = ANY (crossings)),
         former AS MATERIALIZED (
             SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
                 JOIN street_object o USING (rule_id, axis_id, rule_place)
@@ -240,10 +244,10 @@ BEGIN
                 WHERE any_free
             UNION SELECT rule_id, axis_id, rule_place FROM former
             -- Three metres: half of a crossing, and one for who looks along the street.
-            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN taken c USING (axis_id)
-                WHERE c.type = ANY (crossings) AND abs(c.abscissa - b.abscissa) < b.reach + 3
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN crossed c USING (axis_id)
+                WHERE abs(c.abscissa - b.abscissa) < b.reach + 3
             UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN bay c USING (axis_id)
-                WHERE c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
+                WHERE several_bays AND c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
                     AND c.ground && b.ground AND streetgen._takes_ground(c.ground, b.ground)
             UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
             -- By difference, since a hash join of a whole level would pass over the spatial index.
@@ -262,15 +266,20 @@ BEGIN
                     along IN ('border', 'corner'), NULL)::streetgen.standing_place AS place
             FROM taken t WHERE own AND NOT EXISTS (SELECT FROM in_the_way w
                 WHERE (w.rule_id, w.axis_id, w.rule_place) = (t.rule_id, t.axis_id, t.rule_place))),
-        clear AS MATERIALIZED (
-            SELECT * FROM asked WHERE number NOT IN (SELECT h.number
-                FROM _hindrances((SELECT array_agg(place ORDER BY number) FROM asked)) h)),
-        crowded AS MATERIALIZED (
-            SELECT c.number FROM (SELECT array_agg(number) AS numbers, array_agg(place) AS places,
+        near AS MATERIALIZED (
+            SELECT n.number, n.earlier FROM (SELECT array_agg(number) AS numbers, array_agg(place) AS places,
                     array_agg(rule_id) AS rules, array_agg(axis_id) AS axes, array_agg(every) AS every
-                FROM clear WHERE NOT lying) a, _crowded(a.numbers, a.places, a.rules, a.axes, a.every) c),
+                FROM asked WHERE NOT lying) a, _near_earlier(a.numbers, a.places, a.rules, a.axes, a.every) n),
+        -- Of an axis beside, what an object may have to give way to.
+        judged AS MATERIALIZED (
+            SELECT *, row_number() OVER (ORDER BY number) AS turn FROM asked
+            WHERE NOT beside OR number IN (SELECT earlier FROM near)),
+        clear AS MATERIALIZED (
+            SELECT * FROM judged WHERE turn NOT IN (SELECT h.number
+                FROM _hindrances((SELECT array_agg(place ORDER BY turn) FROM judged)) h)),
         free AS MATERIALIZED (
-            SELECT * FROM clear WHERE NOT beside AND number NOT IN (SELECT number FROM crowded)),
+            SELECT * FROM clear WHERE NOT beside AND number NOT IN (SELECT number FROM near
+                WHERE earlier IN (SELECT c.number FROM clear c))),
         held AS MATERIALIZED (
             SELECT street_object_id, type, geom, angle, axis_id, abscissa, side, axis_offset, orientation, rule_id,
                 rule_place, method
