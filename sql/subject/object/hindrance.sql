@@ -27,11 +27,12 @@ BEGIN
     CREATE OR REPLACE FUNCTION _object_spacing() RETURNS TABLE(type text, other text, metres float8)
         LANGUAGE sql STABLE ROWS 50 SET search_path FROM CURRENT
         AS $body$
+        WITH RECURSIVE below(above, type) AS (SELECT t.type, t.type FROM object_type t
+            UNION SELECT b.above, t.type FROM below b JOIN object_type t ON t.parent = b.type),
+        said AS MATERIALIZED (SELECT a.type, b.type AS other, metres FROM object_distance
+            JOIN below a ON a.above = type_a JOIN below b ON b.above = type_b)
         SELECT type, other, max(metres) FROM (
-            SELECT type, other, metres FROM object_distance, unnest(_types_below(type_a)) type,
-                unnest(_types_below(type_b)) other
-            UNION ALL SELECT other, type, metres FROM object_distance, unnest(_types_below(type_a)) type,
-                unnest(_types_below(type_b)) other
+            SELECT type, other, metres FROM said UNION ALL SELECT other, type, metres FROM said
             -- Things of one kind never stand on each other. Bays have ground that tells.
             UNION ALL SELECT t.type, t.type, 1 FROM object_type t WHERE t.type <> ALL (_types_below('parking_bay'))) d
         WHERE metres > 0 GROUP BY type, other $body$;

@@ -99,6 +99,12 @@ BEGIN
             AND rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
             AND (axes IS NULL OR axis_id = ANY (axes)));
     BEGIN
+        IF NOT EXISTS (SELECT FROM placement_rule WHERE active AND (type = ANY (on_roadway)) = lying)
+            AND NOT EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none')
+            AND NOT EXISTS (SELECT FROM street_object WHERE rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
+                AND (axes IS NULL OR axis_id = ANY (axes))) THEN
+            RETURN;
+        END IF;
         -- A rule that places something else now places it anew: rows of the former type go with their objects.
         DELETE FROM street_object o USING placement_rule r WHERE o.rule_id = r.rule_id
             AND o.placed_by = 'rule' AND o.type <> r.type AND (axes IS NULL OR o.axis_id = ANY (axes));
