@@ -74,6 +74,10 @@ BEGIN
             WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
             PERFORM _renew_rule_objects(axes, lying => true);
             PERFORM _renew_grounds(axes, of_rules => true);
+            -- Lines lie before these crossings, and no object in their sight.
+            IF EXISTS (SELECT FROM placement_rule WHERE active AND along IN ('border', 'corner')) THEN
+                PERFORM streetgen._settle_lane(current_schema(), axes);
+            END IF;
             PERFORM _renew_rule_objects(axes, lying => false);
         END IF;
         PERFORM streetgen._renew_specialised(current_schema(), axes);
