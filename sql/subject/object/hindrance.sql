@@ -96,7 +96,8 @@ BEGIN
         IF to_regclass('marking') IS NOT NULL THEN
             RETURN QUERY SELECT number, 'sight'
             FROM unnest(places) WITH ORDINALITY p(type, geom, level, away, by_kerb, self, number)
-            WHERE by_kerb AND type <> ALL (seen || on_roadway) AND EXISTS (SELECT FROM marking m JOIN edge e USING (edge_id)
+            WHERE by_kerb AND type <> ALL (seen || on_roadway)
+                AND EXISTS (SELECT FROM marking m JOIN edge e USING (edge_id)
                 WHERE m.kind IN ('stop', 'yield') AND ST_DWithin(m.geom, p.geom, sight) AND e.level = p.level);
         END IF;
         -- A model of an older build may have objects without kerbs.
