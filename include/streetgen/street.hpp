@@ -82,6 +82,9 @@ struct StreetSettings {
   // infinite.
   double corner_length = 15;  // metres along the kerbs
   double corner_area = 50;    // square metres
+  // Where kerbs part farther away, both sections begin here and share the ground up to there; the
+  // paper has no such bound: it may be infinite.
+  double limit_distance = 25;  // metres from the node
   // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.
   // Two bounds of that ground; the paper has none. The last value is the width of a median that
   // stays ground.
@@ -167,6 +170,7 @@ struct SectionLimit {
   Point point;
   Line border_line;  // two points, from the left kerb to the right kerb of the edge's direction
   Method method = Method::hypothesis;
+  double shared = 0;  // metres from here on that the section shares with a neighbour
 };
 
 struct Section {

@@ -49,6 +49,18 @@ struct WidthProfile {
     return {start, start + slope * total};
   }
 
+  // The places between which one side changes, without those that lie between two in its line.
+  WidthProfile of_side(int side) const {
+    WidthProfile bends;
+    for (const Place& place : places) {
+      auto& kept = bends.places;
+      while (kept.size() > 1 && in_line(kept[kept.size() - 2], kept.back(), place, side))
+        kept.pop_back();
+      kept.push_back(place);
+    }
+    return bends;
+  }
+
   // Gives each stretch between two places of the profile from abscissa u to v, u < v: its ends.
   template <class Use>
   void each_stretch(double u, double v, Use use) const {
@@ -59,6 +71,14 @@ struct WidthProfile {
       from = place;
     }
     if (from.abscissa < v) use(from, at(v));
+  }
+
+ private:
+  static bool in_line(const Place& from, const Place& middle, const Place& to, int side) {
+    constexpr double rounding = 1e-9;  // metres
+    const double share = (middle.abscissa - from.abscissa) / (to.abscissa - from.abscissa);
+    const double off = from.on(side) + (to.on(side) - from.on(side)) * share - middle.on(side);
+    return -rounding < off && off < rounding;
   }
 };
 

@@ -15,7 +15,7 @@ CREATE TABLE wrong AS SELECT name, '22023' AS state, value FROM (VALUES
     ('transition_kind', 'both'), ('radius_rule', ''), ('turning_mode', 'guess'), ('dead_end', 'square'), ('max_arc_distance', '-1'), ('cell_size', '1e-9'),
     ('reach', 'NaN'), ('radius_by_importance', '{"1": "NaN"}'), ('speed_by_importance', '[1, 2]'), ('radius_by_importance', '{"1": '),
     ('speed_by_importance', ''), ('taper_ratio', '{}'), ('taper_ratio', '{"fast": 3}'), ('taper_ratio', '{"50": null}'), ('taper_ratio', '{"50": "NaN"}'), ('taper_ratio', '10'), ('radius_by_importance', '{"01": 8}'), ('radius_by_importance', '{"0": 8}')) v(name, value)
-    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'lane_width_maximal', 'radius_function', 'corner_length', 'corner_area', 'follow_length', 'follow_area', 'transition_length', 'kerb_radius_minimal');
+    UNION ALL SELECT name, '22004', NULL FROM streetgen._default_setting() WHERE name NOT IN ('max_width_per_lane', 'lane_width_maximal', 'radius_function', 'corner_length', 'corner_area', 'follow_length', 'follow_area', 'limit_distance', 'transition_length', 'kerb_radius_minimal');
 CREATE TABLE tried (name text, value text, wanted text, state text, said text, hint text, untouched boolean, restored boolean);
 DO $$
 DECLARE
@@ -40,7 +40,7 @@ SELECT (test.refusal('SELECT streetgen.generate(''town'')')).hint AS hint \gset
 SELECT 'the hint puts it back', (r).state = 'none' FROM (SELECT test.refusal(substring(:'hint' FROM '^SELECT [^;]*\)')) AS r) t;
 SELECT 'and generate goes on as before', (SELECT bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town')) AND pg_temp.untouched();
 SELECT 'with all that the setting says of itself', (SELECT s FROM town.setting s WHERE name = 'tolerance')::text = (SELECT d FROM streetgen._default_setting() d WHERE name = 'tolerance')::text;
-SELECT 'what a corner may close has no bound where it is NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name IN ('corner_length', 'corner_area', 'follow_length', 'follow_area')$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
+SELECT 'what a corner may close has no bound where it is NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name IN ('corner_length', 'corner_area', 'follow_length', 'follow_area', 'limit_distance')$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 SELECT 'max_width_per_lane may be NULL', (test.refusal($$UPDATE town.setting SET value = NULL WHERE name = 'max_width_per_lane'$$)).state = 'none' AND (test.refusal('SELECT streetgen.generate(''town'')')).state = 'none';
 
 -- The border proves again what the core cannot bear.

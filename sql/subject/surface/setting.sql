@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._surface_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 24 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 26 SET search_path = pg_catalog
     AS $$ VALUES
     ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000,
         NULL::text[]),
@@ -17,6 +17,9 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         'and two arcs on one kerb share it; NULL: however far, as the paper has it', 1, 1000, NULL),
     ('corner_area', '50', 'm2', 'nor does it close more ground than this between the kerbs; NULL: however much', 0.1,
         100000, NULL),
+    ('limit_distance', '25', 'm',
+        'where kerbs part slowly, and farther than this from a node, both sections begin about here, parted by one '
+        'line; NULL: where the corner ends, as the paper has it', 1, 1000, NULL),
     ('follow_length', '10', 'm',
         'a corner between nearly parallel kerbs, or one that follows its streets, closes the ground between no '
         'farther than this from the crossing of the kerbs; NULL: however far, as the paper has it', 0, 1000, NULL),

@@ -125,9 +125,7 @@ class RoadwayBorder {
   Box extent_of(int i) const {
     if (grounds_[i] != nullptr) return box_of(*grounds_[i]);
     if (!outer(i) || neighbours_) return {};
-    const auto& limits = streets_.limits;
-    return (i < edges_ ? section_extent(layout_.arms[2 * i], limits[2 * i].abscissa,
-                                        limits[2 * i + 1].abscissa)
+    return (i < edges_ ? section_extent(layout_, i)
                        : intersection_extent(layout_.arms_of(i - edges_),
                                              layout_.junctions[i - edges_].gaps))
         .box;

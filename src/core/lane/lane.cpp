@@ -7,8 +7,8 @@
 #include "geometry/polyline.hpp"
 #include "lane/carried_marks.hpp"
 #include "lane/lane_change.hpp"
-#include "lane/lane_layout.hpp"
 #include "lane/lane_extent.hpp"
+#include "lane/lane_layout.hpp"
 #include "lane/lane_taper.hpp"
 #include "lane/lane_wishes.hpp"
 #include "lane/marking.hpp"
@@ -308,7 +308,7 @@ class LaneBuilder {
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
       append_end_markings(streets_, ranks, controls_, rings, strip, crossed, made.lanes,
                           settings_.driving_side, out.markings);
-      if (!crossed) append_arrows(geos_, streets_.network.edges[e], made.lanes, out.markings);
+      if (!crossed) append_arrows(geos_, streets_, made.lanes, out.markings);
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
       std::move(made.separators.begin(), made.separators.end(), std::back_inserter(out.separators));
     }

@@ -125,10 +125,12 @@ Line along(const LaneStrip& strip, const LaneShares& shares) {
                        of_half * strip.half_end + strip.roadway_offset);
   Line line;
   const double total = length(strip.axis);
-  strip.profile.each_stretch(strip.from, strip.to, [&](const auto& from, const auto& to) {
+  WidthProfile offsets;
+  for (const WidthProfile::Place& place : strip.profile.places)
+    offsets.places.push_back({place.abscissa, strip.offset_at(place.abscissa, shares)});
+  offsets.of_side(+1).each_stretch(strip.from, strip.to, [&](const auto& from, const auto& to) {
     const auto [start, end] =
-        WidthProfile::extended(from.abscissa, strip.offset_at(from.abscissa, shares), to.abscissa,
-                               strip.offset_at(to.abscissa, shares), total);
+        WidthProfile::extended(from.abscissa, from.left, to.abscissa, to.left, total);
     const Line part = offset_line(strip.axis, from.abscissa, to.abscissa, start, end);
     const bool goes_on = !line.empty() && distance(line.back(), part.front()) <= same_place;
     line.insert(line.end(), part.begin() + (goes_on ? 1 : 0), part.end());

@@ -189,13 +189,17 @@ std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank
   return lower > 0 ? std::optional(MarkingKind::yield) : std::nullopt;
 }
 
-// Across a lane where it ends.
-RingEntries::Place at_limit(const LaneStrip& strip, const Lane& lane, bool at_start) {
-  const Line end = at_start
-                       ? substring(lane.line, 0, stop_width)
-                       : substring(lane.line, length(lane.line), length(lane.line) - stop_width);
+// Across a lane where it ends, or so many metres before that.
+RingEntries::Place before_end(const LaneStrip& strip, const Lane& lane, bool at_start,
+                              double before) {
+  const double total = length(lane.line);
+  const Line end = at_start ? substring(lane.line, before, before + stop_width)
+                            : substring(lane.line, total - before, total - before - stop_width);
   const Line& border = at_start ? strip.from_border : strip.to_border;
-  return {end.front() + (end.back() - end.front()) * 0.5, unit(border[1] - border[0])};
+  const Point middle = end.front() + (end.back() - end.front()) * 0.5;
+  if (before == 0) return {middle, unit(border[1] - border[0])};
+  const Point away = left_normal(unit(end.back() - end.front()));
+  return {middle, at_start ? away * -1 : away};
 }
 
 }  // namespace
@@ -254,12 +258,15 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
                     rings.on_ring(e) || ranks[node].merging_link == e);
     if (!kind) continue;
     const bool at_ring = rings.enters(e, at_start);
+    const double shared = streets.limits[2 * e + (at_start ? 0 : 1)].shared;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;
       if (!comes || !lane.reaches(at_start) || !painted(lane)) continue;
       std::optional<RingEntries::Place> place;
       if (at_ring) place = rings.before_ring(strip, lane, at_start, limits_crossed);
-      if (!place && room >= (at_ring ? 1 : 2) * stop_room) place = at_limit(strip, lane, at_start);
+      if (!place && room >= (at_ring ? 1 : 2) * stop_room)
+        place = before_end(strip, lane, at_start,
+                           std::min(shared, std::max(0.0, length(lane.line) - 2 * stop_room)));
       if (!place) continue;
       const Point across = place->rightwards * (lane.width / 2), middle = place->middle;
       // Against the axis one drives on its other side.
@@ -286,13 +293,15 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
   }
 }
 
-void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
+void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
     if (lane.both_ways || !lane.reaches(!lane.along_axis) || !painted(lane)) continue;
     const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
-    const double total = length(way);
+    const Edge& edge = streets.network.edges[lane.edge];
+    const double total =
+        length(way) - streets.limits[2 * lane.edge + (lane.along_axis ? 1 : 0)].shared;
     if (total < reach) continue;
     const double tip =
         total > 2 * (reach + arrow_before_end) ? total - arrow_before_end : (total + reach) / 2;

@@ -25,13 +25,13 @@ std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& 
 // Across each lane that comes to a node of three and more edges: what its control point says, a
 // stop line for signals; a stop line where another end of the node has signals.  Without a control
 // point a yield line where another edge is more important, a stop line where it is so by two;
-// no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A kind by hand goes
-// before signals and classes, and leaves signs: signals, stop lines; stop, one where another edge is
-// more important, and on all where none is and no end has a stop sign; priority, a yield line there;
-// right_before_left, no line at all.  None on parking and very narrow lanes.  Of
-// a lane for both directions, across the half on which one comes.  The line lies where the lane
-// ends, and at a roundabout where the ring begins; only such a line lies where limits crossed.
-// `controls` by slot, as end_controls gives them.
+// no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A kind by hand
+// goes before signals and classes, and leaves signs: signals, stop lines; stop, one where another
+// edge is more important, and on all where none is and no end has a stop sign; priority, a yield
+// line there; right_before_left, no line at all.  None on parking and very narrow lanes.  Of a lane
+// for both directions, across the half on which one comes.  The line lies where the lane ends,
+// where its section shares ground before that, and at a roundabout where the ring begins; only such
+// a line lies where limits crossed. `controls` by slot, as end_controls gives them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const RingEntries& rings,
                          const LaneStrip& strip, bool limits_crossed,
@@ -41,7 +41,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
 // The way that each lane runs, and the turns that it allows: before its end, or in the middle of
 // a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor
 // on lanes for both directions.
-void append_arrows(Geos& geos, const Edge& edge, const std::vector<Lane>& lanes,
+void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out);
 
 }  // namespace streetgen

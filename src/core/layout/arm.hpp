@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,11 @@ struct Gap {
   Taper taper{};        // where it tapers, once limits are settled
   bool direct = false;  // it tapers straight from limit to limit
   Polygon beyond{};     // the ground between both kerbs and an arc that lies beyond an arm's end
+  // Where the kerbs cross, of a corner whose limits lie before that place.
+  std::optional<CornerArc> crossing{};
+  // Between both sections, once such limits are settled: from the crossing of the border lines by
+  // that of the kerbs to a vertex of the arc.
+  Line parting{};
 };
 
 // From the line to the kerb on one side.

@@ -10,15 +10,12 @@
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
 #include "layout/arm_cover.hpp"
+#include "layout/drawn_arc.hpp"
 #include "layout/surface_pieces.hpp"
 
 namespace streetgen {
 
 namespace {
-
-constexpr int corner_quarter = 16;
-constexpr double coarsest = 60;  // metres: a greater radius has more chords
-constexpr int most_finer = 16;
 
 // A ring in the making; `whole` ends once a piece did not fit.
 struct Outline {
@@ -50,17 +47,9 @@ Point kerb_at_node(const Arm& arm, int side) {
 
 // An arc that starts where a border line ends starts at that end.
 void append_corner(Ring& ring, const CornerArc& corner) {
-  if (ring.empty() || distance(ring.back(), corner.arc.start) > same_place)
-    ring.push_back(corner.arc.start);
-  if (corner.radius > 0) {
-    // Clockwise about its centre, but for the slight outside of a nearly straight pair.
-    const Point from = corner.arc.start - corner.centre, to = corner.arc.end - corner.centre;
-    const bool outside = cross(from, to) > 0 && dot(from, to) > 0;
-    const int finer = std::max(1, static_cast<int>(std::ceil(std::sqrt(corner.radius / coarsest))));
-    append_arc(ring, corner.centre, corner.arc.start, corner.arc.end, outside,
-               corner_quarter * std::min(finer, most_finer));
-  }
-  ring.push_back(corner.arc.end);
+  const Line arc = drawn_arc(corner);
+  const bool starts_there = !ring.empty() && distance(ring.back(), arc.front()) <= same_place;
+  ring.insert(ring.end(), arc.begin() + (starts_there ? 1 : 0), arc.end());
 }
 
 // Where the circle touches the round end of an arm behind the node: along that end.
@@ -198,15 +187,28 @@ KerbLine kerb_of(const Arm& arm, const WidthProfile& profile, double u, double v
   if (profile.empty()) return kerb_line(arm.line, u, v, arm.start_to(side), arm.end_to(side), side);
   KerbLine kerb;
   const double total = length(arm.line);
-  profile.each_stretch(std::min(u, v), std::max(u, v), [&](const auto& from, const auto& to) {
-    const auto [start, end] =
-        WidthProfile::extended(from.abscissa, from.on(side), to.abscissa, to.on(side), total);
-    const KerbLine part = kerb_line(arm.line, from.abscissa, to.abscissa, start, end, side);
-    kerb.line.insert(kerb.line.end(), part.line.begin(), part.line.end());
-    kerb.whole = kerb.whole && part.whole;
-  });
+  profile.of_side(side).each_stretch(
+      std::min(u, v), std::max(u, v), [&](const auto& from, const auto& to) {
+        const auto [start, end] =
+            WidthProfile::extended(from.abscissa, from.on(side), to.abscissa, to.on(side), total);
+        const KerbLine part = kerb_line(arm.line, from.abscissa, to.abscissa, start, end, side);
+        kerb.line.insert(kerb.line.end(), part.line.begin(), part.line.end());
+        kerb.whole = kerb.whole && part.whole;
+      });
   if (u > v) kerb.line = reversed(std::move(kerb.line));
   return kerb;
+}
+
+// From one end of a section to the other along the kerb of a side, backwards where u > v, between
+// what parts it from others at both ends.
+void append_side(Outline& outline, const Arm& arm, const WidthProfile& profile, double u, double v,
+                 int side, const std::optional<Parting>& first,
+                 const std::optional<Parting>& last) {
+  Ring& ring = outline.ring;
+  if (first) ring.insert(ring.end(), first->line.begin() + 1, first->line.end());
+  outline.follow(kerb_of(arm, profile, first ? first->until : u, last ? last->until : v, side),
+                 false, false);
+  if (last) ring.insert(ring.end(), last->line.rbegin(), last->line.rend() - 1);
 }
 
 // The ground within a simple outline; empty for any other outline.
@@ -224,7 +226,13 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
   const Arm& arm = arms[i];
   const Gap &left = gaps[i], &right = gaps[(i + gaps.size() - 1) % gaps.size()];
   const bool on_left = left.tapers && !left.direct, on_right = right.tapers && !right.direct;
-  if (!on_left && !on_right) return {};
+  const bool parts_left = !left.parting.empty(), parts_right = !right.parting.empty();
+  if (!on_left && !on_right && !parts_left && !parts_right) return {};
+  const Point foot = planar(position_at(arm.line, arm.limit).point);
+  // To the line that parts the sections behind the limit.
+  const auto half_before = [&](double own, const Point& border, double abscissa) {
+    return own + (distance(foot, border) - own) * abscissa / arm.limit;
+  };
   std::set<double> abscissas{0, arm.limit};
   if (on_left) abscissas.insert(std::min(left.taper.reach_a, arm.limit));
   if (on_right) abscissas.insert(std::min(right.taper.reach_b, arm.limit));
@@ -233,6 +241,8 @@ WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps,
     WidthProfile::Place place = place_at(arm, abscissa);
     if (on_left && abscissa < left.taper.reach_a) place.left = left.taper.half_on_a(abscissa);
     if (on_right && abscissa < right.taper.reach_b) place.right = right.taper.half_on_b(abscissa);
+    if (parts_left) place.left = half_before(place.left, arm.border[0], abscissa);
+    if (parts_right) place.right = half_before(place.right, arm.border[1], abscissa);
     profile.places.push_back(place);
   }
   return profile;
@@ -250,18 +260,24 @@ Polygon cusp(const Course& a, const Course& b, const CornerArc& crossing, const 
 }
 
 Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start,
-                    double end, const Line& start_border, const Line& end_border) {
+                    double end, const Line& start_border, const Line& end_border,
+                    const SectionPartings& partings) {
+  const auto &left = partings.left, &right = partings.right;
   Outline outline;
   outline.reach(start_border[1]);
-  outline.follow(kerb_of(arm, profile, start, end, -1), false, false);
+  append_side(outline, arm, profile, start, end, -1, right.at_start, right.at_end);
   outline.reach(end_border[1]);
   outline.reach(end_border[0]);
-  outline.follow(kerb_of(arm, profile, end, start, +1), false, false);
+  append_side(outline, arm, profile, end, start, +1, left.at_end, left.at_start);
   outline.reach(start_border[0]);
   outline.ring = closed(std::move(outline.ring));
   MultiPolygon held = held_by(geos, std::move(outline));
   if (!held.empty()) return {std::move(held), false};
-  const MultiPolygon parts = arm_pieces(arm, profile, start, end, start_border, end_border);
+  MultiPolygon parts = arm_pieces(arm, profile, start, end, start_border, end_border);
+  for (const auto& side : {left, right}) {
+    if (side.at_start) parts.push_back({side.at_start->ground(arm.line, start)});
+    if (side.at_end) parts.push_back({side.at_end->ground(arm.line, end)});
+  }
   return {ending_on(geos, geos.polygons(geos.unite({parts}).get()), {start_border, end_border}),
           true};
 }
@@ -271,7 +287,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
   for (std::size_t i = 0; i < arms.size(); ++i) {
     outline.reach(arms[i].border[1]);
     outline.reach(arms[i].border[0]);
-    append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
+    if (gaps[i].parting.empty()) append_gap(outline, arms[i], arms[(i + 1) % arms.size()], gaps[i]);
   }
   outline.reach(arms.front().border[1]);
   outline.ring = closed(std::move(outline.ring));
@@ -296,7 +312,7 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
     if (gaps[i].direct) {
       MultiPolygon ground{between_axes(a, b)};
       if (!ground.front().front().empty() && geos.valid(ground)) parts.push_back(std::move(ground));
-    } else if (gaps[i].meets) {
+    } else if (gaps[i].meets && gaps[i].parting.empty()) {
       const Polygon ground = fillet(a, b, gaps[i]);
       if (!ground.front().empty()) parts.push_back({ground});
     } else if (const Polygon join = outside_of_bend(a, b, gaps[i]); !join.front().empty()) {

@@ -6,6 +6,7 @@
 #include "geometry/geos.hpp"
 #include "layout/arm.hpp"
 #include "layout/course.hpp"
+#include "layout/parting.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/width_profile.hpp"
 
@@ -20,14 +21,17 @@ struct Built {
 };
 
 // The part of one axis between two abscissas; its ends are the given borders (left, right). As wide
-// as the profile says, or where that is empty as the arm.
+// as the profile says, or where that is empty as the arm; beside other sections up to what parts
+// them.
 Built build_section(Geos& geos, const Arm& arm, const WidthProfile& profile, double start,
-                    double end, const Line& start_border, const Line& end_border);
+                    double end, const Line& start_border, const Line& end_border,
+                    const SectionPartings& partings);
 
 // gaps[i] lies between arms[i] and arms[i + 1], arms counter-clockwise.
 Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::vector<Gap>& gaps);
 
-// The half widths of arm i from its node to its limit; none where neither kerb tapers.
+// The half widths of arm i from its node to its limit; none where neither kerb tapers
+// and nothing parts its section from another.
 WidthProfile tapered(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t i);
 
 }  // namespace streetgen

@@ -6,6 +6,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "ownership/hole.hpp"
+#include "roadway/near_limits.hpp"
 #include "support/disjoint_sets.hpp"
 
 namespace streetgen {
@@ -74,6 +75,18 @@ Extent section_extent(const Arm& arm, double start, double end) {
   return extent;
 }
 
+Extent section_extent(const Layout& layout, int edge) {
+  const auto& limits = layout.streets.limits;
+  Extent extent = section_extent(layout.arms[2 * edge], limits[2 * edge].abscissa,
+                                 limits[2 * edge + 1].abscissa);
+  for (const Parting& parting : partings_of(layout, edge).all()) {
+    Box box;
+    for (const Point& p : parting.line) box.add(p);
+    extent.add(box);
+  }
+  return extent;
+}
+
 Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& gaps) {
   Extent extent;
   for (std::size_t i = 0; i < arms.size(); ++i) {
@@ -81,13 +94,14 @@ Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>&
     // Limits that crossed lie before what the corners asked for.
     if (!gaps.empty()) {
       const Gap &left = gaps[i], &right = gaps[(i + gaps.size() - 1) % gaps.size()];
-      if (left.meets) reach = std::max(reach, left.corner.abscissa_a);
-      if (right.meets) reach = std::max(reach, right.corner.abscissa_b);
+      if (left.meets && left.parting.empty()) reach = std::max(reach, left.corner.abscissa_a);
+      if (right.meets && right.parting.empty()) reach = std::max(reach, right.corner.abscissa_b);
     }
     add_stretch(extent, arms[i], 0, std::min(reach, length(arms[i].line)));
   }
   for (std::size_t i = 0; i < gaps.size(); ++i) {
-    if (gaps[i].meets) add_fillet(extent, arms[i], arms[(i + 1) % arms.size()], gaps[i].corner);
+    if (gaps[i].meets && gaps[i].parting.empty())
+      add_fillet(extent, arms[i], arms[(i + 1) % arms.size()], gaps[i].corner);
     for (const Ring& ring : gaps[i].beyond) {
       Box box;
       for (const Point& p : ring) box.add(p);

@@ -6,7 +6,7 @@
 
 #include "geometry/box.hpp"
 #include "geometry/box_index.hpp"
-#include "layout/surface_ring.hpp"
+#include "layout/layout.hpp"
 #include "ownership/ownership.hpp"
 
 namespace streetgen {
@@ -22,6 +22,8 @@ struct Extent {
 
 // Holds the section between two abscissas, round ends included.
 Extent section_extent(const Arm& arm, double start, double end);
+// Holds the section of an edge.
+Extent section_extent(const Layout& layout, int edge);
 
 // Holds the intersection; gaps[i] lies between arms[i] and arms[i + 1], none at a dead end.
 Extent intersection_extent(const std::vector<Arm>& arms, const std::vector<Gap>& gaps);

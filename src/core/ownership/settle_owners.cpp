@@ -128,11 +128,8 @@ class Owners {
 
   Vicinity& vicinity() {
     if (!vicinity_) {
-      const auto& limits = layout_.streets.limits;
       std::vector<Extent> extents;
-      for (int e = 0; e < edges_; ++e)
-        extents.push_back(section_extent(layout_.arms[2 * e], limits[2 * e].abscissa,
-                                         limits[2 * e + 1].abscissa));
+      for (int e = 0; e < edges_; ++e) extents.push_back(section_extent(layout_, e));
       for (std::size_t n = 0; n < layout_.junctions.size(); ++n)
         extents.push_back(
             intersection_extent(layout_.arms_of(static_cast<int>(n)), layout_.junctions[n].gaps));

@@ -278,7 +278,11 @@ class Change {
     const std::vector<Beside>& beside = layout_.streets.beside.sides;
     moved_.beside[e] =
         beside[2 * e] != before.beside_left || beside[2 * e + 1] != before.beside_right;
-    const bool same_start = stays(before.start, start), same_end = stays(before.end, end);
+    // An arc may move beyond a limit that stays; borders tell where it ends.
+    const bool same_arcs = (start.shared <= 0 && end.shared <= 0) ||
+                           before.borders.places == section_borders(layout_, e).places;
+    const bool same_start = stays(before.start, start) && same_arcs,
+               same_end = stays(before.end, end) && same_arcs;
     // Where another edge comes to a dead end, its round end goes.
     const bool rounded =
         layout_.settings.round_dead_ends && (met_[edge.from_node] || met_[edge.to_node]);

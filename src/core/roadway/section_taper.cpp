@@ -22,13 +22,30 @@ struct KerbTaper {
   double limit = 0, until = 0;  // metres along the edge
   double half = 0;              // metres at the limit
   double own = 0;               // at the end of the change
-  EdgeEnd beyond;               // as which the street goes on
+  EdgeEnd beyond;               // as which the street goes on; no edge where it does elsewhere
 
   bool covers(double abscissa) const {
     return std::min(limit, until) <= abscissa && abscissa <= std::max(limit, until);
   }
   double half_at(double abscissa) const {
     return own + (half - own) * (abscissa - until) / (limit - until);
+  }
+};
+
+// The side of an edge between a limit and the arc of a corner beyond it: up to the crossing of
+// its kerb with that of a neighbour its section ends on what parts it from the neighbour's.
+struct SharedSide {
+  int side = 1;
+  std::vector<std::pair<double, double>> places;  // ascending: metres along the edge, and aside
+
+  bool covers(double abscissa) const {
+    return places.front().first <= abscissa && abscissa <= places.back().first;
+  }
+  double half_at(double abscissa) const {
+    const auto next = std::find_if(places.begin() + 1, places.end() - 1,
+                                   [&](const auto& place) { return place.first >= abscissa; });
+    const auto& [from, half] = *(next - 1);
+    return half + (next->second - half) * (abscissa - from) / (next->first - from);
   }
 };
 
@@ -65,19 +82,23 @@ std::optional<WayOut> way_out(const Arm& wide, const Arm& narrow, int side) {
 
 class SectionTapers {
  public:
-  explicit SectionTapers(Layout& layout) : layout_(layout), by_edge_(layout.axes.size()) {}
+  explicit SectionTapers(Layout& layout)
+      : layout_(layout), by_edge_(layout.axes.size()), shared_(layout.axes.size()) {}
 
   void find() {
     for (Junction& junction : layout_.junctions)
       for (std::size_t i = 0; i < junction.gaps.size(); ++i) {
         Gap& gap = junction.gaps[i];
         if (gap.tapers && !gap.direct) taper(junction, i, gap);
+        if (gap.parting.empty()) continue;
+        share(junction.ends[i], +1, gap);
+        share(junction.next(i), -1, gap);
       }
   }
 
   void give() {
     for (std::size_t e = 0; e < by_edge_.size(); ++e)
-      if (!by_edge_[e].empty() || !layout_.arms[2 * e].merging.empty())
+      if (!by_edge_[e].empty() || !shared_[e].empty() || !layout_.arms[2 * e].merging.empty())
         layout_.streets.roadways[e].profile = profile_of(static_cast<int>(e));
   }
 
@@ -110,8 +131,9 @@ class SectionTapers {
                  straight.has_value()};
     gap.direct = gap.taper.length() < coordinate_margin;
     if (gap.direct) return;
-    add(a, +1, reach_a, gap.taper.half_a, gap.taper.half_on_a(arm_a.limit), b);
-    add(b, -1, reach_b, gap.taper.half_b, gap.taper.half_on_b(arm_b.limit), a);
+    constexpr EdgeEnd none{-1, true};
+    add(a, +1, reach_a, gap.taper.half_a, gap.taper.half_on_a(arm_a.limit), beyond ? b : none);
+    add(b, -1, reach_b, gap.taper.half_b, gap.taper.half_on_b(arm_b.limit), beyond ? a : none);
   }
 
   // The outer kerb of a fork goes straight on from the wider street to where that of the branch
@@ -130,11 +152,13 @@ class SectionTapers {
     return a_is_wide ? std::pair(before, way->after) : std::pair(way->after, before);
   }
 
-  // Metres from the node, as far as the section has room, or to the limit.
+  // Metres from the node, as far as the section has room, or to where it shares no ground any more.
   double room(const EdgeEnd& end, bool beyond) const {
     const Arm& arm = layout_.arm(end);
-    if (!beyond || limits_crossed(layout_.streets, end.edge)) return arm.limit;
-    return length(arm.line) - layout_.arm({end.edge, !end.at_start}).limit;
+    if (limits_crossed(layout_.streets, end.edge)) return arm.limit;
+    const double room = length(arm.line) - layout_.arm({end.edge, !end.at_start}).limit;
+    const double alone = arm.limit + layout_.streets.limits[slot(end)].shared;
+    return beyond ? room : std::min(alone, room);
   }
   double reach(const EdgeEnd& end, double wanted, bool beyond) const {
     return std::min(transition_limit(layout_.arm(end), wanted), room(end, beyond));
@@ -159,7 +183,33 @@ class SectionTapers {
     back.widest = std::max(back.widest, widest);
   }
 
+  void share(const EdgeEnd& end, int side, const Gap& gap) {
+    const Arm& arm = layout_.arm(end);
+    const double total = length(arm.line);
+    const CornerArc& crossing = *gap.crossing;
+    SharedSide shared{end.at_start ? side : -side, {}};
+    const auto add = [&](double from_node, double half) {
+      shared.places.emplace_back(end.at_start ? from_node : total - from_node, half);
+    };
+    const double last = side > 0 ? crossing.abscissa_a : crossing.abscissa_b;
+    double before = arm.limit;
+    add(before, distance(gap.parting.front(), planar(position_at(arm.line, before).point)));
+    for (auto p = gap.parting.begin() + 1; p != gap.parting.end(); ++p) {
+      const double abscissa = nearest_abscissa(*p, arm.line);
+      if (abscissa < before + coordinate_margin || abscissa > last - coordinate_margin) continue;
+      add(before = abscissa, distance_to_line(*p, arm.line));
+    }
+    add(last, arm.start_to(side));
+    // The arc's end is a place too: by it an edit sees that the arc is another.
+    const double arc = side > 0 ? gap.corner.abscissa_a : gap.corner.abscissa_b;
+    if (arc > last + coordinate_margin) add(arc, arm.start_to(side));
+    if (!end.at_start) std::reverse(shared.places.begin(), shared.places.end());
+    shared_[end.edge].push_back(std::move(shared));
+  }
+
   double half_on(int e, int side, double abscissa) const {
+    for (const SharedSide& shared : shared_[e])
+      if (shared.side == side && shared.covers(abscissa)) return shared.half_at(abscissa);
     for (const KerbTaper& taper : by_edge_[e])
       if (taper.side == side && taper.covers(abscissa)) return taper.half_at(abscissa);
     return half_at(layout_.arms[2 * e], abscissa, side);
@@ -174,6 +224,8 @@ class SectionTapers {
       (taper.limit < taper.until ? profile.beyond_start : profile.beyond_end) = {
           taper.beyond.edge, taper.beyond.at_start};
     }
+    for (const SharedSide& shared : shared_[e])
+      for (const auto& place : shared.places) abscissas.insert(place.first);
     for (const MergingStretch& stretch : layout_.arms[2 * e].merging)
       for (const double abscissa : stretch.places())
         abscissas.insert(std::clamp(abscissa, 0.0, total));
@@ -184,6 +236,7 @@ class SectionTapers {
 
   Layout& layout_;
   std::vector<std::vector<KerbTaper>> by_edge_;
+  std::vector<std::vector<SharedSide>> shared_;  // by edge
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "geometry/tolerance.hpp"
 #include "layout/node_corner.hpp"
 #include "ramp/merging_lanes.hpp"
+#include "roadway/near_limits.hpp"
 #include "roadway/section_taper.hpp"
 
 namespace streetgen {
@@ -85,7 +86,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
     limit.method = crossed && !(one_yields && put) ? Method::crossed_limits
                    : put                           ? Method::by_hand
                                                    : Method::hypothesis;
-    layout.streets.limits.push_back(limit);
+    layout.streets.limits[slot({e, at_start})] = limit;
   }
 }
 
@@ -106,13 +107,25 @@ void join_borders(Layout& layout) {
 }  // namespace
 
 void settle_limits(Layout& layout, const LimitsByHand& by_hand) {
-  layout.streets.limits.reserve(layout.arms.size());
+  layout.streets.limits.resize(layout.arms.size());
+  std::vector<double> wanted;
+  for (const Arm& arm : layout.arms) wanted.push_back(arm.limit);
   part_by_hand(layout, by_hand);
   for (int e = 0; e < static_cast<int>(layout.axes.size()); ++e) settle_edge(layout, e, by_hand);
+  for (;;) {
+    const std::vector<int> unparted = part_sections(layout, wanted);
+    if (unparted.empty()) break;
+    for (const int e : unparted) {
+      for (const bool at_start : {true, false})
+        layout.arm({e, at_start}).limit = wanted[slot({e, at_start})];
+      settle_edge(layout, e, by_hand);
+    }
+  }
   settle_merging_lanes(layout);
   for (const MergingRun& run : layout.merging_runs)
     for (const EdgeEnd& end : run.edges)
       settle_borders(layout, end.edge, limits_crossed(layout.streets, end.edge));
+  end_borders_on_partings(layout);
   taper_sections(layout);
   join_borders(layout);
   for (SectionLimit& limit : layout.streets.limits) {

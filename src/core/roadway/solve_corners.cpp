@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
@@ -11,6 +12,7 @@
 #include "roadway/continued_course.hpp"
 #include "roadway/crossing_middle.hpp"
 #include "roadway/island.hpp"
+#include "roadway/near_limits.hpp"
 #include "roadway/nose.hpp"
 #include "roadway/shared_kerb.hpp"
 #include "streetgen/cancel.hpp"
@@ -41,12 +43,8 @@ SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, doub
   std::vector<const Arm*> arms;
   arms.reserve(junction.ends.size());
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
-  const CornerWish wish{radius,
-                        settings.max_arc_distance,
-                        settings.radius_minimal,
-                        by_hand,
-                        settings.corner_length,
-                        settings.corner_area,
+  const CornerWish wish{radius,  settings.max_arc_distance, settings.radius_minimal,
+                        by_hand, settings.corner_length,    settings.corner_area,
                         ends};
   SolvedCorner solved = solve_corner(arms, i, wish);
   solved.ends = ends;
@@ -259,6 +257,29 @@ void solve_by_hand(Layout& layout, const RadiiByHand& by_hand, SolvedCorners& so
   }
 }
 
+// Streets of two levels share no ground, and ramps and highways with merging lanes have limits of
+// their own.
+void bring_limits_near(const Layout& layout, const RadiiByHand& by_hand, SolvedCorners& solved) {
+  std::set<int> with_merging_lanes;
+  for (const MergingRun& run : layout.merging_runs)
+    for (const EdgeEnd& end : run.edges) with_merging_lanes.insert(end.edge);
+  const auto level_of = [&](const EdgeEnd& end) {
+    return layout.streets.network.edges[end.edge].level;
+  };
+  for (int n = 0; n < static_cast<int>(solved.size()); ++n) {
+    const Junction& junction = layout.junctions[n];
+    if (junction.ends.size() < 3) continue;
+    for (std::size_t i = 0; i < solved[n].size(); ++i) {
+      const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
+      if (level_of(a) == level_of(b) && by_hand.count({n, i}) == 0 &&
+          with_merging_lanes.count(a.edge) == 0 && with_merging_lanes.count(b.edge) == 0 &&
+          ramp_corner(layout, junction, i) == RampCorner::none)
+        bring_limits_near(layout.arm(a), layout.arm(b), layout.settings.limit_distance,
+                          solved[n][i]);
+    }
+  }
+}
+
 Corner corner_of(const Junction& junction, const CornerPlace& at, double radius_wanted,
                  const SolvedCorner& solved) {
   const EdgeEnd &a = junction.ends[at.gap], &b = junction.next(at.gap);
@@ -394,6 +415,7 @@ void solve_corners(Layout& layout, const RadiiByHand& by_hand) {
   if (!layout.settings.transition.length) make_tapers(layout, solved);
   bend_ramps(layout, solved);
   solve_by_hand(layout, by_hand, solved);
+  bring_limits_near(layout, by_hand, solved);
   for (int n = 0; n < static_cast<int>(layout.junctions.size()); ++n) {
     Junction& junction = layout.junctions[n];
     if (junction.dead_end()) continue;

@@ -2,6 +2,7 @@
 
 #include "geometry/fill_holes.hpp"
 #include "layout/width_transition.hpp"
+#include "roadway/near_limits.hpp"
 #include "roadway/round_kink.hpp"
 
 namespace streetgen {
@@ -41,15 +42,18 @@ void finish(Geos& geos, const StreetSettings& settings, const std::vector<Line>&
 Surface section_of(Geos& geos, const Layout& layout, int e) {
   if (limits_crossed(layout.streets, e)) return {{}, Method::crossed_limits};
   const SectionLimit &start = layout.streets.limits[2 * e], &end = layout.streets.limits[2 * e + 1];
-  Surface surface =
-      surface_of(build_section(geos, layout.arms[2 * e], layout.streets.roadways[e].profile,
-                               start.abscissa, end.abscissa, start.border_line, end.border_line));
+  const SectionPartings partings = partings_of(layout, e);
+  Surface surface = surface_of(
+      build_section(geos, layout.arms[2 * e], layout.streets.roadways[e].profile, start.abscissa,
+                    end.abscissa, start.border_line, end.border_line, partings));
   const Edge& edge = layout.streets.network.edges[e];
   if (layout.settings.round_dead_ends)
     for (const bool at_start : {true, false})
       if (layout.junctions[at_start ? edge.from_node : edge.to_node].dead_end())
         surface.ground = with_round_end(geos, surface.ground, layout.arm({e, at_start}));
-  finish(geos, layout.settings, {start.border_line, end.border_line}, surface.ground);
+  std::vector<Line> borders{start.border_line, end.border_line};
+  for (Parting& parting : partings.all()) borders.push_back(std::move(parting.line));
+  finish(geos, layout.settings, borders, surface.ground);
   return surface;
 }
 

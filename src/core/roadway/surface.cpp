@@ -66,7 +66,7 @@ MultiPolygon section_surface(const Line& axis, double width, double start_abscis
   if (start >= end) return {};
   Geos geos;
   return build_section(geos, arm, {}, start, end, border_across(arm, start),
-                       border_across(arm, end))
+                       border_across(arm, end), {})
       .surface;
 }
 

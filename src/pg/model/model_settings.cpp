@@ -96,6 +96,7 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.reach = given.measure("reach");
   settings.corner_length = given.measure_or_unbounded("corner_length");
   settings.corner_area = given.measure_or_unbounded("corner_area");
+  settings.limit_distance = given.measure_or_unbounded("limit_distance");
   settings.follow_length = given.measure_or_unbounded("follow_length");
   settings.follow_area = given.measure_or_unbounded("follow_area");
   settings.median_width_minimal = given.measure("median_width_minimal", 1e-6);

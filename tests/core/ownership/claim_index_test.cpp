@@ -79,7 +79,7 @@ TEST(Vicinity, AnExtentHoldsTheSurfaceThatIsBuilt) {
     for (const Arm& arm : node.arms()) {
       const double start = length(arm.line) / 4, end = length(arm.line) / 2;
       const Built section = build_section(geos, arm, {}, start, end, border_across(arm, start),
-                                          border_across(arm, end));
+                                          border_across(arm, end), {});
       EXPECT_TRUE(holds(section_extent(arm, start, end), section.surface)) << "seed " << seed;
     }
   }

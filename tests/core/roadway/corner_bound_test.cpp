@@ -21,7 +21,7 @@ StreetAxis street(std::int64_t axis_id, Line line, double width = 6) {
 StreetSettings as_the_paper() {
   StreetSettings settings;
   settings.corner_length = settings.corner_area = settings.follow_length = settings.follow_area =
-      std::numeric_limits<double>::infinity();
+      settings.limit_distance = std::numeric_limits<double>::infinity();
   settings.max_arc_distance = 1000;
   settings.island_area = 0;
   return settings;

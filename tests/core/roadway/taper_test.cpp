@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
@@ -57,6 +58,8 @@ TEST(Taper, HasNoStepWhereASideStreetLeaves) {
 // Two narrow streets leave a wide one side by side: the kerbs between them cross 50 m away, and the
 // outer ones are their own long before.
 TEST(Taper, EndsBeforeALimitThatLiesFarAway) {
+  StreetSettings settings;
+  settings.limit_distance = std::numeric_limits<double>::infinity();
   for (const bool turned : {false, true}) {
     Line wide{{-100, 0, 0}, {0, 0, 0}};
     if (turned) std::reverse(wide.begin(), wide.end());
@@ -64,7 +67,7 @@ TEST(Taper, EndsBeforeALimitThatLiesFarAway) {
     const Streets town = streets({{1, wide, 0, 12, 12, 6, 3},
                                   {2, {{0, 0, 0}, north * 150}, 0, 4, 4, 6, 3},
                                   {3, {{0, 0, 0}, south * 150}, 0, 4, 4, 6, 3}},
-                                 {});
+                                 settings);
     ASSERT_GT(town.limits[2].abscissa, 40);
     for (const double side : {+1.0, -1.0})
       for (double at = 0; at < 80; at += 1.7) {
@@ -146,13 +149,15 @@ TEST(Taper, KeepsTheKerbOfTheStreetThatGoesOn) {
 // The kerb tapers on the outside of a bend, and another street leaves so slowly on the other side
 // that no one ring goes about the node.
 TEST(Taper, HasNoToothOnTheOutsideOfABend) {
+  StreetSettings settings;
+  settings.limit_distance = std::numeric_limits<double>::infinity();
   int by_union = 0;
   for (int degrees = 2; degrees <= 14; degrees += 2) {
     const Point along{std::cos(degrees * M_PI / 180), -std::sin(degrees * M_PI / 180), 0};
     const Streets town = streets({{1, {{-90, 0, 0}, {0, 0, 0}}, 0, 18, 18, 6, 3},
                                   {2, {{0, 0, 0}, along * 90}, 0, 7, 7, 6, 3},
                                   {3, {{0, 0, 0}, {-21, -4, 0}, {-60, -25, 0}}, 0, 7, 7, 6, 3}},
-                                 {});
+                                 settings);
     const Intersection& node = town.intersections[0];
     if (node.method == Method::robust_fallback) ++by_union;
     // 55 m for 5.5 m aside.
