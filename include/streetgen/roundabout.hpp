@@ -22,6 +22,10 @@ struct RingAxis {
   int level = 0;
   OneWay one_way = OneWay::no;
   bool tagged = false;  // a source says that it is part of a roundabout
+  // As those of a StreetAxis, by which an axis that lies on another has no edge.
+  double width = 0, width_end = 0, roadway_offset = 0;
+  int importance = 99;
+  bool leads_forward = true, leads_backward = true;
 };
 
 struct RingSettings {
@@ -75,7 +79,7 @@ struct NetworkRing {
 
 // Rings of one level come first, level by level, each level in the order of smallest places.  Rings
 // whose edges lie on several levels follow.  So are the tagged ones, then all others.  Deterministic, and independent of the order of the
-// axes.  The edges are those of streetgen::network with the same axes.
+// axes.  The edges are those of streetgen::street_network with the same axes.
 std::vector<NetworkRing> network_rings(const std::vector<RingAxis>& axes,
                                        const RingSettings& settings);
 

@@ -19,9 +19,10 @@ SELECT r.number, geom::geometry AS geom, centre::geometry AS centre, radius, str
     (SELECT streetgen.roundabout_name(array_agg(a.name), (SELECT array_agg(pattern) FROM :"model".roundabout_pattern)) FROM unnest(edge_axes) x JOIN :"model".axis a ON a.axis_id = x) AS name,
     streetgen.roundabout_network(one_way, against, arm_nodes, single_arm, inside) AS network, streetgen.roundabout_network(0, 0, arm_nodes, single_arm, inside) AS network_two_way
 FROM (SELECT array_agg(axis_id ORDER BY axis_id) AS ids, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id) AS lines, array_agg(level ORDER BY axis_id) AS levels,
-        array_agg(CASE direction WHEN 'direct' THEN 1 WHEN 'reverse' THEN -1 ELSE 0 END ORDER BY axis_id) AS one_ways, array_agg(on_ring ORDER BY axis_id) AS tagged FROM :"model".axis_used) u,
+        array_agg(CASE direction WHEN 'direct' THEN 1 WHEN 'reverse' THEN -1 ELSE 0 END ORDER BY axis_id) AS one_ways, array_agg(on_ring ORDER BY axis_id) AS tagged, array_agg(width ORDER BY axis_id) AS widths, array_agg(width_end ORDER BY axis_id) AS widths_end,
+        array_agg(roadway_offset ORDER BY axis_id) AS offsets, array_agg(importance ORDER BY axis_id) AS importances, array_agg(lanes_forward + lanes_both ORDER BY axis_id) AS forward, array_agg(lanes_backward + lanes_both ORDER BY axis_id) AS backward FROM :"model".axis_used) u,
     (SELECT jsonb_object_agg(s.name, value) AS v FROM :"model".setting s) s,
-    streetgen._network_rings(ids, lines, levels, one_ways, tagged, (v ->> 'tolerance')::float8, (v ->> 'roundabout_radius_least')::float8, (v ->> 'roundabout_radius_greatest')::float8,
+    streetgen._network_rings(ids, lines, levels, one_ways, tagged, widths, widths_end, offsets, importances, forward, backward, (v ->> 'tolerance')::float8, (v ->> 'roundabout_radius_least')::float8, (v ->> 'roundabout_radius_greatest')::float8,
         (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split', streetgen._driving_side(:'model') = 'right') r;
 CREATE TEMP TABLE known ON COMMIT DROP AS
 SELECT known, r.number, r.centre, r.radius, hit, floor(ST_X(r.centre))::bigint % 2 AS half,

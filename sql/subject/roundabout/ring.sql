@@ -1,18 +1,20 @@
 -- The rings of a network, what tells them from blocks, and their score.
 
 CREATE OR REPLACE FUNCTION streetgen._network_rings(axis_ids bigint[], lines bytea[], levels integer[],
-    one_ways integer[], tagged boolean[], tolerance float8, radius_least float8, radius_greatest float8,
-    shape_least float8, split boolean, counter_clockwise boolean)
+    one_ways integer[], tagged boolean[], widths float8[], widths_end float8[], roadway_offsets float8[],
+    importances integer[], lanes_forward integer[], lanes_backward integer[], tolerance float8, radius_least float8,
+    radius_greatest float8, shape_least float8, split boolean, counter_clockwise boolean)
     RETURNS TABLE(number integer, level integer, geom bytea, centre bytea, radius float8, on_circle float8,
         compactness float8, one_way float8, against float8, single_arm float8, arm_nodes integer, inside integer,
         edge_axes bigint[], edge_starts float8[], edge_ends float8[], edge_along boolean[],
         arm_axes bigint[], arm_starts float8[], arm_ends float8[], arm_along boolean[],
         edge_faces integer[], faces bytea[], waist boolean)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 ROWS 100 AS 'MODULE_PATHNAME', 'streetgen_network_rings';
-COMMENT ON FUNCTION streetgen._network_rings(bigint[], bytea[], integer[], integer[], boolean[], float8, float8,
-    float8, float8, boolean, boolean) IS
+COMMENT ON FUNCTION streetgen._network_rings(bigint[], bytea[], integer[], integer[], boolean[], float8[], float8[],
+    float8[], integer[], integer[], integer[], float8, float8, float8, float8, boolean, boolean) IS
     'The rings of the network of axes (LINESTRINGs, EWKB; one_ways: 1 along the axis, -1 against it, 0 unknown or '
-    'both; tagged: a source says that it is part of a roundabout) that may be roundabouts, in the order of their '
+    'both; tagged: a source says that it is part of a roundabout; widths and offsets in metres, importances and lanes '
+    'by direction tell which axis lies on another and has no edge) that may be roundabouts, in the order of their '
     'smallest places: closed ways with no edge between them and the ground within, first those of tagged axes alone, '
     'whatever lies within. What crosses without a node parts nothing; level: where most of the ring lies. Two '
     'neighbours that are nearly circles are one ring, a double roundabout: faces has the line of each, edge_faces '

@@ -10,8 +10,14 @@ ring_found AS MATERIALIZED (
     FROM (SELECT array_agg(axis_id ORDER BY axis_id) AS axis_ids, array_agg(ST_Force2D(geom)::bytea ORDER BY axis_id)
             AS lines, array_agg(level ORDER BY axis_id) AS levels,
             array_agg(CASE direction WHEN 'direct' THEN 1 WHEN 'reverse' THEN -1 ELSE 0 END ORDER BY axis_id)
-                AS one_ways, array_agg(on_ring ORDER BY axis_id) AS tagged FROM used) u, setting,
-        streetgen._network_rings(axis_ids, lines, levels, one_ways, tagged, (v ->> 'tolerance')::float8,
+                AS one_ways, array_agg(on_ring ORDER BY axis_id) AS tagged,
+            array_agg(width ORDER BY axis_id) AS widths, array_agg(width_end ORDER BY axis_id) AS widths_end,
+            array_agg(roadway_offset ORDER BY axis_id) AS offsets,
+            array_agg(importance ORDER BY axis_id) AS importances,
+            array_agg(lanes_forward + lanes_both ORDER BY axis_id) AS forward,
+            array_agg(lanes_backward + lanes_both ORDER BY axis_id) AS backward FROM used) u, setting,
+        streetgen._network_rings(axis_ids, lines, levels, one_ways, tagged, widths, widths_end, offsets, importances,
+            forward, backward, (v ->> 'tolerance')::float8,
             (v ->> 'roundabout_radius_least')::float8, (v ->> 'roundabout_radius_greatest')::float8,
             (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split', v ->> 'driving_side' <> 'left') r),
 ring_pattern AS MATERIALIZED (SELECT coalesce(array_agg(pattern ORDER BY pattern), ARRAY[]::text[])

@@ -10,6 +10,7 @@
 #include "geometry/prepared_surface.hpp"
 #include "geometry/ring_simplicity.hpp"
 #include "geometry/tolerance.hpp"
+#include "network/twin.hpp"
 #include "network/walk.hpp"
 #include "roundabout/roundness.hpp"
 #include "streetgen/cancel.hpp"
@@ -19,10 +20,27 @@ namespace streetgen {
 
 namespace {
 
+// As that of the streets, without reports.
 Network network_of(const std::vector<RingAxis>& axes, const RingSettings& settings) {
   std::vector<NetworkAxis> lines;
-  for (const RingAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
-  return network(lines, settings.tolerance, settings.crossing);
+  std::map<std::int64_t, StreetAxis> streets;
+  for (const RingAxis& axis : axes) {
+    lines.push_back({axis.axis_id, axis.line, axis.level});
+    StreetAxis& street = streets[axis.axis_id];
+    street.axis_id = axis.axis_id;
+    street.line = axis.line;
+    street.width = axis.width;
+    street.width_end = axis.width_end;
+    street.roadway_offset = axis.roadway_offset;
+    street.importance = axis.importance;
+    street.leads_forward = axis.leads_forward;
+    street.leads_backward = axis.leads_backward;
+  }
+  Network out = network(lines, settings.tolerance, settings.crossing);
+  std::vector<const StreetAxis*> by_edge;
+  for (const Edge& edge : out.edges) by_edge.push_back(&streets.at(edge.axis_id));
+  drop_twins(out, by_edge, settings.tolerance);
+  return out;
 }
 
 // A closed way of a walk, which leaves out what hangs into the ground within.

@@ -17,7 +17,8 @@ namespace {
 
 struct AxisColumns {
   LineArray lines;
-  Datum *axis_ids, *levels, *one_ways, *tagged;
+  Datum *axis_ids, *levels, *one_ways, *tagged, *widths, *widths_end, *offsets, *importances, *lanes_forward,
+      *lanes_backward;
 };
 
 // Of a type that is passed by value, by its width in bytes.
@@ -46,7 +47,11 @@ std::vector<RingAxis> read_axes(const AxisColumns& columns, Form* form) {
                     way > 0   ? OneWay::along
                     : way < 0 ? OneWay::against
                               : OneWay::no,
-                    DatumGetBool(columns.tagged[i])});
+                    DatumGetBool(columns.tagged[i]), DatumGetFloat8(columns.widths[i]),
+                    DatumGetFloat8(columns.widths_end[i]), DatumGetFloat8(columns.offsets[i]),
+                    DatumGetInt32(columns.importances[i]),
+                    DatumGetInt32(columns.lanes_forward[i]) > 0,
+                    DatumGetInt32(columns.lanes_backward[i]) > 0});
   }
   return axes;
 }
@@ -121,10 +126,16 @@ STREETGEN_FUNCTION(streetgen_network_rings) {
   const AxisColumns columns{lines, take_column(fcinfo, 0, INT8OID, 8, lines.count),
                             take_column(fcinfo, 2, INT4OID, 4, lines.count),
                             take_column(fcinfo, 3, INT4OID, 4, lines.count),
-                            take_column(fcinfo, 4, BOOLOID, 1, lines.count)};
+                            take_column(fcinfo, 4, BOOLOID, 1, lines.count),
+                            take_column(fcinfo, 5, FLOAT8OID, 8, lines.count),
+                            take_column(fcinfo, 6, FLOAT8OID, 8, lines.count),
+                            take_column(fcinfo, 7, FLOAT8OID, 8, lines.count),
+                            take_column(fcinfo, 8, INT4OID, 4, lines.count),
+                            take_column(fcinfo, 9, INT4OID, 4, lines.count),
+                            take_column(fcinfo, 10, INT4OID, 4, lines.count)};
   double numbers[4];
-  for (int i = 0; i < 4; ++i) numbers[i] = PG_GETARG_FLOAT8(5 + i);
-  const bool split = PG_GETARG_BOOL(9), counter_clockwise = PG_GETARG_BOOL(10);
+  for (int i = 0; i < 4; ++i) numbers[i] = PG_GETARG_FLOAT8(11 + i);
+  const bool split = PG_GETARG_BOOL(15), counter_clockwise = PG_GETARG_BOOL(16);
   InitMaterializedSRF(fcinfo, 0);
   Slot<GivenRings>* slot = make_slot<GivenRings>(CurrentMemoryContext);
   report(compute([&] {

@@ -122,6 +122,21 @@ TEST(NetworkRings, OfTaggedAxesMayBeLongOrTiny) {
   EXPECT_NEAR(network_rings(half, {})[0].one_way, 1, 1e-4);
 }
 
+// It has no edge, which a ring could take.
+TEST(NetworkRings, LeaveOutAnAxisThatLiesOnAnother) {
+  std::vector<RingAxis> axes = roundabout({0, 0}, 20, OneWay::no);
+  Line half(axes[0].line.begin(), axes[0].line.begin() + 7);
+  axes.push_back({9, half});
+  axes.back().importance = 98;  // it goes before
+  const auto rings = network_rings(axes, {});
+  ASSERT_EQ(rings.size(), 1u);
+  double length = 0;
+  for (const RingEdge& edge : rings[0].edges) length += edge.end_abscissa - edge.start_abscissa;
+  EXPECT_NEAR(length, 2 * pi * 20, 1);
+  for (const RingEdge& edge : rings[0].edges)
+    EXPECT_TRUE(edge.axis_id == 9 || edge.start_abscissa > 2 * pi * 20 / 4 - 1);
+}
+
 TEST(NetworkRings, KeepsToItsBounds) {
   EXPECT_TRUE(network_rings(roundabout({0, 0}, 2, OneWay::no), {}).empty());
   EXPECT_TRUE(network_rings(roundabout({0, 0}, 70, OneWay::no), {}).empty());
