@@ -41,7 +41,8 @@ struct LaidPaint {
 // Crossings of an arm are those near to the end of the lane, and those before them that leave no
 // car room between two; one nearer to a junction behind belongs to that one, unless it leaves no car
 // room, or the line none before another.  Lines lie before the crossing of the arm that the driver
-// meets first, arrows before the line, and on no crossing.  `crossings`: their grounds, of which those beside the lane do nothing.
+// meets first, arrows before the line, and on no crossing.  `crossings`: their grounds, of which
+// those beside the lane do nothing.
 // In the order of the paint.
 std::vector<LaidPaint> lay_before_crossings(const DrivenLane& lane,
                                             const std::vector<MultiPolygon>& crossings,

@@ -77,9 +77,10 @@ struct NetworkRing {
   int inside = 0;          // nodes of its level within, and loops that hang on the ring there
 };
 
-// Rings of one level come first, level by level, each level in the order of smallest places.  Rings
-// whose edges lie on several levels follow.  So are the tagged ones, then all others.  Deterministic, and independent of the order of the
-// axes.  The edges are those of streetgen::street_network with the same axes.
+// The tagged ones come first, then all others.  Of each, rings of one level come first, level by
+// level in the order of smallest places; rings whose edges lie on several levels follow.
+// Deterministic, and independent of the order of the axes.  The edges are those of
+// streetgen::street_network with the same axes.
 std::vector<NetworkRing> network_rings(const std::vector<RingAxis>& axes,
                                        const RingSettings& settings);
 

@@ -103,3 +103,19 @@ CREATE TEMP TABLE at_ring AS SELECT edge_id, geom::bytea FROM held.marking WHERE
 INSERT INTO held.pedestrian_crossing_editing (geom) SELECT ST_LineInterpolatePoint(geom, 1 - 10.0 / 82) FROM held.axis WHERE roundabout_tag IS NULL;
 SELECT 'yield lines stay at the ring', (SELECT count(*) = 3 FROM at_ring) AND NOT EXISTS (SELECT edge_id, geom::bytea FROM held.marking WHERE kind = 'yield' EXCEPT SELECT * FROM at_ring);
 SELECT 'arrows before them lie on no crossing', count(*) > 0 AND bool_and(NOT ST_Intersects(m.surface, c.surface)) FROM held.marking m, held.pedestrian_crossing c WHERE m.kind = 'arrow' AND ST_DWithin(m.geom, c.surface, 30);
+
+-- A model of lanes alone: control points move its lines, as they do where objects stand.
+DO $$ BEGIN PERFORM streetgen.create_model('alone', 2154, subjects => '{interconnection}', driving_side => 'right'); END $$;
+INSERT INTO alone.axis (geom, width, lane_count, importance) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000, 650200 6860000)', 7, 2, 2), ('SRID=2154;LINESTRING(650100 6859900, 650100 6860000)', 7, 2, 5);
+INSERT INTO alone.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6859985)', 'stop'), ('SRID=2154;POINT(650100 6859990)', 'pedestrian_crossing');
+SELECT 'a control point moves the line of a model of lanes alone', count(*) = 1 AND bool_and(free_geom IS NOT NULL AND ST_Y(ST_StartPoint(geom)) < 6859988) FROM alone.marking WHERE kind = 'stop';
+DELETE FROM alone.control_point WHERE kind = 'pedestrian_crossing';
+SELECT 'without it the line lies where the lane ends', bool_and(free_geom IS NULL AND ST_Y(ST_StartPoint(geom)) > 6859988) FROM alone.marking WHERE kind = 'stop';
+-- A ring that nobody tags, confirmed by hand: who comes to it waits at the ring.
+DO $$ BEGIN PERFORM streetgen.create_model('ring', 2154, subjects => '{roundabout,interconnection}', driving_side => 'right'); END $$;
+INSERT INTO ring.axis (geom, width, lane_count) SELECT ST_Boundary(ST_Buffer('SRID=2154;POINT(650000 6860000)'::geometry, 18)), 7, 2;
+INSERT INTO ring.axis (geom, width, lane_count) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 18 * x, 6860000 + 18 * y), ST_MakePoint(650000 + 90 * x, 6860000 + 90 * y)), 2154), 6, 2 FROM (VALUES (1, 0), (0, 1), (-1, 0), (0, -1)) v(x, y);
+INSERT INTO ring.control_point (geom, kind) SELECT ST_SetSRID(ST_MakePoint(650000 + 28 * x, 6860000 + 28 * y), 2154), 'pedestrian_crossing' FROM (VALUES (1, 0), (0, 1), (-1, 0), (0, -1)) v(x, y);
+SELECT 'yield lines of an accepted ring stay at it', count(*) = 4 AND bool_and(free_geom IS NULL) AND (SELECT bool_and(accepted) FROM ring.roundabout) FROM ring.marking WHERE kind = 'yield';
+UPDATE ring.axis SET width = 6.5 WHERE axis_id = 2;
+SELECT 'and so they do after an edit', bool_and(free_geom IS NULL) FROM ring.marking WHERE kind = 'yield';

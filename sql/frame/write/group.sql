@@ -16,9 +16,9 @@ BEGIN
         'Before a run for axes: the ids of rows as they are that groups will be computed from', 'STABLE');
     PERFORM streetgen._compose_function(model, '_update_groups(axes bigint[], moved bigint[], noted bigint[])',
         'TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)',
-        format(E'\nBEGIN\n    %s\n    %s\nEND ', (SELECT coalesce(string_agg(format(
+        format(E'\nBEGIN\n    %s\n    %s\nEND ', (SELECT string_agg(format(
                 'RETURN QUERY SELECT * FROM streetgen.%I(current_schema(), axes, moved, noted);', name), E'\n    '
-                ORDER BY n), 'RETURN;')
+                ORDER BY n)
             FROM unnest(groups) WITH ORDINALITY u(s, n), concat('_update_', s) name
             WHERE to_regprocedure(format('streetgen.%I(name, bigint[], bigint[], bigint[])', name)) IS NOT NULL),
             (SELECT string_agg(format('PERFORM streetgen.%I(current_schema(), axes);', name), E'\n    ' ORDER BY n)

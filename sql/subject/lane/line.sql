@@ -21,7 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen._waiting_place(lane geometry, along_axis bo
         LATERAL (SELECT coalesce(ST_LineInterpolatePoint(line, 0.5), ST_EndPoint(way)) AS place OFFSET 0) p $$;
 COMMENT ON FUNCTION streetgen._waiting_place(geometry, boolean, geometry) IS
     'Where traffic of a lane waits, and its direction there, degrees clockwise from the north: in the middle of a '
-    'line across the lane, or where the lane ends (line NULL).';
+    'line across the lane, or where the lane ends (line NULL: none is painted).';
 
 CREATE OR REPLACE FUNCTION streetgen._line_statement(subjects text[], chosen text, OUT crossings text, OUT lay text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -37,7 +37,8 @@ BEGIN
             places || jsonb_build_object('crossings_of_controls', crossings));
     END IF;
     lay := streetgen._fill_template(streetgen._part('lay_chosen_lines'), places || jsonb_build_object('crossings',
-        crossings, 'heads', CASE WHEN 'signal' = ANY (subjects)
+        crossings, 'or_accepted', CASE WHEN 'roundabout' = ANY (subjects) THEN streetgen._part('or_accepted')
+            ELSE '' END, 'heads', CASE WHEN 'signal' = ANY (subjects)
             THEN streetgen._fill_template(streetgen._part('heads_at_lines'), places) ELSE '' END));
 END $$;
 COMMENT ON FUNCTION streetgen._line_statement(text[], text) IS

@@ -73,10 +73,13 @@ FROM edge e JOIN section s USING (edge_id) JOIN pedestrian_crossing c ON c.surfa
 WHERE {chosen}
 UNION ALL {crossings_of_controls}
 
+--{or_accepted
+OR EXISTS (SELECT FROM roundabout_edge x JOIN roundabout USING (roundabout_id) WHERE x.edge_id = r.edge_id AND accepted)
+
 --{heads_at_lines
 UPDATE signal_head h SET geom = w.geom, angle = w.angle
 FROM edge e JOIN lane l USING (edge_id) JOIN marking m USING (edge_id, lane_position),
-    LATERAL streetgen._waiting_place(l.geom, m.along_axis, m.geom) w
+    LATERAL streetgen._waiting_place(l.geom, m.along_axis, CASE WHEN NOT ST_IsEmpty(m.surface) THEN m.geom END) w
 WHERE {chosen} AND m.kind = 'stop' AND (h.lane_id, h.along_axis) = (l.lane_id,
     m.along_axis) AND (h.geom::bytea, h.angle) IS DISTINCT FROM (w.geom::bytea, w.angle);
 
@@ -100,9 +103,10 @@ END
             array_agg(coalesce(m.free_geom, m.geom)::bytea ORDER BY marking_id) AS lines,
             array_agg(m.kind = 'arrow' ORDER BY marking_id) AS arrows,
             -- Who comes to a ring waits at the ring.
-            array_agg(m.kind = 'yield' AND (SELECT value = 'true' FROM setting WHERE name = 'roundabout_tags')
-                AND EXISTS (SELECT FROM edge r JOIN axis a USING (axis_id) WHERE m.node_id IN (r.from_node, r.to_node)
-                    AND streetgen._names_ring(a.roundabout_tag)) ORDER BY marking_id) AS stays
+            array_agg(m.kind = 'yield' AND EXISTS (SELECT FROM edge r JOIN axis a USING (axis_id)
+                WHERE m.node_id IN (r.from_node, r.to_node) AND (streetgen._names_ring(a.roundabout_tag)
+                    AND (SELECT value = 'true' FROM setting WHERE name = 'roundabout_tags') {or_accepted}))
+                ORDER BY marking_id) AS stays
         FROM edge e JOIN marking m USING (edge_id)
         WHERE {chosen} AND (m.free_geom IS NOT NULL OR m.edge_id IN (SELECT c.edge_id FROM crossing c))
         GROUP BY m.edge_id, m.lane_position, m.along_axis),
@@ -129,8 +133,8 @@ END
             FROM marking) m USING (marking_id))
     UPDATE marking m SET geom = n.geom, surface = n.surface, free_geom = n.free_geom, free_surface = n.free_surface
     FROM new n WHERE n.marking_id = m.marking_id
-        AND (m.geom::bytea, m.surface::bytea, m.free_geom::bytea) IS DISTINCT FROM (n.geom::bytea, n.surface::bytea,
-            n.free_geom::bytea);
+        AND (m.geom::bytea, m.surface::bytea, m.free_geom::bytea, m.free_surface::bytea)
+            IS DISTINCT FROM (n.geom::bytea, n.surface::bytea, n.free_geom::bytea, n.free_surface::bytea);
     {heads}
 
 --{free_markings

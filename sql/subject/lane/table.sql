@@ -97,8 +97,8 @@ COMMENT ON COLUMN :"model".marking.node_id IS 'node that this traffic comes to';
 COMMENT ON COLUMN :"model".marking.kind IS 'stop, yield or arrow';
 COMMENT ON COLUMN :"model".marking.geom IS 'across the lane; of an arrow from its foot to its tip';
 COMMENT ON COLUMN :"model".marking.surface IS 'its paint; empty where a crossing leaves it no room';
-ALTER TABLE :"model".marking ADD COLUMN IF NOT EXISTS free_geom geometry(LineString, :srid),
-    ADD COLUMN IF NOT EXISTS free_surface geometry(MultiPolygon, :srid);
+ALTER TABLE :"model".marking ADD COLUMN IF NOT EXISTS free_geom geometry(LineString, :srid);
+ALTER TABLE :"model".marking ADD COLUMN IF NOT EXISTS free_surface geometry(MultiPolygon, :srid);
 COMMENT ON COLUMN :"model".marking.free_geom IS
     'geom as it would be without crossings; NULL: no crossing moves it';
 COMMENT ON COLUMN :"model".marking.free_surface IS

@@ -44,6 +44,7 @@ CREATE OR REPLACE FUNCTION streetgen._check_object(model name) RETURNS SETOF str
     AS $$
 DECLARE
     finding streetgen.finding;
+    rings bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
@@ -104,13 +105,14 @@ BEGIN
         RETURN NEXT finding;
     END LOOP;
     IF to_regclass(format('%I.marking', model)) IS NOT NULL THEN
+        rings := streetgen._edges_on_rings(model, NULL);
         RETURN QUERY SELECT 'warning', CASE m.kind WHEN 'arrow' THEN 'arrow on a crossing'
             ELSE 'line on a crossing' END, 'marking', m.marking_id, NULL::float8, m.surface
-        FROM marking m JOIN edge e USING (edge_id) JOIN street_object o USING (axis_id)
-            JOIN pedestrian_crossing c ON c.street_object_id = o.street_object_id AND c.surface && m.surface
+        FROM marking m JOIN edge e USING (edge_id) JOIN pedestrian_crossing c ON c.surface && m.surface
+            JOIN street_object o USING (street_object_id) JOIN axis a ON a.axis_id = o.axis_id AND a.level = e.level
         -- Who comes to a ring waits at the ring.
-        WHERE (m.kind <> 'yield' OR NOT EXISTS (SELECT FROM edge r JOIN axis_used u USING (axis_id)
-                WHERE m.node_id IN (r.from_node, r.to_node) AND u.on_ring))
+        WHERE (m.kind <> 'yield' OR NOT EXISTS (SELECT FROM edge r
+                WHERE m.node_id IN (r.from_node, r.to_node) AND r.edge_id = ANY (rings)))
             AND streetgen._takes_ground(c.surface, m.surface);
     END IF;
 END $$;

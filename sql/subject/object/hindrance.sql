@@ -59,6 +59,7 @@ BEGIN
             JOIN (SELECT type, max(metres) AS metres FROM _object_spacing() GROUP BY type) most USING (type)
         WHERE EXISTS (SELECT FROM street_object o JOIN _object_spacing() s ON s.other = o.type
             WHERE o.placed_by <> 'rule' AND ST_DWithin(o.geom, p.geom, most.metres) AND s.type = p.type
+                AND coalesce((SELECT a.level FROM axis a WHERE a.axis_id = o.axis_id), p.level) = p.level
                 AND ST_DWithin(o.geom, p.geom, s.metres) AND o.street_object_id IS DISTINCT FROM p.self
                 AND (o.type <> ALL (crossings) OR p.type = ANY (crossings)));
         RETURN QUERY SELECT number, 'underground'
@@ -98,7 +99,8 @@ BEGIN
             FROM unnest(places) WITH ORDINALITY p(type, geom, level, away, by_kerb, self, number)
             WHERE by_kerb AND type <> ALL (seen || on_roadway)
                 AND EXISTS (SELECT FROM marking m JOIN edge e USING (edge_id)
-                WHERE m.kind IN ('stop', 'yield') AND ST_DWithin(m.geom, p.geom, sight) AND e.level = p.level);
+                WHERE m.kind IN ('stop', 'yield') AND ST_DWithin(m.geom, p.geom, sight) AND e.level = p.level
+                    AND NOT ST_IsEmpty(m.surface));
         END IF;
         -- A model of an older build may have objects without kerbs.
         IF to_regclass('kerb') IS NOT NULL THEN

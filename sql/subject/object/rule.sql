@@ -226,8 +226,8 @@ BEGIN
                 abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
                 streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
             FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE own AND type = ANY (bays)),
-        -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
         crossed AS MATERIALIZED (SELECT axis_id, abscissa FROM taken WHERE own AND type = ANY (crossings)),
+        -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
         former AS MATERIALIZED (
             SELECT t.rule_id, t.axis_id, t.rule_place, t.geom FROM taken t
                 JOIN street_object o USING (rule_id, axis_id, rule_place)

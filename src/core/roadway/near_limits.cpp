@@ -11,7 +11,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double far = 1.2;   // of the distance of limits: nearer ones stay
+constexpr double distant = 1.2;   // of the distance of limits: nearer ones stay
 constexpr double soon = 0.6;  // of the distance of limits: kerbs that cross nearer part soon
 const double slowly = std::cos(M_PI / 4 + same_angle);  // of streets where their kerbs cross
 constexpr double most_of_way = 0.9;  // from the node to the crossing of the kerbs
@@ -39,9 +39,9 @@ const Gap* gap_beside(const Layout& layout, const EdgeEnd& end, int side) {
 
 // Metres from the node as far as the kerb on one side is the edge's own.
 double room(const Layout& layout, const EdgeEnd& end, int side) {
-  const EdgeEnd far{end.edge, !end.at_start};
-  double taken = layout.arm(far).limit;
-  const Gap* gap = gap_beside(layout, far, -side);
+  const EdgeEnd other{end.edge, !end.at_start};
+  double taken = layout.arm(other).limit;
+  const Gap* gap = gap_beside(layout, other, -side);
   if (gap != nullptr && gap->crossing)
     taken = std::max(taken, side > 0 ? gap->corner.abscissa_b : gap->corner.abscissa_a);
   return length(layout.arm(end).line) - taken + same_place;
@@ -70,7 +70,7 @@ bool parts(const Layout& layout, const Junction& junction, std::size_t i) {
 }  // namespace
 
 void bring_limits_near(const Arm& a, const Arm& b, double limit_distance, SolvedCorner& corner) {
-  if (std::max(corner.limit_a, corner.limit_b) <= far * limit_distance) return;
+  if (std::max(corner.limit_a, corner.limit_b) <= distant * limit_distance) return;
   const CornerArc& arc = corner.gap.corner;
   if (!corner.gap.meets || !corner.gap.beyond.empty() || !keeps_width(a) || !keeps_width(b)) return;
   const double half_a = a.start_to(+1), half_b = b.start_to(-1);
