@@ -119,3 +119,17 @@ INSERT INTO ring.control_point (geom, kind) SELECT ST_SetSRID(ST_MakePoint(65000
 SELECT 'yield lines of an accepted ring stay at it', count(*) = 4 AND bool_and(free_geom IS NULL) AND (SELECT bool_and(accepted) FROM ring.roundabout) FROM ring.marking WHERE kind = 'yield';
 UPDATE ring.axis SET width = 6.5 WHERE axis_id = 2;
 SELECT 'and so they do after an edit', bool_and(free_geom IS NULL) FROM ring.marking WHERE kind = 'yield';
+
+-- A delivery brings a crossing, and the next one takes it away.
+DO $$ BEGIN PERFORM streetgen.create_model('brought', 2154, subjects => '{object,interconnection}', driving_side => 'right'); END $$;
+INSERT INTO brought.axis SELECT * FROM alone.axis;
+INSERT INTO brought.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6859985)', 'stop');
+CREATE TABLE free_line AS SELECT geom FROM brought.marking WHERE kind = 'stop';
+CREATE TABLE zebra AS SELECT 1 AS id, 'SRID=2154;POINT(650100 6859990)'::geometry AS geom;
+SELECT count(*) FROM streetgen.import_objects('brought', 'zebra', '{"type": {"value": "crossing"}, "source_ref": "id"}') \g /dev/null
+SELECT 'a line waits for a crossing that an import brings', count(*) = 1 AND bool_and(free_geom IS NOT NULL AND ST_Y(ST_StartPoint(geom)) < 6859988) FROM brought.marking WHERE kind = 'stop';
+DELETE FROM zebra;
+INSERT INTO zebra VALUES (2, 'SRID=2154;POINT(650180 6860000)');
+SELECT count(*) FROM streetgen.import_objects('brought', 'zebra', '{"type": {"value": "crossing"}, "source_ref": "id"}') \g /dev/null
+SELECT 'where the next one has none, it lies as before', count(*) = 1 AND bool_and(m.geom = l.geom AND free_geom IS NULL) FROM brought.marking m, free_line l WHERE kind = 'stop';
+SELECT 'a run after imports writes nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('brought');

@@ -81,14 +81,12 @@ BEGIN
             WHERE active AND distance_least > 0);
         several_bays constant boolean := 1 < (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
             + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
-        spacing constant float8 := (SELECT coalesce(max(metres), 0) FROM _object_spacing());
+        apart constant float8 := streetgen._object_reach(current_schema());
         -- An object gives way to one of an axis beside, which is looked at and not written.
         looked_at constant bigint[] := CASE WHEN axes IS NOT NULL AND NOT lying THEN ARRAY(
-            SELECT DISTINCT e.edge_id FROM edge w JOIN edge e ON e.geom && ST_Expand(w.geom, 100)
-                AND ST_DWithin(e.geom, w.geom, spacing + greatest(w.width, w.width_end, 0) / 2
-                    + greatest(e.width, e.width_end, 0) / 2 + abs(w.roadway_offset) + abs(e.roadway_offset)
-                    + 2 * (SELECT coalesce(greatest(max(axis_offset), 0), 0) FROM placement_rule
-                        WHERE active AND along IN ('border', 'corner')))
+            SELECT DISTINCT e.edge_id FROM edge w JOIN edge e ON e.geom && ST_Expand(w.geom, apart + 200)
+                AND ST_DWithin(e.geom, w.geom, apart + greatest(w.width, w.width_end, 0) / 2
+                    + greatest(e.width, e.width_end, 0) / 2 + abs(w.roadway_offset) + abs(e.roadway_offset))
             WHERE w.axis_id = ANY (axes) AND e.axis_id <> ALL (axes)) ELSE '{}' END;
         computed constant bigint[] := CASE WHEN axes IS NOT NULL
             THEN axes || ARRAY(SELECT axis_id FROM edge WHERE edge_id = ANY (looked_at)) END;
