@@ -1,6 +1,7 @@
 #include "streetgen/lane.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/geos.hpp"
 #include "geometry/offset.hpp"
@@ -46,6 +47,8 @@ LaneStrip strip_of(const Streets& streets, int e) {
   return strip;
 }
 
+constexpr double no_loop = 1e-3;  // of a ring's area, by which its ground may differ
+
 // A quadrilateral that turns left at each corner needs no proof of validity.
 bool convex(const Ring& ring) {
   if (ring.size() != 5) return false;
@@ -54,7 +57,8 @@ bool convex(const Ring& ring) {
   return true;
 }
 
-// Between the lines along its two sides.
+// Between the lines along its two sides.  Where a lane begins without width they touch: that ring is
+// no surface, but its ground is, if there is no loop in it.
 MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const Line& middle,
                           double width) {
   Ring ring;
@@ -65,6 +69,9 @@ MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const
   MultiPolygon surface(1);
   surface.front().push_back(std::move(ring));
   if (convex(surface.front().front()) || geos.valid(surface)) return surface;
+  const double of_ring = signed_area(surface.front().front());
+  MultiPolygon ground = geos.polygons(geos.unite({surface}).get());
+  if (of_ring > 0 && std::abs(area(ground) - of_ring) < no_loop * of_ring) return ground;
   const std::vector<double> half(middle.size(), width / 2);
   return variable_buffer(middle, half);
 }
