@@ -22,7 +22,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'),
     ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('walked_along', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true'),
     ('road', 'geometry', '''LINESTRING(0 0,50 0)'''), ('metres', 'float8', '10'), ('road_id', 'bigint', '1'), ('point', 'geometry', '''POINT(10 1)'''), ('a', 'geometry', '''POINT(10 1)'''), ('b', 'geometry', '''POINT(20 1)'''),
-    ('arms', 'streetgen.junction_arm[]', '''{}'''), ('lane', 'bigint', '1'), ('axis', 'bigint', '1'), ('node', 'bigint', '1'), ('side', 'text', '''left'''),
+    ('arms', 'streetgen.junction_arm[]', '''{}'''), ('lane', 'bigint', '1'), ('axis', 'bigint', '1'), ('side', 'text', '''left'''),
     ('kerb', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_left', 'geometry', '''LINESTRING(0 4,50 4)'''), ('kerb_right', 'geometry', '''LINESTRING(0 -4,50 -4)'''), ('width_start', 'float8', '2'), ('width_end', 'float8', '2'),
     ('lines', 'geometry[]', 'ARRAY[''LINESTRING(0 0,50 0)'', ''LINESTRING(0 4,50 4)'']::geometry[]'), ('part', 'text', '''edges'''),
     ('roadway_offset', 'float8', '1'), ('offset_left', 'float8', '3'), ('offset_right', 'float8', '-3'),
