@@ -39,6 +39,14 @@ std::optional<Point> crossing_of_borders(const Arm& a, const Arm& b) {
   return found || !on(a.border) || !on(b.border) ? found : std::optional(place);
 }
 
+// With a vertex in its middle, the same one from either end.
+Line arc_with_middle(const CornerArc& corner) {
+  Line arc = drawn_arc(corner);
+  const std::size_t half = arc.size() / 2;
+  if (arc.size() % 2 == 0) arc.insert(arc.begin() + half, (arc[half - 1] + arc[half]) * 0.5);
+  return arc;
+}
+
 std::size_t middle_of(const Line& arc) { return arc.size() / 2; }
 
 }  // namespace
@@ -81,7 +89,7 @@ Line parting_line(const Arm& a, const Arm& b, const Gap& gap) {
   for (const double share : shares)
     line.push_back(at(share) + off_start * (1 - share) + off_end * share);
   line.push_back(planar(to.centre));
-  const Line arc = drawn_arc(gap.corner);
+  const Line arc = arc_with_middle(gap.corner);
   const Point& tip = arc[middle_of(arc)];
   if (distance(line.back(), tip) <= same_place) line.pop_back();
   line.push_back(tip);
@@ -90,13 +98,9 @@ Line parting_line(const Arm& a, const Arm& b, const Gap& gap) {
 
 Parting parting_of(const Gap& gap, bool first) {
   Parting parting{gap.parting, first ? gap.corner.abscissa_a : gap.corner.abscissa_b};
-  Line arc = drawn_arc(gap.corner);
-  auto middle = middle_of(arc);
-  if (first) {
-    arc = reversed(std::move(arc));
-    middle = arc.size() - 1 - middle;
-  }
-  parting.line.insert(parting.line.end(), arc.begin() + middle + 1, arc.end());
+  Line arc = arc_with_middle(gap.corner);
+  if (first) arc = reversed(std::move(arc));
+  parting.line.insert(parting.line.end(), arc.begin() + middle_of(arc) + 1, arc.end());
   return parting;
 }
 
