@@ -18,7 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._waiting_place(lane geometry, along_axis bo
     AS $$
     SELECT place, streetgen._direction_on(way::bytea, (streetgen._locate_on(way::bytea, place::bytea))[1], 0)
     FROM (SELECT CASE WHEN along_axis THEN lane ELSE ST_Reverse(lane) END AS way OFFSET 0) w,
-        LATERAL (SELECT coalesce(ST_LineInterpolatePoint(line, 0.5), ST_EndPoint(way)) AS place OFFSET 0) p $$;
+        LATERAL (SELECT coalesce(ST_LineInterpolatePoint(line, 0.5::float8), ST_EndPoint(way)) AS place OFFSET 0) p $$;
 COMMENT ON FUNCTION streetgen._waiting_place(geometry, boolean, geometry) IS
     'Where traffic of a lane waits, and its direction there, degrees clockwise from the north: in the middle of a '
     'line across the lane, or where the lane ends (line NULL: none is painted).';
