@@ -1,5 +1,4 @@
-// Where paint on a lane lies that a pedestrian crossing is in the way of: before the crossing, as its
-// driver comes.
+// Paint on a lane that a pedestrian crossing is in the way of lies before it, as the driver comes.
 #pragma once
 
 #include <optional>
@@ -27,7 +26,7 @@ struct CrossingRules {
   double of_arm = 15;  // metres from the end of the lane to a crossing that is one of the arm
 };
 
-// How paint moves: turned about the origin, then shifted.
+// Paint that moves is turned about the origin, then shifted.
 struct Slide {
   double cosine = 1, sine = 0;
   Point shift;

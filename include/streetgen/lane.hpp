@@ -155,8 +155,8 @@ struct Lane {
   // Metres along the edge where a merging lane begins and ends within the section; none: at the
   // limit.
   std::optional<double> start{}, end{};
-  // Where its borders lie between its neighbours, also where its line is by hand.  None: as wide
-  // as `width` about `axis_offset` all along.
+  // Its borders lie here between its neighbours, also where its line is by hand.  Without them it
+  // is as wide as `width` about `axis_offset` all along.
   WidthProfile borders{};
 
   bool reaches(bool at_start) const { return !(at_start ? start : end).has_value(); }

@@ -22,7 +22,7 @@ struct RingAxis {
   int level = 0;
   OneWay one_way = OneWay::no;
   bool tagged = false;  // a source says that it is part of a roundabout
-  // As those of a StreetAxis, by which an axis that lies on another has no edge.
+  // These are those of a StreetAxis, by which an axis that lies on another has no edge.
   double width = 0, width_end = 0, roadway_offset = 0;
   int importance = 99;
   bool leads_forward = true, leads_backward = true;

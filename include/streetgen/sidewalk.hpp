@@ -22,7 +22,8 @@ struct SidewalkKerb {
   // Metres behind it, 0: none; without a value it leads from the width of the kerb before to that
   // of the kerb after.
   std::optional<double> width;
-  // Of a dead end, or beside no city: there a sidewalk leads on where both sides have one.
+  // The kerb is that of a dead end, or beside no city: a sidewalk leads on along it where both sides
+  // have one.
   bool across = false;
   bool ends = false;     // the roadway goes on there: no sidewalk leads around
   bool wanted = true;    // its sidewalk comes out; else the kerb is there for the others

@@ -82,7 +82,7 @@ struct StreetSettings {
   // infinite.
   double corner_length = 15;  // metres along the kerbs
   double corner_area = 50;    // square metres
-  // Where kerbs part farther away, both sections begin here and share the ground up to there; the
+  // Both sections begin here where kerbs part farther away, and a line parts them up to there; the
   // paper has no such bound: it may be infinite.
   double limit_distance = 25;  // metres from the node
   // A corner between nearly parallel kerbs closes the ground from the crossing of the kerbs on.

@@ -1,5 +1,10 @@
 -- The settings of cross-sections.
 
+CREATE OR REPLACE FUNCTION streetgen._walking_width() RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog AS $$ SELECT 1.5::float8 $$;
+COMMENT ON FUNCTION streetgen._walking_width() IS
+    'Metres of a sidewalk that stay free beside a furnishing strip: two people pass.';
+
 CREATE OR REPLACE FUNCTION streetgen._cross_section_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
@@ -7,7 +12,8 @@ CREATE OR REPLACE FUNCTION streetgen._cross_section_setting()
     ('gutter_width', '0.3', 'm', 'width of the gutter before a kerb, where lanes leave so much of the roadway', 0, 5,
         NULL::text[]),
     ('furnishing_width', '1', 'm', 'width of the strip behind kerb stones where trees, lamps and signs stand; a '
-        'sidewalk that would keep less than 1.5 m beside it has none', 0, 20, NULL) $$;
+        'sidewalk that would keep less than ' || streetgen._walking_width() || ' m beside it has none', 0, 20, NULL)
+    $$;
 COMMENT ON FUNCTION streetgen._cross_section_setting() IS
     'The settings of cross-sections, with their defaults and ranges.';
 
@@ -16,8 +22,3 @@ CREATE OR REPLACE FUNCTION streetgen._cross_section_setting_beside() RETURNS TAB
     AS $$ VALUES ('gutter_width'), ('furnishing_width') $$;
 COMMENT ON FUNCTION streetgen._cross_section_setting_beside() IS
     'The settings of cross-sections, on which no street depends.';
-
-CREATE OR REPLACE FUNCTION streetgen._walking_width() RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog AS $$ SELECT 1.5::float8 $$;
-COMMENT ON FUNCTION streetgen._walking_width() IS
-    'Metres of a sidewalk that stay free beside a furnishing strip: two people pass.';
