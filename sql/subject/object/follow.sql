@@ -18,14 +18,15 @@ BEGIN
         PERFORM streetgen._drop_own_functions(model, '{_place_objects,_renew_grounds,_carry_objects,'
             'carry_objects_insert,carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,'
             '_renew_crossings,_renew_bays,'
-            '_types_below,_has_rules,_types_on_roadway,_object_spacing,_hindrances,_near_earlier,_take_from_rules,'
+            '_types_below,_has_rules,_has_rules_at_kerbs,_renew_placed,_types_on_roadway,_object_spacing,'
+            '_hindrances,_near_earlier,_take_from_rules,'
             '_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
             'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
             '_hold_borders,redraw_ground,_renew_lines,_lock_streets}');
         RETURN;
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
-        streetgen._make_hindrances(model), streetgen._make_rule_functions(model),
+        streetgen._make_hindrances(model), streetgen._make_rule_functions(model), streetgen._make_rule_edits(model),
         streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model),
         streetgen._make_redraw(model);
     CREATE OR REPLACE FUNCTION _renew_grounds(axes bigint[], of_rules boolean) RETURNS void
@@ -75,7 +76,7 @@ BEGIN
             PERFORM _renew_rule_objects(axes, lying => true);
             PERFORM _renew_grounds(axes, of_rules => true);
             -- Lines lie before these crossings, and no object in their sight.
-            IF EXISTS (SELECT FROM placement_rule WHERE active AND along IN ('border', 'corner')) THEN
+            IF _has_rules_at_kerbs() THEN
                 PERFORM streetgen._settle_lane(current_schema(), axes);
             END IF;
             PERFORM _renew_rule_objects(axes, lying => false);
