@@ -19,4 +19,8 @@ namespace streetgen {
 // holds it, but where one of them lies on the other.  Of two ends that miss each other that of the greater axis_id does.
 Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing);
 
+// The same network, without reports of ends.
+Network network_without_twins(const std::vector<StreetAxis>& axes, double tolerance,
+                              Crossing crossing);
+
 }  // namespace streetgen

@@ -7,21 +7,31 @@
 
 namespace streetgen {
 
-Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing) {
-  std::vector<NetworkAxis> lines;
+namespace {
+
+std::vector<const StreetAxis*> by_edge(const Network& network,
+                                       const std::vector<StreetAxis>& axes) {
   std::unordered_map<std::int64_t, const StreetAxis*> by_id;
-  for (const StreetAxis& axis : axes) {
-    lines.push_back({axis.axis_id, axis.line, axis.level});
-    by_id.emplace(axis.axis_id, &axis);
-  }
+  for (const StreetAxis& axis : axes) by_id.emplace(axis.axis_id, &axis);
+  std::vector<const StreetAxis*> found;
+  for (const Edge& edge : network.edges) found.push_back(by_id.at(edge.axis_id));
+  return found;
+}
+
+}  // namespace
+
+Network network_without_twins(const std::vector<StreetAxis>& axes, double tolerance,
+                              Crossing crossing) {
+  std::vector<NetworkAxis> lines;
+  for (const StreetAxis& axis : axes) lines.push_back({axis.axis_id, axis.line, axis.level});
   Network out = network(lines, tolerance, crossing);
-  const auto by_edge = [&] {
-    std::vector<const StreetAxis*> found;
-    for (const Edge& edge : out.edges) found.push_back(by_id.at(edge.axis_id));
-    return found;
-  };
-  drop_twins(out, by_edge(), tolerance);
-  report_missed_ends(out, by_edge(), tolerance);
+  drop_twins(out, by_edge(out, axes), tolerance);
+  return out;
+}
+
+Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing) {
+  Network out = network_without_twins(axes, tolerance, crossing);
+  report_missed_ends(out, by_edge(out, axes), tolerance);
   return out;
 }
 

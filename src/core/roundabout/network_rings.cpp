@@ -10,37 +10,32 @@
 #include "geometry/prepared_surface.hpp"
 #include "geometry/ring_simplicity.hpp"
 #include "geometry/tolerance.hpp"
-#include "network/twin.hpp"
 #include "network/walk.hpp"
 #include "roundabout/roundness.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/roundabout.hpp"
+#include "streetgen/street_network.hpp"
 
 namespace streetgen {
 
 namespace {
 
-// As that of the streets, without reports.
 Network network_of(const std::vector<RingAxis>& axes, const RingSettings& settings) {
-  std::vector<NetworkAxis> lines;
-  std::map<std::int64_t, StreetAxis> streets;
+  std::vector<StreetAxis> streets;
   for (const RingAxis& axis : axes) {
-    lines.push_back({axis.axis_id, axis.line, axis.level});
-    StreetAxis& street = streets[axis.axis_id];
+    StreetAxis street;
     street.axis_id = axis.axis_id;
     street.line = axis.line;
+    street.level = axis.level;
     street.width = axis.width;
     street.width_end = axis.width_end;
     street.roadway_offset = axis.roadway_offset;
     street.importance = axis.importance;
     street.leads_forward = axis.leads_forward;
     street.leads_backward = axis.leads_backward;
+    streets.push_back(std::move(street));
   }
-  Network out = network(lines, settings.tolerance, settings.crossing);
-  std::vector<const StreetAxis*> by_edge;
-  for (const Edge& edge : out.edges) by_edge.push_back(&streets.at(edge.axis_id));
-  drop_twins(out, by_edge, settings.tolerance);
-  return out;
+  return network_without_twins(streets, settings.tolerance, settings.crossing);
 }
 
 // A closed way of a walk, which leaves out what hangs into the ground within.
