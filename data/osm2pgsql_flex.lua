@@ -30,12 +30,23 @@ for key in pairs(street_keys) do
     end
 end
 
+-- A word before others that people write without a mark between.
+local function first_word(word)
+    for _, last in ipairs({ 'lanes', 'lane', 'forward', 'backward', 'left', 'right', 'both' }) do
+        local first = word:match('^(.-)' .. last .. '$')
+        if street_keys[first] then
+            return first
+        end
+    end
+    return word:match('^%a*')
+end
+
 -- Does a key begin as one of a street does, or with a misspelt word, or list lanes?  The import names what it does not
 -- know.
 local speaks_of_street = setmetatable({}, { __index = function(known, key)
     local small = key:lower():gsub('^source:', '')
     local word = small:match('^[^:]*')
-    local speaks = street_keys[word] or street_keys[word:match('^[^_]*')] or (small .. ':'):find(':lanes:', 1, true)
+    local speaks = street_keys[word] or street_keys[first_word(word)] or (small .. ':'):find(':lanes:', 1, true)
         and true or false
     if #word >= 4 then
         each_worn(word, function(worn) speaks = speaks or worn_keys[worn] or false end)
@@ -123,10 +134,10 @@ function osm2pgsql.process_way(object)
     if not class then
         tell_misspelt(object, 'way', known_of_way)
     end
-    if not class or object.tags.area == 'yes' then
+    if not class then
         return
     end
-    local tags = {}
+    local tags = { area = object.tags.area }
     for key, value in pairs(object.tags) do
         if speaks_of_street[key] then
             tags[key] = value

@@ -28,8 +28,9 @@ struct OsmLane {
 struct OsmLaneUse {
   DrivingSide driving_side = DrivingSide::right;
   double lane_width = 3.5, cycle_lane_width = 1.5, parking_lane_width = 2;  // metres, where unknown
-  std::optional<double> roadway_width{};                                    // metres, stated
-  int usual_lanes = 1;         // of a way of its width of which no lanes are stated
+  double narrowest_of_several = 2.625;    // metres, where a width alone makes several lanes
+  std::optional<double> roadway_width{};  // metres, stated
+  int usual_lanes = 1;                    // of a way of its width of which no lanes are stated
   double two_way_width = 4.5;  // metres; a street of both directions has one lane on less
 };
 
@@ -46,6 +47,8 @@ struct OsmLanes {
   int both_ways = 0;  // in the middle, for both directions
   // Are general and bus lanes of the direction stated, or only usual?
   bool forward_known = false, backward_known = false;
+  // Who may drive, as column access of an axis has it; empty: all.
+  std::string access_forward{}, access_backward{};
   std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
   // Metres from the way to the middle of all lanes, left positive.
   std::optional<double> roadway_offset{};
@@ -53,6 +56,10 @@ struct OsmLanes {
 };
 
 OsmLanes read_osm_lanes(const OsmTags& tags, const OsmLaneUse& use);
+
+// The word of column access of an axis that a word of a source means, in any case; empty: all may
+// drive, ?: it means nothing.
+const char* access_word(const std::string& said);
 
 // What becomes of a tag.  Alternatives of the key stand in brackets:
 // turn:lanes[:forward|:backward].

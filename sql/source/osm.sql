@@ -16,8 +16,9 @@ COMMENT ON FUNCTION streetgen._means_sidewalk(text[]) IS
 
 CREATE OR REPLACE FUNCTION streetgen._osm_layer(tags jsonb) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN tags ->> 'layer' ~ '^[-+]?\d{1,2}$' THEN greatest(-50, least(50, (tags ->> 'layer')::integer)) END;
-COMMENT ON FUNCTION streetgen._osm_layer(jsonb) IS 'The number that tag layer of a way says; NULL where it says none.';
+    RETURN CASE WHEN tags ->> 'layer' ~ '^[-+]?0?(\d|10)$' THEN (tags ->> 'layer')::integer END;
+COMMENT ON FUNCTION streetgen._osm_layer(jsonb) IS
+    'The number from -10 to 10 that tag layer of a way says; NULL where it says none.';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_structure(tags jsonb) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -79,6 +80,16 @@ COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
     'Copies the lines of an OSM table to where import_osm reads them, each with its tags; none where they are NULL or '
     'no object. A table of an older flex file has a column for each tag in place of tags.';
 
+CREATE OR REPLACE FUNCTION streetgen._leave_out_areas()
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog
+    AS $$
+    WITH area AS (DELETE FROM pg_temp._import_line WHERE tags ->> 'area' = 'yes' RETURNING class, way_id::text)
+    SELECT 'area, and so no street', class, count(*), array_agg(way_id ORDER BY way_id) FROM area GROUP BY class
+    ORDER BY class $$;
+COMMENT ON FUNCTION streetgen._leave_out_areas() IS
+    'Leaves out the lines of OpenStreetMap that go round an area, and tells them by class.';
+
 CREATE OR REPLACE FUNCTION streetgen._read_osm_tags(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -99,11 +110,11 @@ BEGIN
         streetgen._osm_level(tags) AS level,
         lanes.lanes_forward, lanes.lanes_backward, lanes.lanes_both, lanes.kind_forward, lanes.kind_backward,
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
-        lanes.change_forward, lanes.change_backward,
+        lanes.change_forward, lanes.change_backward, lanes.access,
         streetgen._osm_sidewalk(walk_left, tags ->> 'sidewalk', said_walk_left, 'left') AS sidewalk_left,
         streetgen._osm_sidewalk(walk_right, tags ->> 'sidewalk', said_walk_right, 'right') AS sidewalk_right,
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
-            CASE WHEN tags ->> 'layer' !~ '^[-+]?\d{1,2}$' THEN 'level' END,
+            CASE WHEN tags ? 'layer' AND streetgen._osm_layer(tags) IS NULL THEN 'level' END,
             CASE WHEN NOT streetgen._means_sidewalk(tags ->> 'sidewalk', walk_left, walk_right) THEN 'sidewalk' END,
             CASE WHEN said_walk_left IS NOT NULL
                 AND streetgen._within(streetgen._metres(said_walk_left), 0, 50) IS NULL
@@ -122,7 +133,8 @@ BEGIN
     LATERAL (SELECT array_agg(key) AS keys, array_agg(value) AS words
         FROM jsonb_each_text(tags || jsonb_build_object('highway', coalesce(class, '')))) said,
     LATERAL streetgen._osm_lanes(keys, words, driving_side, lane_width, cycle_lane_width, parking_lane_width,
-        coalesce(metres, 0), coalesce(usual_lanes, 1), two_way_width) lanes,
+        coalesce(metres, 0), coalesce(usual_lanes, 1), two_way_width,
+        streetgen._narrowest_of_several(lane_width)) lanes,
     LATERAL (SELECT tags ->> 'junction' IN ('roundabout', 'circular') AS ring, coalesce(tags ->> 'oneway'
         IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0'), false) AS stated) way,
     LATERAL (SELECT coalesce(tags ->> 'sidewalk:left', tags ->> 'sidewalk:both') AS walk_left,
@@ -167,8 +179,7 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_forward) ELSE m.kind_forward END,
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_backward) ELSE m.kind_backward END,
     m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward, m.change_backward,
-    m.sidewalk_left, m.sidewalk_right, m.unread, NULL,
-    streetgen._osm_access(l.tags, l.class)
+    m.sidewalk_left, m.sidewalk_right, m.unread, NULL, m.access
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id)
 $$;
@@ -212,7 +223,9 @@ BEGIN
                 'stands before the prefix: ''gis.osm''.';
     END IF;
     driving_side := streetgen._driving_side(model);
-    PERFORM streetgen._take_osm_lines(source), streetgen._read_osm_tags(model);
+    PERFORM streetgen._take_osm_lines(source);
+    RETURN QUERY SELECT * FROM streetgen._leave_out_areas();
+    PERFORM streetgen._read_osm_tags(model);
     RETURN QUERY SELECT * FROM streetgen._settle_osm_classes(model);
     RETURN QUERY SELECT * FROM streetgen._settle_carriageways(model);
     -- A way of which a file lacks all nodes but one has not gone.

@@ -53,7 +53,7 @@ def main():
     missing = sorted(f"{file.relative_to(root)} reads tag {key} of {scope}" for scope, key, file in read if (scope, key) not in known)
     print("\n".join(missing), end="\n" if missing else "")
     # Fewer would be a reader of sources that finds nothing.
-    sys.exit(bool(missing) or len(read) < 60)
+    sys.exit(bool(missing) or len(read) < 40)
 
 
 main()

@@ -65,7 +65,16 @@ INSERT INTO said VALUES ('{}', 'residential', NULL), ('{"access": "yes"}', 'resi
   ('{}', 'cycleway', 'cycle'), ('{"access": "no", "taxi": "yes"}', 'residential', 'bus'), ('{"access": "no", "bus": "no"}', 'residential', 'no'),
   ('{"access": "private", "bus": "yes"}', 'service', 'bus'), ('{"motor_vehicle": "permit", "psv": "designated"}', 'residential', 'bus'), ('{"access": "private", "psv:forward": "yes"}', 'service', 'bus|private'), ('{"access": "private", "bus": "no"}', 'service', 'private'), ('{"access": "private", "bicycle": "yes"}', 'service', 'private'),
   ('{"motor_vehicle": "destination", "bus": "yes"}', 'residential', 'destination'), ('{"hov": "designated"}', 'motorway', 'carpool'), ('{"hov": "designated", "hov:lanes": "designated||"}', 'motorway', NULL), ('{"hov:backward": "designated"}', 'primary', '|carpool'), ('{"hov": "yes"}', 'motorway', NULL), ('{"hov": "designated", "access": "private"}', 'service', 'private');
-SELECT concat_ws(' ', tags, class), streetgen._osm_access(tags, class) IS NOT DISTINCT FROM means FROM said;
+INSERT INTO said VALUES ('{"motor_vehicle": "no", "bus:lanes": "designated|designated", "oneway": "yes"}', 'residential', 'bus'), ('{"access": "no", "psv:lanes": "designated|designated", "lanes": "2"}', 'service', 'bus'), ('{"motor_vehicle": "no", "bus:lanes:forward": "designated", "lanes": "2"}', 'residential', 'bus|cycle'),
+  ('{"access": "no", "lanes:psv": "2", "lanes": "2"}', 'residential', 'bus'), ('{"access": "no", "busway:left": "lane", "oneway": "yes"}', 'residential', 'bus'), ('{"access": "foot"}', 'residential', 'no'), ('{"vehicle": "dismount", "bus": "yes"}', 'residential', 'bus');
+CREATE FUNCTION pg_temp.read_tags(tags jsonb, class text) RETURNS TABLE(access text, kinds text) LANGUAGE sql AS $$
+  SELECT l.access, concat_ws('/', kind_forward, kind_backward) FROM (SELECT array_agg(key) AS keys, array_agg(value) AS words FROM jsonb_each_text(tags || jsonb_build_object('highway', class))) t,
+    streetgen._osm_lanes(keys, words, 'right', 3.5, 1.5, 2, 0, 1, 4.5, 2.625) l $$;
+SELECT concat_ws(' ', tags, class), access IS NOT DISTINCT FROM means FROM said, pg_temp.read_tags(tags, class);
+SELECT 'lanes of a street for buses alone are those of buses', count(*) > 5 AND bool_and(kinds IN ('', 'bus', 'bus|bus', 'bus/bus')) FROM said, pg_temp.read_tags(tags, class) WHERE access = 'bus';
+SELECT 'words mean the same of a lane, of a way and of a table', bool_and(CASE streetgen._access_word(word) WHEN 'no' THEN kinds = 'closed' WHEN 'private' THEN kinds = 'closed' WHEN 'bus' THEN kinds = 'bus' WHEN 'carpool' THEN kinds = 'carpool' WHEN 'cycle' THEN kinds = 'cycle' ELSE kinds = '' END
+    AND coalesce(access, '') = streetgen._access_word(word)) FROM unnest('{foot,dismount,no,private,permit,psv,hov,bicycle,destination,yes,customers,delivery,agricultural}'::text[]) word, LATERAL (SELECT kinds FROM pg_temp.read_tags(jsonb_build_object('access:lanes', word, 'oneway', 'yes'), 'residential')) l,
+    LATERAL (SELECT access FROM pg_temp.read_tags(jsonb_build_object('access', word, 'bicycle', 'no'), 'residential')) w;
 -- A table of anybody's.
 CREATE TABLE lines (id text, who text, geom geometry(LineString, 2154));
 INSERT INTO lines SELECT axis_id::text, (ARRAY['Private', 'bus|no', 'anything', 'permissive', NULL, 'psv', 'forestry'])[axis_id], ST_Translate(geom, 0, 5000) FROM street;

@@ -37,7 +37,7 @@ CREATE VIEW seen AS SELECT a.source_ref::integer AS way, concat_ws(' / ', coales
   u.lanes_both AS both_ways, u.width AS across, a.* FROM town.axis a JOIN town.axis_used u USING (axis_id);
 SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (VALUES (1, 'bus|general / bus'), (2, 'bus / bus'), (3, 'general|general|cycle|general / -'), (4, 'general|cycle / general|cycle'), (5, '- / cycle'),
   (6, '- / -'), (7, '- / general|general|general|cycle'), (8, 'general|general|general|cycle / -'), (13, 'general|general|cycle / -'), (14, '- / -'), (15, 'general|cycle / -'), (18, 'bus|general|general / -'),
-  (19, '- / -'), (62, '- / -'), (63, 'bus / bus'), (64, '- / -'), (65, 'closed|general / -')) v(way, kinds) USING (way) ORDER BY way;
+  (19, '- / -'), (62, '- / -'), (63, '- / -'), (64, '- / -'), (65, 'closed|general / -')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'one lane for both directions lies where lanes of the kerbs leave no room for two: way ' || way, (forward, backward, both_ways, s.kinds) = (0, 0, 1, v.kinds) FROM seen s JOIN (VALUES (44, 'parking / parking'), (45, 'parking / -'), (46, 'cycle / cycle'), (47, '- / parking')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'parking across the street leaves its lanes what is there', array_agg(round(across::numeric, 2) ORDER BY way) = '{10,13}' AND bool_and((forward, backward, both_ways) = (0, 0, 1)) FROM seen WHERE way IN (50, 51);
 SELECT 'streets of which the kerbs leave no room for the other lanes are told', source_refs = '{52,53,60,61}' AND count = 4 FROM report WHERE what = 'parking or cycle lanes leave less than 2 m for each other lane';
@@ -63,7 +63,7 @@ SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{
 UPDATE osm_line SET tags = tags - 'parking:lanes:forward' WHERE way_id = 19;
 SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 4 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
 SELECT 'where one drives on the left, the near kerb is the left one', string_agg(kind_forward, ' ' ORDER BY source_ref) = 'general|general|cycle cycle|general|general' FROM (SELECT '1' AS source_ref, kind_forward FROM left_hand.axis WHERE source_ref = '22'
-  UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1, 4.5) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
+  UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1, 4.5, 2.625) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
 SELECT 'the streets are sound', bool_and(deleted = 0) FROM streetgen.generate('town');
 SELECT 'the one lane of a busway is for buses', array_agg(l.kind) = '{bus}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 29;
 SELECT 'a stated width of a cycle lane holds where the roadway is short, and what is short is shared by others: way ' || way, array_agg(round(l.width::numeric, 3) ORDER BY l.lane_position) = widths
@@ -73,3 +73,24 @@ SELECT 'a lane that is private is closed, and as wide as the other', array_agg(l
 SELECT 'lanes for both directions are those of carpools', array_agg(l.kind) = '{carpool,carpool}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 66;
 SELECT 'no list goes astray', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error' OR rule LIKE '%not those of all lanes%');
 SELECT 'every tag that is read has a word on what becomes of it', count(*) > 40 AND bool_and(becomes <> '') AND count(DISTINCT (source, tag)) = count(*) FROM streetgen.tag_use();
+-- Streets for buses alone are as wide as others, however tags say it.
+CREATE TABLE bus_line (LIKE osm_line);
+INSERT INTO bus_line (way_id, class, tags, geom)
+SELECT n, class, tags::jsonb, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 100 * n), ST_MakePoint(120, 100 * n)), 32631) FROM (VALUES
+  (1, 'residential', '{"access": "no", "bus": "yes"}'), (2, 'residential', '{"motor_vehicle": "no", "psv": "designated"}'), (3, 'residential', '{"access": "private", "bus": "yes", "busway": "lane"}'), (4, 'residential', '{"access": "no", "taxi": "yes"}'), (5, 'residential', '{}'),
+  (11, 'residential', '{"access": "no", "bus": "yes", "lanes": "2"}'), (12, 'residential', '{"access": "no", "bus:lanes": "designated|designated", "lanes": "2"}'), (13, 'residential', '{"motor_vehicle": "no", "lanes:psv": "2", "lanes": "2"}'),
+  (14, 'residential', '{"motor_vehicle": "no", "psv:lanes": "designated|designated", "oneway": "yes"}'), (15, 'residential', '{"lanes": "2"}'), (21, 'busway', '{"oneway": "yes"}'), (22, 'busway', '{"oneway": "-1", "lanes": "1"}'), (23, 'residential', '{"motor_vehicle": "no", "bus": "yes", "oneway": "yes", "lanes": "1"}')) v(n, class, tags);
+SELECT streetgen.create_model('buses', 32631) \g /dev/null
+CREATE TABLE bus_report AS SELECT * FROM streetgen.import_osm('buses', 'bus');
+SELECT FROM streetgen.generate('buses') \g /dev/null
+CREATE VIEW bus_street AS SELECT source_ref::integer AS way, e.width, count(*) AS lanes, string_agg(DISTINCT l.kind, ' ') AS kinds FROM buses.axis JOIN buses.edge e USING (axis_id) JOIN buses.lane l USING (edge_id) GROUP BY source_ref, e.width;
+SELECT 'streets for buses alone have lanes of buses: way ' || way, kinds = CASE WHEN way IN (5, 15) THEN 'general' ELSE 'bus' END FROM bus_street ORDER BY way;
+SELECT 'and are as wide as the same street for all: way ' || b.way, (b.width, b.lanes) = (s.width, s.lanes) FROM bus_street b JOIN bus_street s ON s.way = b.way / 10 * 10 + 5 WHERE b.way < 20 ORDER BY b.way;
+SELECT 'one way they have one lane, stated or not: way ' || way, (width, lanes) = (3.5, 1) FROM bus_street WHERE way > 20 ORDER BY way;
+SELECT 'column access says so too', count(*) = 11 AND bool_and(access = 'bus') FROM buses.axis WHERE source_ref NOT IN ('5', '15');
+SELECT 'nothing of them is told as not understood', NOT EXISTS (SELECT FROM buses.unread_tag);
+-- Areas, and levels that nobody builds.
+INSERT INTO bus_line (way_id, class, tags, geom) VALUES (31, 'residential', '{"area": "yes"}', 'SRID=32631;LINESTRING(0 9100, 120 9100)'), (32, 'residential', '{"area": "no", "layer": "99"}', 'SRID=32631;LINESTRING(0 9200, 120 9200)'), (33, 'residential', '{"layer": "-10"}', 'SRID=32631;LINESTRING(0 9300, 120 9300)');
+CREATE TABLE area_report AS SELECT * FROM streetgen.import_osm('buses', 'bus');
+SELECT 'a line round an area is no street, and is told', (SELECT (class, source_refs) = ('residential', '{31}') FROM area_report WHERE what = 'area, and so no street') AND NOT EXISTS (SELECT FROM buses.axis WHERE source_ref = '31');
+SELECT 'a level that cannot be is unknown, and told', (SELECT source_refs = '{32}' FROM area_report WHERE what = 'level not understood, taken as unknown') AND array_agg(level ORDER BY source_ref) = '{0,-10}' FROM buses.axis WHERE source_ref IN ('32', '33');

@@ -20,7 +20,7 @@ CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     ('residential', true, 6, 30, 5, NULL, true, true, true, 1, NULL, NULL, 0, 0),
     ('living_street', true, 5, 20, 5, NULL, true, true, true, 1, NULL, NULL, 0, 0),
     ('unclassified', true, 6, 50, 5, NULL, true, true, true, 1, NULL, NULL, 0, 0),
-    ('busway', true, 7, 50, 4, NULL, true, true, true, NULL, NULL, NULL, 0, 0),
+    ('busway', true, 7, 50, 4, NULL, true, true, true, 1, NULL, NULL, 0, 0),
     ('service', true, 4, 20, 6, NULL, true, false, true, 1, NULL, NULL, 0, 0),
     ('road', true, 6, 50, 5, NULL, true, true, true, 1, NULL, NULL, 0, 0),
     ('runway', true, 40, 100, 1, NULL, false, false, false, NULL, NULL, NULL, 0, 0),

@@ -1,85 +1,109 @@
 #include "osm/bus_lanes.hpp"
 
-#include "osm/car_access.hpp"
+#include "osm/way_access.hpp"
 
 namespace streetgen {
 
 namespace {
 
-void count_bus_lanes(WayTags& tags, BusWishes& wishes) {
-  for (const std::string base : {"lanes:psv", "lanes:bus"}) {
-    for (const Heading heading : {Heading::along, Heading::against}) {
-      BusWish& wish = heading == Heading::along ? wishes.along : wishes.against;
-      const std::string key = tags.said_of(base, heading);
-      const std::optional<int> count = tags.count(key, 0);
-      if (count > 0) wish = {std::max(*count, wish.near), 0, true, key};
-    }
-    if (tags.one_way() || wishes.along.lanes() + wishes.against.lanes() > 0) continue;
-    const std::optional<int> count = tags.count(base, 0);
-    if (count > 0 && *count % 2 == 0)
-      wishes = {{*count / 2, 0, true, base}, {*count / 2, 0, true, base}};
-    else if (count > 0)
-      tags.name(base, "it says no direction");
-  }
-}
-
 void look_at_kerb(RoadSide kerb, WayTags& tags, BusWishes& wishes) {
   std::string key = tags.said_of("busway", kerb),
               word = word_among(tags.value(key), {"lane", "opposite_lane"});
-  const bool near = kerb == RoadSide::near;
-  if (word.empty()) {
+  const bool near = kerb == RoadSide::near, sided = !word.empty();
+  if (!sided) {
     key = "busway";
     word = word_among(tags.value(key), {"lane", "opposite_lane"});
     // Without a side it speaks of the near kerb of each direction.
     if (tags.one_way() && (word == "opposite_lane") == near) return;
   }
   if (word != "lane" && word != "opposite_lane") return;
+  if (word == "opposite_lane" && !tags.one_way() && !sided)
+    return tags.name(key, "a street of both directions has no lane against the traffic");
+  if (word == "opposite_lane" && near)
+    tags.name(key, "a bus lane at this kerb runs in the direction of the lanes beside it");
   const bool open_to_buses = tags.value("oneway:bus") == "no" || tags.value("oneway:psv") == "no";
   const bool against = tags.one_way() ? word == "opposite_lane" || (!near && open_to_buses) : !near;
   BusWish& wish = against ? wishes.against : wishes.along;
-  if (wish.by_count) return;
   wish.key = key;
   ++(near || against ? wish.near : wish.far);
 }
 
-bool lets_in(const std::string& word) {
-  return word == "yes" || word == "designated" || word == "official" || word == "permissive";
+// The greatest number that keys of buses state, and its key.
+struct BusCount {
+  std::optional<int> lanes{};
+  std::string key{};
+};
+
+BusCount counted_at(const std::string& suffix, WayTags& tags) {
+  BusCount most;
+  for (const char* base : {"lanes:psv", "lanes:bus"})
+    if (const std::optional<int> count = tags.count(base + suffix, 0);
+        count && count >= most.lanes.value_or(0))
+      most = {count, base + suffix};
+  return most;
 }
 
-// The first of these keys that has a value, with the suffix of a direction or without.
-std::string nearest_key(std::initializer_list<const char*> keys, Heading heading,
-                        const WayTags& tags) {
-  for (const char* key : keys)
-    for (const std::string& each : {tags.key_of(key, heading), std::string(key)})
-      if (!tags.value(each).empty()) return each;
-  return *keys.begin();
+// Lanes that no kerb speaks of lie at the near one.
+void settle(const BusCount& count, BusWish& wish, WayTags& tags) {
+  if (!count.lanes) return;
+  if (*count.lanes < wish.lanes())
+    return tags.name(count.key, "tags of the kerbs have more bus lanes");
+  if (*count.lanes == 0) return;
+  wish.near = *count.lanes - wish.far;
+  wish.by_count = true;
+  wish.key = count.key;
 }
 
-// The tag that lets buses in; empty: none does.
-std::string key_of_buses(Heading heading, const WayTags& tags) {
-  for (const char* name : {"bus", "psv"})
-    if (const std::string key = nearest_key({name}, heading, tags); lets_in(tags.value(key)))
-      return key;
-  return {};
+// A number without a direction counts the bus lanes of both.
+void settle_both(BusCount count, BusWishes& wishes, WayTags& tags) {
+  if (!count.lanes || wishes.along.by_count || (!tags.one_way() && wishes.against.by_count)) return;
+  if (tags.one_way()) {
+    if (*count.lanes < wishes.against.lanes())
+      return tags.name(count.key, "tags of the kerbs have more bus lanes");
+    *count.lanes -= wishes.against.lanes();
+    return settle(count, wishes.along, tags);
+  }
+  const int at_kerbs = wishes.along.lanes() + wishes.against.lanes();
+  if (*count.lanes == at_kerbs) {
+    for (BusWish* wish : {&wishes.along, &wishes.against}) wish->by_count = wish->lanes() > 0;
+  } else if (*count.lanes % 2 == 0) {
+    *count.lanes /= 2;
+    settle(count, wishes.along, tags);
+    settle(count, wishes.against, tags);
+  } else if (*count.lanes < at_kerbs) {
+    tags.name(count.key, "tags of the kerbs have more bus lanes");
+  } else {
+    tags.name(count.key, "it says no direction");
+  }
 }
 
-std::string word_of_cars(Heading heading, const WayTags& tags) {
-  return tags.value(nearest_key({"motorcar", "motor_vehicle", "vehicle", "access"}, heading, tags));
+// Of a street that one direction has at a time.
+void name_bus_lanes(WayTags& tags) {
+  const char* const reason = "all lanes of the way are for both directions, one at a time";
+  for (const std::string suffix : {"", ":forward", ":backward"})
+    if (const BusCount count = counted_at(suffix, tags); count.lanes > 0)
+      tags.name(count.key, reason);
+  for (const char* key : {"busway", "busway:left", "busway:right", "busway:both"})
+    if (word_among(tags.value(key), {"lane"}) == "lane") tags.name(key, reason);
 }
 
 bool for_buses_alone(Heading heading, const WayTags& tags) {
-  return tags.value("highway") == "busway" ||
-         (shuts_cars_out(word_of_cars(heading, tags)) && !key_of_buses(heading, tags).empty());
+  return way_access(heading, tags) == Access::bus;
 }
 
 }  // namespace
 
 BusWishes wanted_bus_lanes(WayTags& tags) {
   BusWishes wishes;
-  count_bus_lanes(tags, wishes);
-  if (tags.takes_turns()) return wishes;
+  if (tags.takes_turns()) {
+    name_bus_lanes(tags);
+    return wishes;
+  }
   look_at_kerb(RoadSide::near, tags, wishes);
   look_at_kerb(RoadSide::far, tags, wishes);
+  settle(counted_at(tags.key_of("", Heading::along), tags), wishes.along, tags);
+  settle(counted_at(tags.key_of("", Heading::against), tags), wishes.against, tags);
+  settle_both(counted_at("", tags), wishes, tags);
   // A kerb has no bus lane beside others that are all bus lanes.
   if (for_buses_alone(Heading::along, tags) && !wishes.along.by_count) wishes.along = {};
   if (!tags.one_way() && for_buses_alone(Heading::against, tags) && !wishes.against.by_count)
@@ -117,21 +141,17 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
     }
 }
 
-void give_to_buses(HeadingLanes& lanes, WayTags& tags) {
+void give_to_those_alone(HeadingLanes& lanes, WayTags& tags) {
   if (const std::string key = key_of_buses(lanes.heading, tags);
-      !key.empty() && lets_cars_end(word_of_cars(lanes.heading, tags)))
+      !key.empty() && lets_cars_end(access_of_cars(lanes.heading, tags)))
     tags.name(key, "cars may drive there too, if not through: no lane is for buses alone");
-  if (!for_buses_alone(lanes.heading, tags)) return;
+  const Access alone = way_access(lanes.heading, tags);
+  const LaneKind kind = alone == Access::bus       ? LaneKind::bus
+                        : alone == Access::carpool ? LaneKind::carpool
+                                                   : LaneKind::general;
+  if (kind == LaneKind::carpool && lanes.has(kind)) return;
   for (OsmLane& lane : lanes.lanes)
-    if (lane.kind == LaneKind::general) lane.kind = LaneKind::bus;
-}
-
-void give_to_carpools(HeadingLanes& lanes, const WayTags& tags) {
-  if (lanes.has(LaneKind::carpool) ||
-      tags.value(nearest_key({"hov"}, lanes.heading, tags)) != "designated")
-    return;
-  for (OsmLane& lane : lanes.lanes)
-    if (lane.kind == LaneKind::general) lane.kind = LaneKind::carpool;
+    if (lane.kind == LaneKind::general) lane.kind = kind;
 }
 
 }  // namespace streetgen

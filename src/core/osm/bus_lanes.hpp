@@ -5,10 +5,10 @@
 
 namespace streetgen {
 
-// Wanted bus lanes of one direction.
+// Wanted bus lanes of one direction, at its near and its far kerb.
 struct BusWish {
   int near = 0, far = 0;
-  bool by_count = false;  // lanes:psv and its like, not a tag of the kerb
+  bool by_count = false;  // lanes:psv and its like say how many
   std::string key{};      // the tag that says so
   int lanes() const { return near + far; }
 };
@@ -16,15 +16,14 @@ struct BusWishes {
   BusWish along, against;
 };
 
+// Tags of the kerbs say the sides, and counts the numbers, of the same lanes.
 BusWishes wanted_bus_lanes(WayTags& tags);
 
 // `beside`: the lanes that were counted do not include the bus lanes.
 void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLanes& lanes,
                    WayTags& tags);
 
-// Where buses may drive and cars may not, all lanes are theirs.
-void give_to_buses(HeadingLanes& lanes, WayTags& tags);
-// All lanes of a way for carpools are theirs, unless a list says which.
-void give_to_carpools(HeadingLanes& lanes, const WayTags& tags);
+// Where buses or carpools alone may drive, all lanes are theirs, unless a list says which.
+void give_to_those_alone(HeadingLanes& lanes, WayTags& tags);
 
 }  // namespace streetgen

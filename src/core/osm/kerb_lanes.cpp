@@ -15,8 +15,25 @@ constexpr double depth_of_diagonal = 4.5, depth_of_perpendicular = 5;
 constexpr std::initializer_list<const char*> cycle_words = {"lane", "soft_lane", "opposite_lane"};
 constexpr std::initializer_list<const char*> along_words = {"lane", "soft_lane"};
 constexpr std::initializer_list<const char*> against_words = {"opposite_lane"};
-constexpr std::initializer_list<const char*> parking_words = {"parallel", "diagonal",
-                                                              "perpendicular", "marked"};
+constexpr std::initializer_list<const char*> parking_words = {"perpendicular", "diagonal",
+                                                              "parallel", "marked"};
+constexpr std::initializer_list<const char*> on_lane_words = {"on_street", "lane",
+                                                              "painted_area_only"};
+
+bool is_among(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+// In what way cars stand: of several that which needs most room; else all that is said.
+std::string deepest_of(const std::string& key, WayTags& tags) {
+  const std::string said = tags.value(key);
+  std::string deepest = said;
+  int ways = 0;
+  for (const char* word : parking_words)
+    if (word_among(said, {word}) == word && ++ways == 1) deepest = word;
+  if (ways > 1) tags.name(key, "cars stand in several ways: the deepest counts");
+  return deepest;
+}
 
 CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
   CycleWish wish;
@@ -56,7 +73,7 @@ std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
     for (const std::string& key :
          {tags.key_of("cycleway", kerb), std::string("cycleway:both"), std::string("cycleway")})
       if (const std::string word = tags.value(key + said); !word.empty()) {
-        if (const std::optional<double> width = lane_width_of(word)) return width;
+        if (const std::optional<double> width = lane_width_of(word, LaneKind::cycle)) return width;
         tags.name(key + said, "it is no width of a lane");
       }
   return std::nullopt;
@@ -76,11 +93,20 @@ void put_cycle_lane(RoadSide kerb, DrivingSide side, std::optional<double> width
   put_at(kerb, side, {LaneKind::cycle, false, {}, {}, width}, lanes.lanes);
 }
 
-// A tag says of which kind a cycle lane is that no tag tells of.
-void name_kinds_without_lane(RoadSide kerb, WayTags& tags) {
-  const std::string key = tags.key_of("cycleway", kerb) + ":lane", kind = tags.value(key);
+// A tag says of which kind or how wide a cycle lane is that no tag tells of.
+void name_cycle_lane_without_place(RoadSide kerb, WayTags& tags) {
+  const std::string side = tags.key_of("cycleway", kerb), kind = tags.value(side + ":lane");
   if (kind == "advisory" || kind == "exclusive" || kind == "soft_lane")
-    tags.name(key, "no cycle lane is there");
+    tags.name(side + ":lane", "no cycle lane is there");
+  const auto silent = [&](RoadSide each) {
+    return tags.value(tags.said_of("cycleway", each)).empty();
+  };
+  if (!tags.value("cycleway").empty() || !silent(kerb)) return;
+  std::vector<std::string> starts{side};
+  if (silent(RoadSide::near) && silent(RoadSide::far)) starts.push_back("cycleway:both");
+  for (const std::string& start : starts)
+    for (const char* what : {":width", ":est_width", ":oneway"})
+      if (!tags.value(start + what).empty()) tags.name(start + what, "no cycle lane is there");
 }
 
 // Do cars stand on a lane, by the tags of this kerb?
@@ -90,14 +116,30 @@ bool cars_stand_on_lane(RoadSide kerb, const std::string& stands, WayTags& tags)
     tags.name(tags.said_of("parking", kerb), "it does not say whether cars stand on a lane");
   else if (!place.empty())
     return place == "lane";
-  if (std::find(parking_words.begin(), parking_words.end(), stands) == parking_words.end())
-    return false;
+  if (!is_among(stands, parking_words)) return false;
   // The older scheme says the place beneath the way in which they stand.
   for (const std::string& key :
        {tags.key_of("parking:lane", kerb), std::string("parking:lane:both")})
     if (const std::string where = tags.value(key + ":" + stands); !where.empty())
-      return where == "on_street" || where == "lane" || where == "painted_area_only";
+      return is_among(word_among(where, on_lane_words), on_lane_words);
   return true;
+}
+
+// A tag says how cars stand at a kerb of which none says whether they do.
+void name_parking_without_place(RoadSide kerb, WayTags& tags) {
+  const auto silent = [&](RoadSide each) {
+    return tags.value(tags.said_of("parking", each)).empty() &&
+           tags.value(tags.said_of("parking:lane", each)).empty();
+  };
+  if (!silent(kerb)) return;
+  const auto name = [&](const std::string& place) {
+    std::vector<std::string> keys{"parking" + place + ":width", "parking" + place + ":orientation"};
+    for (const std::string how : parking_words) keys.push_back("parking:lane" + place + ":" + how);
+    for (const std::string& key : keys)
+      if (!tags.value(key).empty()) tags.name(key, "no tag says where cars stand");
+  };
+  name(tags.key_of("", kerb));
+  if (silent(RoadSide::near) && silent(RoadSide::far)) name(":both");
 }
 
 // Without a width where cars stand along the kerb and no tag states one.
@@ -105,11 +147,11 @@ OsmLane parking_lane_at(RoadSide kerb, const std::string& stands, WayTags& tags)
   OsmLane lane{LaneKind::parking, false};
   for (const std::string& key : {tags.key_of("parking", kerb), std::string("parking:both")})
     if (const std::string said = tags.value(key + ":width"); !said.empty()) {
-      if ((lane.width = lane_width_of(said))) return lane;
+      if ((lane.width = lane_width_of(said, LaneKind::parking))) return lane;
       tags.name(key + ":width", "it is no width of a lane");
     }
-  std::string turned = tags.value(tags.key_of("parking", kerb) + ":orientation");
-  if (turned.empty()) turned = tags.value("parking:both:orientation");
+  std::string turned = deepest_of(tags.key_of("parking", kerb) + ":orientation", tags);
+  if (turned.empty()) turned = deepest_of("parking:both:orientation", tags);
   if (turned.empty()) turned = stands;
   if (turned == "diagonal") lane.width = depth_of_diagonal;
   if (turned == "perpendicular") lane.width = depth_of_perpendicular;
@@ -127,7 +169,7 @@ void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) 
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
     const CycleWish& wish = kerb == RoadSide::near ? wishes.near : wishes.far;
     if (!wish.along && !wish.against) {
-      name_kinds_without_lane(kerb, tags);
+      name_cycle_lane_without_place(kerb, tags);
       continue;
     }
     const std::optional<double> width = width_at(kerb, tags);
@@ -143,11 +185,23 @@ void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags) 
   }
 }
 
+void name_shared_bus_lanes(const WayLanes& lanes, WayTags& tags) {
+  for (const char* key : {"cycleway", "cycleway:both", "cycleway:left", "cycleway:right"}) {
+    const std::string word = word_among(tags.value(key), {"share_busway", "opposite_share_busway"});
+    const bool against = word == "opposite_share_busway";
+    if (!against && word != "share_busway") continue;
+    if (!lanes.against.has(LaneKind::bus) && (against || !lanes.along.has(LaneKind::bus)))
+      tags.name(key, "no bus lane is there that bicycles share");
+  }
+}
+
 void lay_parking_lanes(WayLanes& lanes, WayTags& tags) {
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
-    const std::string stands =
-        word_among(tags.value(tags.said_of("parking:lane", kerb)), parking_words);
-    if (!cars_stand_on_lane(kerb, stands, tags)) continue;
+    const std::string stands = deepest_of(tags.said_of("parking:lane", kerb), tags);
+    if (!cars_stand_on_lane(kerb, stands, tags)) {
+      name_parking_without_place(kerb, tags);
+      continue;
+    }
     const bool beyond = kerb == RoadSide::far &&
                         (!tags.one_way() || tags.takes_turns() || !lanes.against.lanes.empty());
     put_at(beyond ? RoadSide::near : kerb, lanes.side, parking_lane_at(kerb, stands, tags),

@@ -17,6 +17,8 @@ CycleWishes wanted_cycle_lanes(WayTags& tags);
 
 // A list that names a cycle lane of the direction means the one at the kerb.
 void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags);
+// Bicycles share a bus lane that no tag tells of.
+void name_shared_bus_lanes(const WayLanes& lanes, WayTags& tags);
 void lay_parking_lanes(WayLanes& lanes, WayTags& tags);
 
 }  // namespace streetgen

@@ -1,5 +1,7 @@
 #include "osm/lane_count.hpp"
 
+#include "osm/way_access.hpp"
+
 namespace streetgen {
 
 namespace {
@@ -82,7 +84,7 @@ void settle_by_total(int total, Count& along, Count& against, WayTags& tags) {
 }
 
 // No list and no tag says how the lanes of a two-way street are shared.  It is the same for both
-// directions: what is left over lies in the middle.
+// directions: what is left over lies in the middle, or tag lanes counts none of those there.
 void share(WayLanes& lanes, int total, const BusWishes& buses, Count& along, Count& against,
            WayTags& tags) {
   const int forth = buses.along.lanes(), back = buses.against.lanes();
@@ -99,6 +101,10 @@ void share(WayLanes& lanes, int total, const BusWishes& buses, Count& along, Cou
     along.lanes = against.lanes = total / 2;
   } else if (forth + back > 0 && rest < 3) {
     tags.name("lanes", "it leaves no lane each way beside the bus lanes");
+  } else if (lanes.middle > 0) {
+    along.lanes = (rest + 1) / 2 + forth;
+    against.lanes = (rest + 1) / 2 + back;
+    tags.name("lanes", "it does not count the lane in the middle, or leaves one of no direction");
   } else {
     along.lanes = rest / 2 + forth;
     against.lanes = rest / 2 + back;
@@ -134,8 +140,9 @@ void count_both(WayLanes& lanes, const BusWishes& buses, Count& along, Count& ag
     along.settle(std::nullopt, "", tags);
     against.settle(std::nullopt, "", tags);
   } else if (total < 1) {
-    along.lanes = against.lanes = 0;
-    if (total < 0) tags.name("lanes", "there are more lanes in the middle");
+    // A lane to turn from lies between others.
+    along.lanes = against.lanes = tags.value("turn:lanes:both_ways").empty() ? 0 : 1;
+    if (total < 0 || along.lanes > 0) tags.name("lanes", "there are more lanes in the middle");
   } else if (along.readings.empty() && against.readings.empty()) {
     share(lanes, total, buses, along, against, tags);
   } else {
@@ -200,7 +207,7 @@ HeadingLanes lanes_of(const Count& count, Heading heading, int usual) {
 
 // Who drives against the traffic of a one-way street: buses, or else bicycles.
 void close_to_cars(HeadingLanes& lanes, const Count& count, WayTags& tags) {
-  const bool buses = tags.lets_buses_in(Heading::against);
+  const bool buses = lets_buses_in(Heading::against, tags);
   if (lanes.has(LaneKind::general) && !buses && tags.value("oneway:bicycle") != "no") {
     std::vector<std::string> keys{count.key};
     for (const LaneLists::List& list : count.lists.all()) keys.push_back(list.key);

@@ -3,22 +3,31 @@
 #include <algorithm>
 #include <set>
 
-#include "osm/car_access.hpp"
+#include "osm/way_access.hpp"
 #include "streetgen/measure_text.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double narrowest_lane = 0.3, widest_lane = 20;  // metres, that anybody would believe
+// Metres that anybody would believe.
+struct WidthRange {
+  double least, most;
+};
+constexpr WidthRange of_cycle_lane{0.5, 4}, of_parking_lane{1, 7}, of_other_lane{1.5, 8};
 
 constexpr const char* list_names[] = {"turn",          "change",   "width",   "access", "vehicle",
                                       "motor_vehicle", "motorcar", "bus",     "psv",    "taxi",
                                       "hov",           "bicycle",  "cycleway"};
 
-bool reserved(const std::string& word) { return word == "designated" || word == "official"; }
+// Lists of cars: the first that has a word speaks of them most closely.
+constexpr const char* car_names[] = {"motorcar", "motor_vehicle", "vehicle", "access"};
+
+bool reserved(const std::string& word) {
+  return word == "designated" || word == "official" || word == "lane";
+}
 bool open(const std::string& word) {
-  return reserved(word) || word == "yes" || word == "permissive" || word == "lane";
+  return reserved(word) || word == "yes" || word == "permissive";
 }
 bool lane_of_cycles(const std::string& word) {
   return word == "lane" || word == "exclusive" || word == "advisory" || word == "designated" ||
@@ -27,9 +36,12 @@ bool lane_of_cycles(const std::string& word) {
 
 }  // namespace
 
-std::optional<double> lane_width_of(const std::string& word) {
+std::optional<double> lane_width_of(const std::string& word, LaneKind kind) {
+  const WidthRange believed = kind == LaneKind::cycle     ? of_cycle_lane
+                              : kind == LaneKind::parking ? of_parking_lane
+                                                          : of_other_lane;
   const std::optional<double> width = read_metres(word);
-  return width >= narrowest_lane && width <= widest_lane ? width : std::nullopt;
+  return width >= believed.least && width <= believed.most ? width : std::nullopt;
 }
 
 bool speaks_of_each_direction(const std::string& list, const WayTags& tags) {
@@ -67,32 +79,39 @@ std::string LaneLists::word(const std::string& name, std::size_t length, std::si
   return {};
 }
 
+void LaneLists::name_word_of_cars(std::size_t length, std::size_t lane, const char* reason,
+                                  WayTags& tags) const {
+  for (const char* name : car_names)
+    for (std::size_t i = 0; i < lists_.size(); ++i)
+      if (names_[i] == name && lists_[i].words.size() == length && !lists_[i].words[lane].empty())
+        return tags.name(lists_[i].key, reason);
+}
+
 LaneLists::Mark LaneLists::mark(std::size_t length, std::size_t lane, WayTags& tags) const {
   const auto said = [&](const char* name) { return word(name, length, lane); };
-  std::string cars;  // the word that speaks of cars most closely
-  for (const char* name : {"motorcar", "motor_vehicle", "vehicle", "access"})
+  std::string cars;
+  for (const char* name : car_names)
     if (cars.empty()) cars = said(name);
+  const Access of_cars = access_of(cars);
   const std::string bus = said("bus"), psv = said("psv"), taxi = said("taxi"),
                     bicycle = said("bicycle");
-  const bool for_buses = reserved(bus) || reserved(psv) || reserved(taxi) || cars == "bus" ||
-                         cars == "psv" || cars == "taxi";
-  if (reserved(said("hov")) || cars == "hov") return Mark::carpool;
-  if (for_buses) return Mark::bus;
-  const bool closed = shuts_cars_out(cars) || cars == "bicycle";
-  if (closed && (reserved(bicycle) || cars == "bicycle")) return Mark::cycle;
+  if (reserved(said("hov")) || of_cars == Access::carpool) return Mark::carpool;
+  if (reserved(bus) || reserved(psv) || reserved(taxi) || of_cars == Access::bus) return Mark::bus;
+  const bool closed = shuts_cars_out(of_cars) || of_cars == Access::cycle;
+  if (closed && (reserved(bicycle) || of_cars == Access::cycle)) return Mark::cycle;
   if (closed && (open(bus) || open(psv) || open(taxi))) return Mark::bus;
-  if (lane_of_cycles(said("cycleway"))) return Mark::cycle;
+  if (lane_of_cycles(said("cycleway")) || bicycle == "lane") return Mark::cycle;
   if (closed && open(bicycle)) return Mark::cycle;
   if (closed) {
-    if (tags.lets_buses_in(Heading::along) || tags.lets_buses_in(Heading::against))
+    if (lets_buses_in(Heading::along, tags) || lets_buses_in(Heading::against, tags))
       return Mark::bus;
-    for (std::size_t i = 0; i < lists_.size(); ++i)
-      if (lists_[i].words.size() == length && lists_[i].words[lane] == cars &&
-          (names_[i] == "access" || names_[i].find("vehicle") != std::string::npos ||
-           names_[i] == "motorcar"))
-        tags.name(lists_[i].key, "nothing says who may drive on a lane that is closed to cars");
+    name_word_of_cars(length, lane, "nothing says who may drive on a lane that is closed to cars",
+                      tags);
     return Mark::closed;
   }
+  if (lets_cars_end(of_cars))
+    name_word_of_cars(length, lane, "the lane is open to all cars: those that end there have none",
+                      tags);
   return reserved(bicycle) ? Mark::maybe_cycle : Mark::general;
 }
 

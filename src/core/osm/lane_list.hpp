@@ -10,8 +10,8 @@
 
 namespace streetgen {
 
-// Metres; none where a word is no width of a lane.
-std::optional<double> lane_width_of(const std::string& word);
+// Metres; none where a word is no width that a lane of this kind may have.
+std::optional<double> lane_width_of(const std::string& word, LaneKind kind);
 
 // Of a street of both directions a list without one speaks of each where tag lanes counts it twice.
 bool speaks_of_each_direction(const std::string& list, const WayTags& tags);
@@ -49,6 +49,8 @@ class LaneLists {
  private:
   enum class Mark { general, bus, carpool, cycle, maybe_cycle, closed };
   std::string word(const std::string& name, std::size_t length, std::size_t lane) const;
+  void name_word_of_cars(std::size_t length, std::size_t lane, const char* reason,
+                         WayTags& tags) const;
   Mark mark(std::size_t length, std::size_t lane, WayTags& tags) const;
 
   Heading heading_;

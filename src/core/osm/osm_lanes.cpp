@@ -8,17 +8,17 @@
 #include "osm/lane_count.hpp"
 #include "osm/lane_list.hpp"
 #include "osm/placement.hpp"
+#include "osm/way_access.hpp"
 #include "osm/way_tags.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr std::size_t most_lanes = 30;      // of all directions, with those of the kerbs
-constexpr double width_rounded = 0.25;      // metres, within which widths of a lane are alike
-constexpr int most_each_way = 10;           // that a width alone makes
-constexpr double narrowest_counted = 0.75;  // of a usual lane, where a width alone makes several
-constexpr std::size_t most_marks = 10;      // on one lane
+constexpr std::size_t most_lanes = 30;  // of all directions, with those of the kerbs
+constexpr double width_rounded = 0.25;  // metres, within which widths of a lane are alike
+constexpr int most_each_way = 10;       // that a width alone makes
+constexpr std::size_t most_marks = 10;  // on one lane
 
 bool is_one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -79,21 +79,22 @@ void take_lists(const LaneLists& lists, HeadingLanes& lanes, WayTags& tags) {
       continue;
     }
     if (of_who) continue;
-    const auto known = [&](const std::string& word) {
+    const auto known = [&](const std::string& word, LaneKind kind) {
       return name == "turn"     ? marks_of(word).has_value()
              : name == "change" ? is_change(word)
-                                : word.empty() || lane_width_of(word).has_value();
+                                : word.empty() || lane_width_of(word, kind).has_value();
     };
     for (std::size_t i = 0; i < named.size(); ++i) {
+      OsmLane& lane = *named[i];
       // A word that means nothing is lost alone: those beside it keep their places.
-      if (!known(list.words[i]))
+      if (!known(list.words[i], lane.kind))
         tags.name(list.key, means_nothing(list.words[i]));
       else if (name == "turn")
-        named[i]->turn = *marks_of(list.words[i]);
+        lane.turn = *marks_of(list.words[i]);
       else if (name == "change")
-        named[i]->change = list.words[i];
+        lane.change = list.words[i];
       else if (!list.words[i].empty())
-        named[i]->width = lane_width_of(list.words[i]);
+        lane.width = lane_width_of(list.words[i], lane.kind);
     }
   }
 }
@@ -121,7 +122,7 @@ double usual_width(const OsmLane& lane, const OsmLaneUse& use) {
 // Lanes of motor traffic that have room in so many metres, as the street has in its width.
 int lanes_in(double room, const OsmLaneUse& use) {
   const int usual = static_cast<int>(std::lround(room * use.usual_lanes / *use.roadway_width));
-  const int most = static_cast<int>(room / (narrowest_counted * use.lane_width));
+  const int most = static_cast<int>(room / use.narrowest_of_several);
   return std::max(std::min({usual, most, most_each_way}), 1);
 }
 
@@ -174,7 +175,7 @@ void fill_width(WayLanes& lanes, const OsmLaneUse& use, const WayTags& tags) {
 // Cars that stand across the street have what lanes of least width leave, or a lane as along it.
 void leave_lanes(WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
   if (!use.roadway_width) return;
-  const double least = narrowest_counted * use.lane_width;
+  const double least = use.narrowest_of_several;
   double taken = lanes.middle * least, wanted = 0;
   std::vector<OsmLane*> across;
   for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
@@ -190,13 +191,17 @@ void leave_lanes(WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
                      "it leaves too little for cars that stand across the street");
 }
 
-// Of a two-way street a list without a direction speaks of no lane.
-void name_lists_of_both(const OsmTags& said, WayTags& tags) {
+// Of a two-way street a list without a direction speaks of no lane, but one of buses of a street
+// that is theirs.
+void name_lists_of_both(const OsmTags& said, const WayLanes& lanes, WayTags& tags) {
   if (tags.one_way()) return;
+  const bool for_buses = lanes.along.has(LaneKind::bus) && !lanes.along.has(LaneKind::general) &&
+                         !lanes.against.has(LaneKind::general);
   for (const char* name : {"turn", "change", "width", "access", "vehicle", "motor_vehicle",
                            "motorcar", "bus", "psv", "taxi", "hov", "bicycle", "cycleway"})
     if (const std::string key = std::string(name) + ":lanes";
-        said.count(key) > 0 && !speaks_of_each_direction(tags.value(key), tags))
+        said.count(key) > 0 && !speaks_of_each_direction(tags.value(key), tags) &&
+        !(for_buses && is_one_of(name, {"bus", "psv", "taxi"})))
       tags.name(key, "it says no direction of a street of both");
   if (!tags.value("turn").empty()) tags.name("turn", "it says no direction of a street of both");
 }
@@ -229,26 +234,32 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   const LaneLists along(tags, Heading::along), against(tags, Heading::against);
   const CycleWishes cycles = wanted_cycle_lanes(tags);
   WayLanes lanes = counted_lanes(along, against, cycles, use, tags);
-  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against}) {
-    give_to_buses(*of_heading, tags);
-    give_to_carpools(*of_heading, tags);
-  }
   lay_cycle_lanes(cycles, lanes, tags);
   lay_parking_lanes(lanes, tags);
   fill_width(lanes, use, tags);
   leave_lanes(lanes, use, tags);
+  for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
+    give_to_those_alone(*of_heading, tags);
+  name_shared_bus_lanes(lanes, tags);
   if (!tags.takes_turns()) {
     take_lists(along, lanes.along, tags);
     if (!lanes.against.lanes.empty()) take_lists(against, lanes.against, tags);
     take_marks(lanes.along, tags);
     take_marks(lanes.against, tags);
   }
-  name_lists_of_both(said, tags);
+  name_lists_of_both(said, lanes, tags);
   name_buses_without_lane(lanes, tags);
   name_widths_beyond_street(lanes, use, tags);
 
   OsmLanes read;
   read.direction = tags.direction();
+  const Access along_access = way_access(Heading::along, tags),
+               against_access = tags.one_way() && lanes.against.lanes.empty()
+                                    ? along_access
+                                    : way_access(Heading::against, tags);
+  const bool turned = tags.drawn_against();
+  read.access_forward = access_name(turned ? against_access : along_access);
+  read.access_backward = access_name(turned ? along_access : against_access);
   if (lanes.along.lanes.size() + lanes.against.lanes.size() + lanes.middle > most_lanes) {
     for (const auto& [key, word] : said)
       if (key.find("lanes") != std::string::npos) tags.name(key, "it makes more than 30 lanes");
@@ -263,7 +274,6 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   if (tags.takes_turns()) read.lane_count = lanes.middle;
   tags.name_strangers();
   read.unread = tags.take_unread();
-  const bool turned = tags.drawn_against();
   read.forward = std::move((turned ? lanes.against : lanes.along).lanes);
   read.backward = std::move((turned ? lanes.along : lanes.against).lanes);
   read.forward_known = !lanes.shared && (turned ? lanes.against : lanes.along).known;

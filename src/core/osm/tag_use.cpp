@@ -1,11 +1,8 @@
 #include "osm/tag_use.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
-
-#include "streetgen/osm_lanes.hpp"
 
 namespace streetgen {
 
@@ -40,7 +37,8 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"lanes[:both_ways|:reversible]", "The number of lanes in the middle, for both directions."},
       {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.", "yes no"},
       {"lanes[:bus|:psv][|:forward|:backward]",
-       "So many lanes at the near kerb are bus lanes, unless a list says which."},
+       "So many lanes are bus lanes, at the near kerb, unless a list says which or tag busway says "
+       "at which kerb. More at the kerbs than it counts are named."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
       {"turn[|:forward|:backward]",
        "The turns that all lanes of the direction are marked for, where no list marks any."},
@@ -48,18 +46,22 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "The number of lanes in the middle, which lead to the left, and to the right where one "
        "drives on the left. Another turn is named."},
       {"change:lanes[|:forward|:backward]", "Where one may leave each lane."},
-      {"width:lanes[|:forward|:backward]", "The width of each lane."},
+      {"width:lanes[|:forward|:backward]",
+       "The width of each lane: 1.5 to 8 m, of a cycle lane 0.5 to 4 m."},
       {"[access|vehicle|motor_vehicle|motorcar]:lanes[|:forward|:backward]",
        "A lane that is closed to cars is one of those that may drive there: a bus or cycle lane. "
-       "Where nothing lets anybody in, it is a closed lane, and is named.",
-       who_may_on_lane},
+       "Where nothing lets anybody in, it is a closed lane, and is named. A lane for cars that end "
+       "there is open to all, and is named.",
+       who_may},
       {"[bus|psv|taxi]:lanes[|:forward|:backward]",
-       "A designated lane is a bus lane, as is one that is closed to cars and open to these.",
+       "A lane with value designated or lane is a bus lane, as is one that is closed to cars and "
+       "open to these. On a way that is closed to cars all lanes are bus lanes.",
        who_may_on_lane},
-      {"hov:lanes[|:forward|:backward]", "A designated lane is a carpool lane.", who_may_on_lane},
+      {"hov:lanes[|:forward|:backward]", "A lane with value designated or lane is a carpool lane.",
+       who_may_on_lane},
       {"bicycle:lanes[|:forward|:backward]",
        "A designated lane that is closed to cars, or that tag lanes does not count, is a cycle "
-       "lane.",
+       "lane, as is one with value lane.",
        who_may_on_lane},
       {"cycleway:lanes[|:forward|:backward]", "A lane so named is a cycle lane.",
        "lane exclusive advisory designated soft_lane shared_lane pictogram track yes no none"},
@@ -71,25 +73,28 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "Values such as no and private, where buses may drive: all lanes of the direction are bus "
        "lanes.",
        who_may},
-      {"[bus|psv][|:forward|:backward]",
+      {"[bus|psv|taxi][|:forward|:backward]",
        "Where cars may not drive, a value that lets buses in makes all lanes bus lanes. Where "
        "cars may drive to a destination, it is named.",
        who_may},
       {"busway[|:left|:right|:both]",
        "Value lane: a bus lane at the kerb, among the lanes that are counted, unless all of them "
-       "are bus lanes; opposite_lane: one against the traffic.",
+       "are bus lanes; opposite_lane: one against the traffic, at the far kerb. At another kerb, "
+       "or "
+       "on a street of both directions, it is named.",
        "lane opposite_lane opposite separate no none"},
       {"cycleway[|:left|:right|:both]",
        "Value lane or soft_lane: a cycle lane at the kerb, beside the lanes that are counted; "
        "opposite_lane: one against the traffic. Tracks and shared lanes are no lanes of the "
-       "roadway.",
+       "roadway. share_busway and opposite_share_busway without a bus lane are named.",
        cycleways},
       {"cycleway[:left|:right|:both]:oneway",
        "The direction of the cycle lane. One for both directions is made at the far kerb of a "
        "one-way street alone.",
        yes_or_no},
       {"cycleway[|:left|:right|:both]:[width|est_width]",
-       "The width of the cycle lane; est_width where width is none."},
+       "The width of the cycle lane, 0.5 to 4 m; est_width where width is none. Without a cycle "
+       "lane it is named."},
       {"cycleway[|:left|:right|:both]:lane",
        "Nothing: an advisory lane is a cycle lane as an exclusive one is. Without a cycle lane "
        "the way is named.",
@@ -101,13 +106,15 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "parallel diagonal perpendicular marked yes no none no_parking no_stopping no_standing "
        "separate fire_lane"},
       {"parking:lane[:left|:right|:both]:[parallel|diagonal|perpendicular|marked]",
-       "Where cars that stand so do: on_street, lane and painted_area_only are on a parking lane, "
-       "others off the roadway.",
+       "Where cars that stand so do: on_street, lane and painted_area_only, also among others, are "
+       "on a parking lane, others off the roadway.",
        "on_street lane painted_area_only on_kerb half_on_kerb shoulder street_side lay_by"},
-      {"parking[:left|:right|:both]:width", "The width of the parking lane."},
+      {"parking[:left|:right|:both]:width",
+       "The width of the parking lane, 1 to 7 m. Where no tag says where cars stand, it is named."},
       {"parking[:left|:right|:both]:orientation",
        "The depth of a parking lane without a width: diagonal 4.5 m, perpendicular 5 m; less where "
-       "the stated width of the street is too small for the lanes beside it, and that is named.",
+       "the stated width of the street is too small for the lanes beside it, and that is named. Of "
+       "several values the deepest counts, and is named.",
        "parallel diagonal perpendicular"},
       {"lane_markings", "Nothing: all lanes are drawn, marked or not."},
       {"placement[|:forward|:backward]",
@@ -134,25 +141,24 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
       {"[access|vehicle|motor_vehicle|motorcar][|:forward|:backward]",
        "Who may drive, column access: the tag nearest to cars counts, and of one tag that of the"
        " direction."},
-      {"[bus|psv|hov|bicycle][|:forward|:backward], taxi",
+      {"[bus|psv|taxi|hov|bicycle][|:forward|:backward]",
        "Who alone may drive where cars may not: buses with taxis, carpools or bicycles."},
       {"layer",
-       "The level. A bridge on layer 0 or none is on level 1, a tunnel on level -1; where they "
+       "The level, from -10 to 10. A bridge on layer 0 or none is on level 1, a tunnel on level "
+       "-1; where they "
        "contradict it, it stands, and the way is named."},
       {"bridge", "Level 1 where layer says 0 or none."},
       {"tunnel", "Level -1 where layer says 0 or none; building_passage is on the ground.", nullptr,
        "building_passage"},
       {"name", "The name of the street."},
       {"ref", "The number of the route."},
-      {"area", "A way with value yes is no street."},
+      {"area", "A way with value yes is no street, and is named."},
       {"aeroway", "The class, where there is no highway."},
       {"sidewalk[|:left|:right|:both]", "Whether there are sidewalks."},
       {"sidewalk[:left|:right|:both]:width", "The widths of the sidewalks."},
   };
   return uses;
 }
-
-namespace {
 
 std::vector<std::string> parted(const std::string& text, const std::string& mark) {
   std::vector<std::string> parts;
@@ -163,6 +169,8 @@ std::vector<std::string> parted(const std::string& text, const std::string& mark
   }
   return parts;
 }
+
+namespace {
 
 // All keys of a pattern with alternatives in brackets.
 void expand(const std::string& start, const std::string& rest, std::set<std::string>& keys) {
@@ -180,6 +188,8 @@ void expand(const std::string& start, const std::string& rest, std::set<std::str
   }
 }
 
+}  // namespace
+
 const std::map<std::string, const OsmTagUse*>& told_keys() {
   static const std::map<std::string, const OsmTagUse*> told = [] {
     std::map<std::string, const OsmTagUse*> uses;
@@ -194,78 +204,6 @@ const std::map<std::string, const OsmTagUse*>& told_keys() {
   return told;
 }
 
-// Keys that people write in place of one that is known.
-std::string known_in_place_of(const std::string& key) {
-  const std::string start = "access:";
-  if (key.compare(0, start.size(), start) == 0 && tag_is_told(key.substr(start.size())))
-    return key.substr(start.size());
-  for (const char* unit :
-       {"feet", "foot", "ft", "inches", "metres", "meters", "metre", "meter", "m"})
-    if (key == std::string("width:") + unit) return "width";
-  return {};
-}
-
-constexpr std::size_t shortest_misspelt = 4;  // letters; shorter keys are too much alike
-
-// A key, and what it is with a letter taken out.  Keys that are a letter away from each other share
-// one of these.
-template <class Take>
-void each_worn(const std::string& key, const Take& take) {
-  take(key);
-  if (key.size() <= shortest_misspelt) return;
-  for (std::size_t i = 0; i < key.size(); ++i) take(key.substr(0, i) + key.substr(i + 1));
-}
-
-// One of the words, but for a letter.
-bool misspells(const std::string& said, const std::vector<std::string>& words) {
-  std::set<std::string> worn;
-  each_worn(said, [&](const std::string& each) { worn.insert(each); });
-  bool near = false;
-  for (const std::string& word : words) {
-    if (word == said) return false;
-    each_worn(word, [&](const std::string& each) { near = near || worn.count(each) > 0; });
-  }
-  return near;
-}
-
-}  // namespace
-
 bool tag_is_told(const std::string& key) { return told_keys().count(key) > 0; }
-
-std::string strange_word(const std::string& key, const std::string& said) {
-  const auto told = told_keys().find(key);
-  if (told == told_keys().end()) return {};
-  if (told->second->meant && misspells(said, parted(told->second->meant, " "))) return said;
-  if (!told->second->words) return {};
-  const std::string known = " " + std::string(told->second->words) + " ";
-  for (std::size_t from = 0; from <= said.size();) {
-    const std::size_t to = std::min(said.find_first_of("|;", from), said.size());
-    const std::string word = said.substr(from, to - from);
-    if (known.find(" " + word + " ") == std::string::npos && !word.empty()) return word;
-    from = to + 1;
-  }
-  return {};
-}
-
-std::string key_nearest_to(const std::string& key) {
-  static const std::map<std::string, std::string> worn = [] {
-    std::map<std::string, std::string> keys;
-    for (const auto& [told, use] : told_keys())
-      each_worn(told, [&, &meant = told](const std::string& each) { keys.emplace(each, meant); });
-    return keys;
-  }();
-  std::string small;
-  for (const char letter : key)
-    small += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  if (tag_is_told(small)) return small;
-  if (const std::string known = known_in_place_of(small); !known.empty()) return known;
-  std::string nearest;
-  if (small.size() >= shortest_misspelt)
-    each_worn(small, [&](const std::string& each) {
-      const auto found = worn.find(each);
-      if (nearest.empty() && found != worn.end()) nearest = found->second;
-    });
-  return nearest;
-}
 
 }  // namespace streetgen

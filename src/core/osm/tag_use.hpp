@@ -1,19 +1,21 @@
-// The keys of ways that importers look at, and slips in them.
+// The keys of ways that importers look at.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
+
+#include "streetgen/osm_lanes.hpp"
 
 namespace streetgen {
+
+// What becomes of each key.
+const std::map<std::string, const OsmTagUse*>& told_keys();
 
 // Does the table of tags say what becomes of this key?
 bool tag_is_told(const std::string& key);
 
-// The first word of a value, without spaces and in small letters, that means nothing there; empty:
-// none.
-std::string strange_word(const std::string& key, const std::string& said);
-
-// The known key that somebody who wrote this one means, another case or one letter away; empty:
-// none.
-std::string key_nearest_to(const std::string& key);
+// The parts of a text between marks.
+std::vector<std::string> parted(const std::string& text, const std::string& mark);
 
 }  // namespace streetgen

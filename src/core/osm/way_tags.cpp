@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "osm/tag_slip.hpp"
 #include "osm/tag_use.hpp"
 #include "streetgen/measure_text.hpp"
 #include "support/invariant.hpp"
@@ -141,28 +142,9 @@ void WayTags::name_strangers() {
       if (const std::string strange = strange_word(key, value(key)); !strange.empty())
         name(key, means_nothing(strange));
       if (key.compare(0, 14, "maxspeed:lanes") == 0) name_strange_speeds(key, word);
-    } else if (const std::string meant = key_nearest_to(key); !meant.empty())
-      name(key, "it is not known; " + meant + " is");
-    else if ((":" + key + ":").find(":lanes:") != std::string::npos)
-      name(key, key.find(":conditional") != std::string::npos ? "it holds at times only"
-                                                              : "it is not known");
+    } else if (const std::string reason = strange_key(key); !reason.empty())
+      name(key, reason);
   }
-}
-
-bool WayTags::lets_buses_in(Heading heading) const {
-  const bool contraflow = one_way() && heading == Heading::against;
-  const auto lets_in = [&](const std::string& key) {
-    const std::vector<std::string> words = parted_list(value(key));
-    return std::any_of(words.begin(), words.end(), [](const std::string& word) {
-      return !word.empty() && word != "no" && word != "none" && word != "0";
-    });
-  };
-  for (const std::string name : {"bus", "psv"}) {
-    if (contraflow && value("oneway:" + name) == "no") return true;
-    for (const std::string& base : {name, name + ":lanes", "lanes:" + name})
-      if (lets_in(key_of(base, heading)) || (!contraflow && lets_in(base))) return true;
-  }
-  return false;
 }
 
 }  // namespace streetgen

@@ -52,8 +52,6 @@ class WayTags {
   // Tags about lanes that nobody knows, keys that are misspelt, and words that mean nothing.
   void name_strangers();
   std::vector<UnreadTag> take_unread() { return std::move(unread_); }
-  // Does a tag of this heading say that buses may drive there?
-  bool lets_buses_in(Heading heading) const;
 
  private:
   // Words of a list of speeds that are none.

@@ -82,6 +82,12 @@ DirectionTexts texts_of(const std::vector<OsmLane>& lanes, bool listed_kinds) {
   return texts;
 }
 
+// A word of both directions, or one of each.
+std::string access_text(const OsmLanes& lanes) {
+  if (lanes.access_forward == lanes.access_backward) return lanes.access_forward;
+  return lanes.access_forward + "|" + lanes.access_backward;
+}
+
 struct FoundOsmLanes {
   OsmLanes lanes;
   int driving[2] = {0, 0};
@@ -89,22 +95,28 @@ struct FoundOsmLanes {
   std::vector<std::string> keys, reasons;
 };
 
-bool all_general(const std::vector<OsmLane>& lanes) {
-  return std::all_of(lanes.begin(), lanes.end(),
-                     [](const OsmLane& lane) { return lane.kind == LaneKind::general; });
+// Are all lanes those of whoever may drive there?  Of unknown lanes the access alone says it.
+bool says_no_kinds(const std::vector<OsmLane>& lanes, bool known, const std::string& access) {
+  const LaneKind usual = known ? LaneKind::general : lanes_for(access);
+  return std::all_of(lanes.begin(), lanes.end(), [&](const OsmLane& lane) {
+    return lane.kind == LaneKind::general || (lane.kind == usual && drives(usual));
+  });
 }
 
 void put_into_words(FoundOsmLanes& found) {
   const OsmLanes& lanes = found.lanes;
+  const bool plain[2] = {
+      says_no_kinds(lanes.forward, lanes.forward_known || lanes.lane_count, lanes.access_forward),
+      says_no_kinds(lanes.backward, lanes.backward_known || lanes.lane_count,
+                    lanes.access_backward)};
   // Of unknown lanes the kinds of one direction say how many the other one has.
   const bool by_kinds = lanes.direction == WayDirection::both && !lanes.forward_known &&
-                        !lanes.backward_known && !lanes.lane_count &&
-                        !(all_general(lanes.forward) && all_general(lanes.backward));
+                        !lanes.backward_known && !lanes.lane_count && !(plain[0] && plain[1]);
   for (int way = 0; way < 2; ++way) {
     const std::vector<OsmLane>& of_way = way == 0 ? lanes.forward : lanes.backward;
     found.driving[way] = static_cast<int>(std::count_if(
         of_way.begin(), of_way.end(), [](const OsmLane& lane) { return drives(lane.kind); }));
-    found.texts[way] = texts_of(of_way, by_kinds || !all_general(of_way));
+    found.texts[way] = texts_of(of_way, by_kinds || !plain[way]);
   }
   for (const UnreadTag& tag : lanes.unread) {
     found.keys.push_back(tag.key);
@@ -114,7 +126,7 @@ void put_into_words(FoundOsmLanes& found) {
 
 void give(const FoundOsmLanes& found, ReturnSetInfo* result) {
   const OsmLanes& lanes = found.lanes;
-  constexpr int count = 16;
+  constexpr int count = 17;
   Datum values[count];
   bool nulls[count] = {false};
   int next = 0;
@@ -138,6 +150,7 @@ void give(const FoundOsmLanes& found, ReturnSetInfo* result) {
     for (const DirectionTexts& texts : found.texts) text(texts.*list);
   nulls[next] = !lanes.roadway_offset;
   values[next++] = Float8GetDatum(lanes.roadway_offset.value_or(0));
+  text(access_text(lanes));
   values[next++] = texts_datum(found.keys);
   values[next++] = texts_datum(found.reasons);
   tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
@@ -158,6 +171,7 @@ STREETGEN_FUNCTION(streetgen_osm_lanes) {
   const double roadway_width = PG_GETARG_FLOAT8(6);
   const int usual_lanes = PG_GETARG_INT32(7);
   use.two_way_width = PG_GETARG_FLOAT8(8);
+  use.narrowest_of_several = PG_GETARG_FLOAT8(9);
   InitMaterializedSRF(fcinfo, 0);
   Slot<FoundOsmLanes>* slot = make_slot<FoundOsmLanes>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
@@ -175,6 +189,15 @@ STREETGEN_FUNCTION(streetgen_osm_lanes) {
   report(outcome);
   give(*slot->value, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));
   PG_RETURN_NULL();
+}
+
+STREETGEN_FUNCTION(streetgen_access_word) {
+  using namespace streetgen::pg;
+  char* said = text_to_cstring(PG_GETARG_TEXT_PP(0));
+  const char* word = "";
+  const Outcome outcome = compute([&] { word = streetgen::access_word(said); });
+  report(outcome);
+  PG_RETURN_TEXT_P(cstring_to_text(word));
 }
 
 STREETGEN_FUNCTION(streetgen_osm_tag_use) {

@@ -6,51 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "read_lanes.hpp"
+
 namespace streetgen {
 namespace osm_lanes_test {
-
-const char* letter(LaneKind kind) {
-  switch (kind) {
-    case LaneKind::bus:
-      return "bus";
-    case LaneKind::carpool:
-      return "carpool";
-    case LaneKind::cycle:
-      return "cycle";
-    case LaneKind::parking:
-      return "parking";
-    case LaneKind::closed:
-      return "closed";
-    default:
-      return "general";
-  }
-}
-
-std::string list_of(const std::vector<OsmLane>& lanes) {
-  std::string text;
-  for (const OsmLane& lane : lanes) {
-    text += (text.empty() ? "" : " ") + std::string(letter(lane.kind));
-    if (!lane.turn.empty()) text += ":" + lane.turn;
-    if (!lane.change.empty()) text += "/" + lane.change;
-    if (lane.width) text += "=" + std::to_string(*lane.width).substr(0, 4);
-  }
-  return text;
-}
-
-// Lanes of both directions, then those in the middle, then what was not read.
-std::string read(const OsmTags& tags, OsmLaneUse use = {}) {
-  const OsmLanes lanes = read_osm_lanes(tags, use);
-  std::string text = list_of(lanes.forward) + " | " + list_of(lanes.backward);
-  if (lanes.both_ways > 0) text += " | " + std::to_string(lanes.both_ways);
-  for (const UnreadTag& tag : lanes.unread) text += " ?" + tag.key;
-  return text;
-}
-
-OsmLaneUse left_hand() {
-  OsmLaneUse use;
-  use.driving_side = DrivingSide::left;
-  return use;
-}
 
 TEST(OsmLanes, LanesAmongSeveralWords) {
   EXPECT_EQ(read({{"lanes", "2"}, {"cycleway", "lane;shared_lane"}}),
@@ -344,6 +303,22 @@ TEST(OsmLanes, ListsCountAllLanesAndTagLanesThoseOfCars) {
             "general:left general general |  ?change:lanes");
 }
 
+TEST(OsmLanes, LanesOfListsThatAreCalledLane) {
+  const auto one_way = [](const char* lanes, OsmTags tags) {
+    tags.insert({{"oneway", "yes"}, {"lanes", lanes}});
+    return read(tags);
+  };
+  EXPECT_EQ(one_way("2", {{"bicycle:lanes", "||lane"}}), "general general cycle | ");
+  EXPECT_EQ(one_way("2", {{"bicycle:lanes", "||designated"}}), "general general cycle | ");
+  EXPECT_EQ(one_way("3", {{"bicycle:lanes", "||lane"}}), "general general cycle |  ?lanes");
+  for (const char* key : {"bus:lanes", "psv:lanes", "taxi:lanes"})
+    EXPECT_EQ(one_way("2", {{key, "lane|"}}), "bus general | ") << key;
+  EXPECT_EQ(one_way("2", {{"hov:lanes", "lane|"}}), "carpool general | ");
+  for (const char* key : {"access:lanes", "motor_vehicle:lanes"})
+    for (const char* word : {"|destination", "|lane", "|delivery"})
+      EXPECT_EQ(one_way("2", {{key, word}}), std::string("general general |  ?") + key) << word;
+}
+
 TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
   const OsmTags one_way = {{"oneway", "yes"}, {"lanes", "3"}};
   const auto with = [&](OsmTags tags) {
@@ -617,6 +592,17 @@ TEST(OsmLanes, LanesInTheMiddle) {
   EXPECT_EQ(read({{"lanes", "4"}, {"lanes:reversible", "2"}}), "general | general | 2");
   EXPECT_EQ(read({{"oneway", "yes"}, {"lanes", "2"}, {"lanes:both_ways", "1"}}),
             "general general |  ?lanes:both_ways");
+  EXPECT_EQ(read({{"lanes", "2"}, {"lanes:both_ways", "1"}}), "general | general | 1 ?lanes")
+      << "it does not count the lane in the middle";
+  EXPECT_EQ(read({{"lanes", "2"}, {"turn:lanes:both_ways", "left"}}),
+            "general | general | 1 ?lanes");
+  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:both_ways", "1"}}),
+            "general general | general general | 1 ?lanes");
+  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:both_ways", "1"}, {"busway:right", "lane"}}),
+            "general bus | general | 1");
+  EXPECT_EQ(read({{"lanes", "1"}, {"lanes:both_ways", "1"}}), " |  | 1");
+  EXPECT_EQ(read({{"lanes", "1"}, {"turn:lanes:both_ways", "left"}}),
+            "general | general | 1 ?lanes");
   EXPECT_EQ(read({{"oneway", "reversible"}, {"lanes", "2"}}), " |  | 2");
   EXPECT_EQ(read({{"oneway", "alternating"}, {"lanes", "1"}}), " |  | 1");
   EXPECT_EQ(read({{"oneway", "reversible"}}), " |  | 2 ?oneway");
@@ -638,11 +624,11 @@ TEST(OsmLanes, WhatIsNotReadIsNamed) {
       << "it says nothing of lanes";
   EXPECT_EQ(read({{"cycleway:right", "track"}, {"cycleway:right:lane", "exclusive"}}),
             "general | general ?cycleway:right:lane");
-  std::string wide = "20";
-  for (int i = 1; i < 14; ++i) wide += "|20";
+  std::string wide = "8";
+  for (int i = 1; i < 28; ++i) wide += "|8";
   EXPECT_EQ(
       read_osm_lanes(
-          {{"oneway", "yes"}, {"lanes", "14"}, {"width:lanes", wide}, {"placement", "left_of:1"}},
+          {{"oneway", "yes"}, {"lanes", "28"}, {"width:lanes", wide}, {"placement", "left_of:1"}},
           {})
           .unread.at(0)
           .key,

@@ -26,6 +26,10 @@ EXAMPLES = [
     ('highway=residential access=no bus=yes lanes=2', 'bus', 'bus'),
     ('highway=service access=private psv=yes lanes=2', 'bus', 'bus'),
     ('highway=residential access=no bus=yes lanes=2 busway:both=lane', 'bus', 'bus'),
+    ('highway=residential motor_vehicle=no oneway=yes lanes=2 bus:lanes=designated|designated', 'bus|bus', ''),
+    ('highway=primary oneway=yes lanes=3 lanes:psv=1 busway:left=lane', 'bus|general|general', ''),
+    ('highway=primary oneway=yes lanes=2 bicycle:lanes=||lane', 'general|general|cycle', ''),
+    ('highway=primary oneway=yes lanes=2 bus:lanes=lane|', 'bus|general', ''),
     ('highway=residential motor_vehicle=destination lanes=2', 'general', 'general'),
     ('highway=motorway_link lanes=3 lanes:backward=1', 'general|general', 'general'),
     ('highway=motorway lanes=3 hov=designated hov:lanes=designated|no|no', 'carpool|general|general', ''),
@@ -35,6 +39,8 @@ EXAMPLES = [
 ]
 DOUBTS = [
     ('highway=primary lanes=3', 'an odd number of lanes, of no direction'),
+    ('highway=primary oneway=yes lanes=3 lanes:psv=1 busway=opposite_lane', 'whether lanes counts an opposite bus lane'),
+    ('highway=primary lanes=2 lanes:both_ways=1', 'lanes and directions do not add up'),
     ('highway=primary oneway=yes lanes=2 access:lanes=private|yes', 'a lane that nobody may use'),
     ('highway=motorway_link lanes=2', 'the direction of a motorway link'),
     ('highway=primary lanes=2 turn:lanes=left|through|right', 'a list without direction on a two-way street'),

@@ -109,9 +109,9 @@ def kind_in(lists, i, reading):
     def at(key):
         return lists[key][i] if key in lists and i < len(lists[key]) else ''
     barred = any(at(key) in ('no', 'private') for key in ACCESS)
-    if at('cycleway') in ('lane', 'exclusive', 'advisory'):
+    if at('cycleway') in ('lane', 'exclusive', 'advisory') or at('bicycle') == 'lane':
         return CYCLE
-    if any(at(key) == 'designated' or barred and at(key) in USED for key in SHARED):
+    if any(at(key) in ('designated', 'lane') or barred and at(key) in USED for key in SHARED):
         return BUS
     if at('hov') in ('designated', 'lane'):
         return CARPOOL
@@ -172,6 +172,10 @@ def counts(tags, oneway, reading):
         stated[OTHER[known[0]]] = left - stated[known[0]]
         if stated[OTHER[known[0]]] < 0:
             reading.doubt('lanes and directions do not add up')
+    elif left % 2 and reading.both:
+        # The likelier reading is that lanes leaves out the lane in the middle.
+        reading.doubt('lanes and directions do not add up')
+        stated[FORWARD] = stated[BACKWARD] = (left + 1) // 2
     elif left == 1:
         # A narrow road, on which both directions use one lane.
         reading.both += 1
@@ -234,6 +238,15 @@ def put(lanes, kind, at_right):
     lanes.insert(len(lanes) if at_right else 0, kind)
 
 
+def bus_sides(tags, direction, oneway, near):
+    """The sides whose bus lanes a number of bus lanes of a direction counts; on a one-way street that of the way counts those against it too."""
+    ways = (near,) if oneway == FORWARD else (OTHER[near],) if oneway == BACKWARD else ('left', 'right')
+    said = {side: of_side(tags, 'busway', side, ways) for side in ('left', 'right')}
+    if tags.get('busway') == 'opposite_lane' and oneway is not None:
+        said[OTHER[ways[0]]] = 'opposite_lane'
+    return [side for side, value in said.items() if value == 'opposite_lane' or value == 'lane' and place(side, oneway, near)[0] == direction]
+
+
 def add_buses(tags, oneway, near, counted, reading):
     lanes = reading.lanes
     for direction in (FORWARD, BACKWARD):
@@ -244,7 +257,8 @@ def add_buses(tags, oneway, near, counted, reading):
                     buses = number(tags, name, reading)
         if buses:
             reading.states = True
-            if BUS in lanes[direction]:
+            # Tags of the sides say where the lanes are that are counted.
+            if BUS in lanes[direction] or buses == len(bus_sides(tags, direction, oneway, near)):
                 continue
             general = lanes[direction].count(GENERAL)
             if general == buses:
@@ -261,6 +275,8 @@ def add_buses(tags, oneway, near, counted, reading):
     ways = (near,) if oneway == FORWARD else (OTHER[near],) if oneway == BACKWARD else ('left', 'right')
     for side in ('left', 'right'):
         value = of_side(tags, 'busway', side, ways)
+        if value is None and oneway is not None and side not in ways and tags.get('busway') == 'opposite_lane':
+            value = 'opposite_lane'
         if value == 'opposite_lane':
             reading.states = True
             if oneway is None:
@@ -344,7 +360,8 @@ def add_parking(tags, oneway, near, reading):
 def kind_of_all(tags):
     """The kind of the lanes of a way that is shut to other cars, where it is."""
     shut = any(tags.get(key) in ('no', 'private') for key in ACCESS)
-    if tags.get('highway') == 'busway' or shut and any(tags.get(key) in USED for key in ('bus', 'psv')):
+    listed = any('designated' in value.split('|') for key, value in tags.items() if re.match('(bus|psv|taxi):lanes', key))
+    if tags.get('highway') == 'busway' or shut and (listed or any(tags.get(key) in USED for key in ('bus', 'psv'))):
         return BUS
     if tags.get('hov') == 'designated' or any(tags.get(key) == 'hov' for key in ACCESS):
         return CARPOOL
