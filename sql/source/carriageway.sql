@@ -31,8 +31,9 @@ BEGIN
         LATERAL (SELECT coalesce(m.lane_count, nullif(coalesce(streetgen.driving_lanes(m.kind_forward),
             m.lanes_forward, 0) + coalesce(streetgen.driving_lanes(m.kind_backward), m.lanes_backward, 0)
             + coalesce(m.lanes_both, 0), 0)) AS lanes) n,
-        LATERAL (SELECT streetgen._kerbside_width(m.kind_forward, m.lane_width_forward, s.cycle, s.parking)
-            + streetgen._kerbside_width(m.kind_backward, m.lane_width_backward, s.cycle, s.parking) AS kerbside) k,
+        LATERAL (SELECT streetgen._kerbside_width(m.kind_forward, m.lane_width_forward, s.lane, s.cycle, s.parking)
+            + streetgen._kerbside_width(m.kind_backward, m.lane_width_backward, s.lane, s.cycle, s.parking)
+            AS kerbside) k,
         LATERAL (SELECT CASE WHEN GeometryType(l.geom) = 'LINESTRING' THEN ST_Force2D(
             CASE ST_SRID(l.geom) WHEN srid THEN l.geom ELSE ST_Transform(l.geom, srid) END) END AS geom OFFSET 0) g,
         LATERAL (SELECT ST_Length(g.geom) AS length OFFSET 0) o

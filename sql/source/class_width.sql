@@ -58,14 +58,16 @@ CREATE OR REPLACE FUNCTION streetgen._tell_narrow_between_kerbs(model name)
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT format('parking or cycle lanes leave less than %s m for each other lane', s.narrowest),
+    RETURN QUERY SELECT format('parking, cycle or closed lanes leave less than %s m for each other lane', s.narrowest),
             NULL::text, count(*), array_agg(i.label ORDER BY i.label)
         FROM (SELECT (max(value) FILTER (WHERE name = 'lane_width_minimal'))::float8 AS narrowest,
+                (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane,
                 (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle,
                 (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking FROM setting) s,
             pg_temp._import i LEFT JOIN axis_class c USING (class),
-            LATERAL (SELECT streetgen._kerbside_width(i.kind_forward, i.lane_width_forward, s.cycle, s.parking)
-                + streetgen._kerbside_width(i.kind_backward, i.lane_width_backward, s.cycle, s.parking) AS kerbside) k
+            LATERAL (SELECT streetgen._kerbside_width(i.kind_forward, i.lane_width_forward, s.lane, s.cycle, s.parking)
+                + streetgen._kerbside_width(i.kind_backward, i.lane_width_backward, s.lane, s.cycle, s.parking)
+                AS kerbside) k
         WHERE i.width > 0 AND k.kerbside > 0
             AND c.lanes_by_width IS NOT FALSE AND i.access IS DISTINCT FROM 'no' AND i.access IS DISTINCT FROM 'cycle'
             AND least(i.width, i.width_end) - k.kerbside < s.narrowest * greatest(1, i.lane_count,
@@ -74,5 +76,5 @@ BEGIN
         GROUP BY s.narrowest;
 END $$;
 COMMENT ON FUNCTION streetgen._tell_narrow_between_kerbs(name) IS
-    'Tells the lines of an import whose stated width, less their parking and cycle lanes, has no room for their other '
-    'lanes, or for one.';
+    'Tells the lines of an import whose stated width, less their parking, cycle and closed lanes, has no room for '
+    'their other lanes, or for one.';

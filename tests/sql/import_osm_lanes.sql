@@ -40,7 +40,7 @@ SELECT format('way %s: %s', way, v.kinds), s.kinds = v.kinds FROM seen s JOIN (V
   (19, '- / -'), (62, '- / -'), (63, '- / -'), (64, '- / -'), (65, 'closed|general / -')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'one lane for both directions lies where lanes of the kerbs leave no room for two: way ' || way, (forward, backward, both_ways, s.kinds) = (0, 0, 1, v.kinds) FROM seen s JOIN (VALUES (44, 'parking / parking'), (45, 'parking / -'), (46, 'cycle / cycle'), (47, '- / parking')) v(way, kinds) USING (way) ORDER BY way;
 SELECT 'parking across the street leaves its lanes what is there', array_agg(round(across::numeric, 2) ORDER BY way) = '{10,13}' AND bool_and((forward, backward, both_ways) = (0, 0, 1)) FROM seen WHERE way IN (50, 51);
-SELECT 'streets of which the kerbs leave no room for the other lanes are told', source_refs = '{52,53,60,61}' AND count = 4 FROM report WHERE what = 'parking or cycle lanes leave less than 2 m for each other lane';
+SELECT 'streets of which the kerbs leave no room for the other lanes are told', source_refs = '{52,53,60,61}' AND count = 4 FROM report WHERE what = 'parking, cycle or closed lanes leave less than 2 m for each other lane';
 SELECT 'lists speak of lanes one by one', (turn_forward, lane_width_forward) = ('left|through|through|right', '3|3|1.5|3.5') FROM seen WHERE way = 3;
 SELECT 'a width of the cycle lane alone', lane_width_forward = '||2.25' FROM seen WHERE way = 22;
 SELECT 'a lane for cycling against the traffic leaves lanes of cars no narrower than they are', (forward, backward) = (1, 0) AND across - 1.5 BETWEEN 2.4 AND 4.5 FROM seen WHERE way = 5;
@@ -89,6 +89,11 @@ SELECT 'and are as wide as the same street for all: way ' || b.way, (b.width, b.
 SELECT 'one way they have one lane, stated or not: way ' || way, (width, lanes) = (3.5, 1) FROM bus_street WHERE way > 20 ORDER BY way;
 SELECT 'column access says so too', count(*) = 11 AND bool_and(access = 'bus') FROM buses.axis WHERE source_ref NOT IN ('5', '15');
 SELECT 'nothing of them is told as not understood', NOT EXISTS (SELECT FROM buses.unread_tag);
+-- Closed lanes count in every sum of what lies beside the lanes of cars.
+SELECT 'widths of lanes that no motor traffic has', streetgen._kerbside_width(kinds, widths, 3.5, 1.5, 2) = sum FROM (VALUES ('closed|general', NULL, 3.5), ('closed|general|cycle', '2.5||', 4.0), ('closed|general', '3', 3.5), ('parking|general|cycle', NULL, 3.5), ('general', NULL, 0), (NULL, NULL, 0)) v(kinds, widths, sum);
+INSERT INTO bus_line (way_id, class, tags, geom) VALUES (30, 'residential', '{"oneway": "yes", "lanes": "2", "width": "4.5", "access:lanes": "no|yes"}', 'SRID=32631;LINESTRING(0 9000, 120 9000)');
+CREATE TABLE closed_report AS SELECT * FROM streetgen.import_osm('buses', 'bus');
+SELECT 'a closed lane that leaves too little is told', (SELECT source_refs FROM closed_report WHERE what LIKE 'parking, cycle or closed lanes leave less%') = '{30}';
 -- Areas, and levels that nobody builds.
 INSERT INTO bus_line (way_id, class, tags, geom) VALUES (31, 'residential', '{"area": "yes"}', 'SRID=32631;LINESTRING(0 9100, 120 9100)'), (32, 'residential', '{"area": "no", "layer": "99"}', 'SRID=32631;LINESTRING(0 9200, 120 9200)'), (33, 'residential', '{"layer": "-10"}', 'SRID=32631;LINESTRING(0 9300, 120 9300)');
 CREATE TABLE area_report AS SELECT * FROM streetgen.import_osm('buses', 'bus');

@@ -109,35 +109,28 @@ CREATE OR REPLACE FUNCTION streetgen.kerbside_width(kinds text, cycle_lane_width
 COMMENT ON FUNCTION streetgen.kerbside_width(text, float8, float8) IS
     'Width in metres of the cycle and parking lanes of a list of kinds. NULL for NULL.';
 
-CREATE OR REPLACE FUNCTION streetgen._listed_kerbside_width(kinds text, widths text, cycle_lane_width float8,
-    parking_lane_width float8) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._listed_kerbside_width(kinds text, widths text, lane_width float8,
+    cycle_lane_width float8, parking_lane_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN (SELECT sum(coalesce(nullif(CASE cardinality(said) WHEN lanes THEN nullif(said[place], '')::float8 END, 0),
-            CASE kind WHEN 'cycle' THEN cycle_lane_width ELSE parking_lane_width END))
+            CASE kind WHEN 'cycle' THEN cycle_lane_width WHEN 'parking' THEN parking_lane_width ELSE lane_width END))
         FROM (SELECT string_to_array(widths, '|') AS said) s,
             (SELECT kind, place, count(*) OVER () AS lanes
             FROM unnest(string_to_array(kinds, '|')) WITH ORDINALITY k(kind, place)) l
-        WHERE kind IN ('cycle', 'parking'));
-COMMENT ON FUNCTION streetgen._listed_kerbside_width(text, text, float8, float8) IS
-    'streetgen.kerbside_width of lanes with a list of widths, which leaves some open, or speaks of the others alone. '
+        WHERE kind IN ('cycle', 'parking', 'closed'));
+COMMENT ON FUNCTION streetgen._listed_kerbside_width(text, text, float8, float8, float8) IS
+    'streetgen._kerbside_width of lanes with a list of widths, which leaves some open, or speaks of the others alone. '
     'NULL where there are none.';
 
-CREATE OR REPLACE FUNCTION streetgen._kerbside_width(kinds text, widths text, cycle_lane_width float8,
-    parking_lane_width float8) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._kerbside_width(kinds text, widths text, lane_width float8,
+    cycle_lane_width float8, parking_lane_width float8) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce(CASE WHEN widths IS NULL THEN streetgen.kerbside_width(kinds, cycle_lane_width, parking_lane_width)
-        ELSE streetgen._listed_kerbside_width(kinds, widths, cycle_lane_width, parking_lane_width) END, 0);
-COMMENT ON FUNCTION streetgen._kerbside_width(text, text, float8, float8) IS
-    'Width in metres of the cycle and parking lanes of a direction with these kinds and widths of lanes, each as wide '
-    'as it says, else as the settings do; 0 where there are none.';
-
-CREATE OR REPLACE FUNCTION streetgen._closed_lanes(kind_forward text, kind_backward text) RETURNS integer
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN kind_forward LIKE '%closed%' OR kind_backward LIKE '%closed%'
-        THEN cardinality(array_positions(string_to_array(concat_ws('|', kind_forward, kind_backward), '|'), 'closed'))
-        ELSE 0 END;
-COMMENT ON FUNCTION streetgen._closed_lanes(text, text) IS
-    'How many lanes of a street are closed to all traffic, by the lists of kinds of both directions.';
+    RETURN coalesce(CASE WHEN widths IS NULL AND (kinds LIKE '%closed%') IS NOT TRUE
+        THEN streetgen.kerbside_width(kinds, cycle_lane_width, parking_lane_width)
+        ELSE streetgen._listed_kerbside_width(kinds, widths, lane_width, cycle_lane_width, parking_lane_width) END, 0);
+COMMENT ON FUNCTION streetgen._kerbside_width(text, text, float8, float8, float8) IS
+    'Width in metres of the lanes of a direction on which no motor traffic drives, with these kinds and widths of '
+    'lanes: cycle, parking and closed lanes, each as wide as it says, else as the settings do; 0 where there are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._kinds_beside_parking(driving integer, parking_left float8, parking_right float8)
     RETURNS text

@@ -130,9 +130,9 @@ LEFT JOIN LATERAL (
             coalesce(width_usual, width_default)) END AS least_width HAVING true) m ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,
-    streetgen._kerbside_width(kind_forward, lane_width_forward, cycle_lane_width, parking_lane_width)
-        + streetgen._kerbside_width(kind_backward, lane_width_backward, cycle_lane_width, parking_lane_width)
-        + streetgen._closed_lanes(kind_forward, kind_backward) * lane_width AS kerbside,
+    streetgen._kerbside_width(kind_forward, lane_width_forward, lane_width, cycle_lane_width, parking_lane_width)
+        + streetgen._kerbside_width(kind_backward, lane_width_backward, lane_width, cycle_lane_width,
+            parking_lane_width) AS kerbside,
     CASE WHEN parks THEN class_parking_left + class_parking_right ELSE 0 END AS parking) stated
 -- Lanes of the kerbs lie beside those that lane_count counts.
 LEFT JOIN LATERAL (

@@ -106,22 +106,24 @@ CREATE OR REPLACE FUNCTION streetgen._wide_by_hand(model name, axes bigint[])
 #variable_conflict use_column
 DECLARE
     bound float8;
+    lane float8;
     cycle_lane float8;
     parking_lane float8;
 BEGIN
     PERFORM streetgen._use_model(model);
     SELECT (max(value) FILTER (WHERE name = 'max_width_per_lane'))::float8,
+        (max(value) FILTER (WHERE name = 'lane_width'))::float8,
         (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8,
         (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 FROM setting
-        INTO bound, cycle_lane, parking_lane;
+        INTO bound, lane, cycle_lane, parking_lane;
     RETURN QUERY SELECT a.axis_id, w.attribute, w.width, a.lane_count
         FROM axis a LEFT JOIN axis_class c ON c.class = a.kind,
             LATERAL (VALUES ('width', a.width), ('width_end', a.width_end)) w(attribute, width)
         WHERE a.axis_id = ANY (axes) AND (a.width_by_hand OR a.source IS NULL) AND c.lanes_by_width IS NOT FALSE
             AND NOT streetgen._names_ring(a.roundabout_tag)
             AND streetgen.believed_width(w.width
-                - streetgen._kerbside_width(a.kind_forward, a.lane_width_forward, cycle_lane, parking_lane)
-                - streetgen._kerbside_width(a.kind_backward, a.lane_width_backward, cycle_lane, parking_lane),
+                - streetgen._kerbside_width(a.kind_forward, a.lane_width_forward, lane, cycle_lane, parking_lane)
+                - streetgen._kerbside_width(a.kind_backward, a.lane_width_backward, lane, cycle_lane, parking_lane),
                 a.lane_count, bound) IS NULL AND w.width IS NOT NULL ORDER BY 1, 2;
 END $$;
 COMMENT ON FUNCTION streetgen._wide_by_hand(name, bigint[]) IS
