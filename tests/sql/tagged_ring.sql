@@ -33,6 +33,15 @@ SELECT streetgen.set('town', 'roundabout_untagged', 'offered') \g /dev/null
 SELECT FROM streetgen.generate('town');
 SELECT 'where the silence of a source counts, the block is offered', (SELECT array_agg(accepted ORDER BY ST_X(centre)) = '{t,f}' FROM town.roundabout);
 SELECT 'its streets go both ways', (SELECT bool_and(lanes_forward = 1 AND lanes_backward = 1) FROM town.edge WHERE axis_id IN (11, 12));
+SELECT 'nothing is told of a tagged ring that is one', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'roundabout of a source without a ring');
+SELECT streetgen.set('town', 'roundabout_radius_greatest', '20') \g /dev/null
+SELECT FROM streetgen.generate('town');
+SELECT 'a tagged ring that is wider than the setting is told', (SELECT array_agg(id ORDER BY id) = '{1,2}' FROM streetgen.check_model('town') WHERE rule = 'roundabout of a source without a ring');
+SELECT streetgen.set('town', 'roundabout_tags', 'false') \g /dev/null
+SELECT FROM streetgen.generate('town');
+SELECT 'but not where tags do not count', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'roundabout of a source without a ring');
+SELECT streetgen.set('town', 'roundabout_tags', 'true'), streetgen.set('town', 'roundabout_radius_greatest', '60') \g /dev/null
+SELECT FROM streetgen.generate('town');
 UPDATE town.roundabout_editing SET confirmed = true WHERE NOT accepted;
 SELECT 'confirmed, traffic goes round it', (SELECT bool_and(accepted) FROM town.roundabout) AND (SELECT bool_and(least(lanes_forward, lanes_backward) = 0) FROM town.edge WHERE axis_id IN (11, 12));
 DELETE FROM town.roundabout_override;

@@ -29,6 +29,12 @@ BEGIN
         FROM roundabout r JOIN roundabout_arm n USING (roundabout_id)
             JOIN edge e ON e.edge_id = n.edge_id
         WHERE r.accepted AND lanes_forward + lanes_backward + lanes_both = 0
+    UNION ALL
+    SELECT 'warning', 'roundabout of a source without a ring', 'axis', a.axis_id, round(ST_Length2D(a.geom)), a.geom
+        FROM axis a WHERE streetgen._names_ring(a.roundabout_tag)
+            AND EXISTS (SELECT FROM setting WHERE name = 'roundabout_tags' AND value = 'true')
+            AND EXISTS (SELECT FROM edge e WHERE e.axis_id = a.axis_id)
+            AND NOT EXISTS (SELECT FROM edge e JOIN roundabout_edge n USING (edge_id) WHERE e.axis_id = a.axis_id)
     LOOP
         RETURN NEXT finding;
     END LOOP;
@@ -51,5 +57,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'a source states a direction against the sense of the ring, and it holds',
         'mend the direction, or say in `roundabout_editing` that it is none'),
     ('arm of a roundabout that nobody may enter or leave', 'the edge has no lane for cars', 'mend its lanes'),
+    ('roundabout of a source without a ring',
+        'an axis is part of a roundabout by its tag, but its ring is open, or wider than setting '
+        '`roundabout_radius_greatest`', 'close the ring, raise the setting, or take `roundabout_tag` away'),
     ('roundabout override without its ring', 'no ring of the bounds of the settings lies about it',
         'move or delete the override');
