@@ -131,6 +131,7 @@ struct LaneSettings {
   bool edge_lines = false;         // separators along the kerbs too
   double kerb_radius_minimal = 0;  // metres, as the kerbs of the sections have it
   double control_distance = 50;    // metres before a node within which its control points stand
+  double line_before_kerb = 0.5;   // metres from a line to the roadway before which it lies
 };
 
 struct Lane {
@@ -184,6 +185,8 @@ struct LaneSeparator {
 MultiPolygon paint_of(const LaneSeparator& separator);
 
 enum class MarkingKind { stop, yield, arrow };
+
+constexpr double stop_line_width = 0.5;  // metres along the lane, of yield lines too
 
 struct Marking {
   MarkingKind kind = MarkingKind::arrow;

@@ -20,7 +20,8 @@ SELECT 'protected movements neither cross nor merge', NOT EXISTS (SELECT FROM to
   JOIN town.signal_movement p ON (p.lane_in, p.lane_out) = (a.lane_in, a.lane_out) JOIN town.signal_movement q ON (q.lane_in, q.lane_out) = (b.lane_in, b.lane_out)
   WHERE (p.controller_id, p.ordinality) = (q.controller_id, q.ordinality) AND p.right_of_way = 'protected' AND q.right_of_way = 'protected');
 SELECT 'left turns give way, nothing else does', bool_and((turn = 'left') = (right_of_way = 'permitted')) FROM town.signal_movement JOIN town.movement USING (lane_in, lane_out);
-SELECT 'heads stand where lanes end', count(*) = 40 AND bool_and(ST_DWithin(h.geom, l.geom, 1e-9)) FROM town.signal_head h JOIN town.lane l USING (lane_id);
+SELECT 'heads stand at the stop lines', count(*) = 40 AND bool_and(ST_DWithin(h.geom, ST_LineInterpolatePoint(m.geom, 0.5), 1e-9))
+  FROM town.signal_head h JOIN town.lane l USING (lane_id) JOIN town.marking m ON (m.edge_id, m.lane_position, m.along_axis, m.kind) = (l.edge_id, l.lane_position, h.along_axis, 'stop');
 SELECT 'they say whether somebody mapped the signals', bool_and(method = 'hypothesis') FROM town.controller;
 SELECT 'check_model has nothing to say of them', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation LIKE 'controller%' OR severity = 'error');
 CREATE TABLE before AS SELECT * FROM test.content('town') UNION ALL SELECT s::text FROM town.signal_state s UNION ALL SELECT m::text FROM town.signal_movement m UNION ALL SELECT c::text FROM town.controller c;

@@ -68,7 +68,11 @@ AND NOT EXISTS (SELECT FROM street_object o JOIN pedestrian_crossing USING (stre
 
 --{crossings_of_objects
 SELECT e.edge_id, c.surface AS ground
-FROM edge e JOIN section s USING (edge_id) JOIN pedestrian_crossing c ON c.surface && s.surface
+FROM edge e JOIN section s USING (edge_id)
+    -- Lines may lie beyond the section.
+    CROSS JOIN LATERAL (SELECT ST_Extent(w.part)::geometry AS box FROM (SELECT s.surface AS part UNION ALL
+        SELECT coalesce(m.free_geom, m.geom) FROM marking m WHERE m.edge_id = e.edge_id AND m.kind <> 'arrow') w) reach
+    JOIN pedestrian_crossing c ON c.surface && reach.box
     JOIN street_object o USING (street_object_id) JOIN axis a ON a.axis_id = o.axis_id AND a.level = e.level
 WHERE {chosen}
 UNION ALL {crossings_of_controls}

@@ -88,7 +88,7 @@ CREATE INDEX marking_surface ON :"model".marking USING gist (surface);
 COMMENT ON TABLE :"model".marking IS
     'What is painted on a lane: a stop or yield line where it leads to a roundabout or a more important street (of a '
     'lane for both directions, across the half on which one comes), an arrow in its direction with the turns that it '
-    'allows. What a crossing of the street is in the way of lies before the crossing';
+    'allows. A line lies before the kerb of the street crossed. What a crossing is in the way of lies before that';
 COMMENT ON COLUMN :"model".marking.marking_id IS 'key';
 COMMENT ON COLUMN :"model".marking.edge_id IS 'the edge';
 COMMENT ON COLUMN :"model".marking.lane_position IS 'position of the lane';

@@ -289,7 +289,7 @@ class LaneBuilder {
 
   Lanes run() {
     const std::vector<NodeRank> ranks = ranks_of(streets_, ends_that_traffic_comes_by());
-    const RingEntries rings(streets_, wishes_);
+    const WaitingPlaces waiting(streets_, wishes_, settings_.line_before_kerb);
     Lanes out;
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
       if (!meets_affected(e)) continue;
@@ -313,7 +313,7 @@ class LaneBuilder {
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
-      append_end_markings(streets_, ranks, controls_, rings, strip, crossed, made.lanes,
+      append_end_markings(streets_, ranks, controls_, waiting, strip, crossed, made.lanes,
                           settings_.driving_side, out.markings);
       if (!crossed) append_arrows(geos_, streets_, made.lanes, out.markings);
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));

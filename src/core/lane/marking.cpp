@@ -15,8 +15,8 @@ namespace {
 
 // Metres.
 constexpr double stripe = 0.1, dash = 1.5, gap = 5;
-constexpr double longest_dashed = 1e5;  // beyond it dashes would be without number
-constexpr double stop_width = 0.5, yield_dash = 0.5, stop_room = 1;  // of a section, for the line
+constexpr double longest_dashed = 1e5;             // beyond it dashes would be without number
+constexpr double yield_dash = 0.5, stop_room = 1;  // of a section, for the line
 constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
 constexpr double arrow_lane = 2.5;      // the lane width that an arrow of full size asks for
 constexpr double arrow_before_end = 5;  // a crossing before the line has its room
@@ -190,16 +190,27 @@ std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank
 }
 
 // Across a lane where it ends, or so many metres before that.
-RingEntries::Place before_end(const LaneStrip& strip, const Lane& lane, bool at_start,
-                              double before) {
+WaitingPlaces::Place before_end(const LaneStrip& strip, const Lane& lane, bool at_start,
+                                double before) {
   const double total = length(lane.line);
-  const Line end = at_start ? substring(lane.line, before, before + stop_width)
-                            : substring(lane.line, total - before, total - before - stop_width);
+  const Line end = at_start
+                       ? substring(lane.line, before, before + stop_line_width)
+                       : substring(lane.line, total - before, total - before - stop_line_width);
   const Line& border = at_start ? strip.from_border : strip.to_border;
   const Point middle = end.front() + (end.back() - end.front()) * 0.5;
   if (before == 0) return {middle, unit(border[1] - border[0])};
   const Point away = left_normal(unit(end.back() - end.front()));
   return {middle, at_start ? away * -1 : away};
+}
+
+// The metres along the way of a lane to its line; where the way ends if it lies beyond that.
+std::optional<double> waits_at(const std::vector<Marking>& lines, const Lane& lane,
+                               const Line& way) {
+  for (auto line = lines.rbegin(); line != lines.rend() && line->edge == lane.edge; ++line)
+    if (line->position == lane.position && line->along_axis == lane.along_axis &&
+        line->kind != MarkingKind::arrow)
+      return nearest_abscissa((line->line.front() + line->line.back()) * 0.5, way);
+  return std::nullopt;
 }
 
 }  // namespace
@@ -241,7 +252,7 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 }
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
-                         const std::vector<EndControl>& controls, const RingEntries& rings,
+                         const std::vector<EndControl>& controls, const WaitingPlaces& waiting,
                          const LaneStrip& strip, bool limits_crossed,
                          const std::vector<Lane>& lanes, DrivingSide driving_side,
                          std::vector<Marking>& out) {
@@ -255,16 +266,18 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     const std::optional<MarkingKind> kind =
         end_marking(controls[2 * e + (at_start ? 0 : 1)], ranks[node],
                     streets.roadways[e].importance - ranks[node].importance,
-                    rings.on_ring(e) || ranks[node].merging_link == e);
+                    waiting.on_ring(e) || ranks[node].merging_link == e);
     if (!kind) continue;
-    const bool at_ring = rings.enters(e, at_start);
+    const bool at_ring = waiting.enters_ring(e, at_start);
+    const bool has_room = room >= (at_ring ? 1 : 2) * stop_room;
     const double shared = streets.limits[2 * e + (at_start ? 0 : 1)].shared;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;
       if (!comes || !lane.reaches(at_start) || !painted(lane)) continue;
-      std::optional<RingEntries::Place> place;
-      if (at_ring) place = rings.before_ring(strip, lane, at_start, limits_crossed);
-      if (!place && room >= (at_ring ? 1 : 2) * stop_room)
+      std::optional<WaitingPlaces::Place> place;
+      if (at_ring || has_room)
+        place = waiting.before_roadway(strip, lane, at_start, limits_crossed);
+      if (!place && has_room)
         place = before_end(strip, lane, at_start,
                            std::min(shared, std::max(0.0, length(lane.line) - 2 * stop_room)));
       if (!place) continue;
@@ -286,7 +299,7 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
       for (const auto& [from, to] : spans) {
         const Line piece = substring(marking.line, from, to);
         marking.surface.push_back(
-            {quad(piece.front(), piece.back(), left_normal(unit(across)) * (stop_width / 2))});
+            {quad(piece.front(), piece.back(), left_normal(unit(across)) * (stop_line_width / 2))});
       }
       out.push_back(std::move(marking));
     }
@@ -301,7 +314,9 @@ void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& 
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const Edge& edge = streets.network.edges[lane.edge];
     const double total =
-        length(way) - streets.limits[2 * lane.edge + (lane.along_axis ? 1 : 0)].shared;
+        waits_at(out, lane, way)
+            .value_or(length(way) -
+                      streets.limits[2 * lane.edge + (lane.along_axis ? 1 : 0)].shared);
     if (total < reach) continue;
     const double tip =
         total > 2 * (reach + arrow_before_end) ? total - arrow_before_end : (total + reach) / 2;

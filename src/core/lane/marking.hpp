@@ -7,7 +7,7 @@
 #include "geometry/geos.hpp"
 #include "lane/end_control.hpp"
 #include "lane/lane_layout.hpp"
-#include "lane/ring_entry.hpp"
+#include "lane/waiting_place.hpp"
 #include "streetgen/lane.hpp"
 
 namespace streetgen {
@@ -29,17 +29,17 @@ std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& 
 // goes before signals and classes, and leaves signs: signals, stop lines; stop, one where another
 // edge is more important, and on all where none is and no end has a stop sign; priority, a yield
 // line there; right_before_left, no line at all.  None on parking and very narrow lanes.  Of a lane
-// for both directions, across the half on which one comes.  The line lies where the lane ends,
-// where its section shares ground before that, and at a roundabout where the ring begins; only such
-// a line lies where limits crossed. `controls` by slot, as end_controls gives them.
+// for both directions, across the half on which one comes.  The line lies as WaitingPlaces
+// says; else where the lane ends, or where its section shares ground before that.  Only lines of
+// roundabouts lie where limits crossed.  `controls` by slot, as end_controls gives them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
-                         const std::vector<EndControl>& controls, const RingEntries& rings,
+                         const std::vector<EndControl>& controls, const WaitingPlaces& waiting,
                          const LaneStrip& strip, bool limits_crossed,
                          const std::vector<Lane>& lanes, DrivingSide driving_side,
                          std::vector<Marking>& out);
 
-// The way that each lane runs, and the turns that it allows: before its end, or in the middle of
-// a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor
+// The way that each lane runs, and the turns that it allows: before its line in `out` and its end,
+// or in the middle of a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor
 // on lanes for both directions.
 void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& lanes,
                    std::vector<Marking>& out);

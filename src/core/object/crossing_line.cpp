@@ -11,7 +11,7 @@ namespace streetgen {
 namespace {
 
 // Metres.
-constexpr double half_line = 0.25;
+constexpr double half_line = stop_line_width / 2;
 constexpr double room_of_car = 6;  // between two crossings, or a crossing and the line behind it
 constexpr double arrow_before_line = 2;
 constexpr double equally_near = 0.01;
@@ -86,12 +86,38 @@ std::optional<double> first_of_arm(std::vector<Stretch> crossings, const DrivenL
   return first;
 }
 
+// From a place with one direction to a place with another.
+Slide slide_to(const Point& was, const Point& before, const Point& now, const Point& direction) {
+  const double cosine = dot(before, direction), sine = cross(before, direction);
+  return {cosine, sine, now - Point{cosine * was.x - sine * was.y, sine * was.x + cosine * was.y}};
+}
+
 // From a stretch of the way to one that begins elsewhere.
 Slide slide_along(const Way& way, const Stretch& old, double from) {
   const Point was = way.at(old.from), now = way.at(from);
-  const Point before = unit(way.at(old.to) - was), direction = unit(way.at(from + old.size()) - now);
-  const double cosine = dot(before, direction), sine = cross(before, direction);
-  return {cosine, sine, now - Point{cosine * was.x - sine * was.y, sine * was.x + cosine * was.y}};
+  return slide_to(was, unit(way.at(old.to) - was), now, unit(way.at(from + old.size()) - now));
+}
+
+// A line that lies beyond the end of its lane may follow a bend there.  It comes to lie square to
+// the way, on the half of the lane where it lay if it takes no more: that ends in the middle of the
+// lane, to which the way leads on in an even bend.
+Slide slide_square(const Way& way, double width, const Line& line, double place) {
+  const auto direction_at = [&](double metres) {
+    return unit(way.at(metres + half_line) - way.at(metres - half_line));
+  };
+  const Point middle = (line.front() + line.back()) * 0.5;
+  const double left_at = std::min(way.metres_to(middle), way.size());
+  const Point across = unit(line.back() - line.front()), leaves = direction_at(left_at);
+  const Point along = left_normal(across) * std::copysign(1.0, cross(across, leaves));
+  const auto beside = [&](const Point& end) {
+    return std::abs(cross(unit(leaves + along), end - way.at(left_at)));
+  };
+  const Point aside = across * (std::max(0.0, width - distance(line.front(), line.back())) / 2 *
+                                (beside(line.front()) < beside(line.back()) ? 1 : -1));
+  const Point direction = direction_at(place);
+  return slide_to(middle, along,
+                  way.at(place) + left_normal(direction) * dot(aside, left_normal(along)),
+                  direction);
 }
 
 }  // namespace
@@ -114,7 +140,7 @@ std::vector<LaidPaint> lay_before_crossings(const DrivenLane& lane,
     const double wanted = *first - rules.ahead - half_line;
     if (middle <= wanted) continue;
     const double place = std::max(wanted, half_line);
-    laid[i].slide = slide_along(way, {middle - half_line, middle + half_line}, place - half_line);
+    laid[i].slide = slide_square(way, lane.width, line, place);
     laid[i].has_room = place + half_line <= *first;
     last_tip = std::min(last_tip, place - half_line - arrow_before_line);
   }

@@ -118,6 +118,7 @@ LaneSettings lane_settings_of(const Settings& given) {
   settings.edge_lines = given.choice<bool>("edge_line", {{"none", false}, {"solid", true}});
   settings.kerb_radius_minimal = given.measure_or_none("kerb_radius_minimal");
   settings.control_distance = given.measure("control_distance");
+  settings.line_before_kerb = given.measure("line_before_kerb");
   return settings;
 }
 

@@ -128,5 +128,21 @@ TEST(CrossingLine, TurnsWithItsLane) {
   EXPECT_NEAR(std::atan2(left.x, 40 - left.y) * 40, length(way) - 12 - 1.25, 0.05);
 }
 
+// Beyond the end of the lane the street bends by 30 degrees.
+TEST(CrossingLine, ComesToLieSquareToItsLaneFromBeyondABend) {
+  const double angle = 30 * M_PI / 180;
+  const Point middle{93, -1, 0}, half{-1.5 * std::sin(angle), 1.5 * std::cos(angle), 0};
+  for (const double share : {1.0, 0.5}) {
+    const PaintOnLane bent{{middle - half, middle - half + half * (2 * share)}};
+    const auto all = lay_before_crossings(along, {ground({86, 4, 0})}, {bent}, {});
+    const Point right = moved(*all[0].slide, bent.line.front()),
+                left = moved(*all[0].slide, bent.line.back());
+    EXPECT_NEAR(right.x, 84 - 1 - 0.25, 1e-9) << share;
+    EXPECT_NEAR(left.x, 84 - 1 - 0.25, 1e-9) << share;
+    EXPECT_NEAR(left.y - right.y, 3 * share, 1e-9) << share;
+    EXPECT_NEAR(right.y, -3.5, 1e-9) << share;
+  }
+}
+
 }  // namespace crossing_line_test
 }  // namespace streetgen
