@@ -74,7 +74,7 @@ END $$;
 CREATE FUNCTION ring_lines() RETURNS text LANGUAGE sql AS
   $$ SELECT string_agg(format('%s:%s', axis_id, m.kind), ' ' ORDER BY axis_id, m.kind) FROM ring.marking m JOIN ring.edge USING (edge_id) WHERE m.kind <> 'arrow' $$;
 SELECT 'each arm of a tagged ring yields, whatever its class, and the ring does not', ring_lines() = '2:yield 3:yield 4:yield 5:yield';
-SELECT 'these lines lie at the ring, not on it', min(off) BETWEEN 0.2 AND 0.3 AND max(off) < 1.5 FROM (SELECT ST_Distance(m.surface, 'SRID=2154;POINT(660000 6860000)') - 23 AS off FROM ring.marking m WHERE kind = 'yield') m;
+SELECT 'these lines lie at the ring, not on it', min(off) BETWEEN 0.45 AND 0.55 AND max(off) < 1.75 FROM (SELECT ST_Distance(m.surface, 'SRID=2154;POINT(660000 6860000)') - 23 AS off FROM ring.marking m WHERE kind = 'yield') m;
 INSERT INTO ring.control_point (geom, kind) VALUES ('SRID=2154;POINT(659970 6860000)', 'stop');
 SELECT 'a stop sign at an arm holds', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
 SELECT 'a ring is the same from scratch', test.followed('ring', 'ring_anew');
