@@ -45,7 +45,8 @@ BEGIN
     -- Stop and yield lines, and signals as lines one metre wide.
     painted AS MATERIALIZED (
         SELECT m.marking_id AS key, 3 AS source, m.edge_id, m.lane_position, m.along_axis, m.kind, m.geom
-        FROM marking m WHERE m.kind IN ('stop', 'yield') AND m.edge_id IN (SELECT edge_id FROM drawn)
+        FROM marking m WHERE m.kind IN ('stop', 'yield') AND NOT ST_IsEmpty(m.surface)
+            AND m.edge_id IN (SELECT edge_id FROM drawn)
         UNION ALL SELECT h.lane_id, 4, l.edge_id, l.lane_position, h.along_axis, 'light',
             ST_MakeLine(ST_Translate(h.geom, -cos(radians(angle)) / 2, sin(radians(angle)) / 2),
                 ST_Translate(h.geom, cos(radians(angle)) / 2, -sin(radians(angle)) / 2))
@@ -95,21 +96,22 @@ BEGIN
             UNION ALL SELECT c.road_id, 1, NULL, c.type, c.speed, true, a.id, NULL, c.node_id, c.lane_in, c.in_end
             FROM connecting c JOIN bound a ON (a.source, a.key, a.number) = (2, c.road_id, 1)) l
             JOIN streetgen._lanelet2_lane_class() k USING (type)),
-    -- Traffic that comes over a line gives way to that which comes over none.
+    -- Traffic that comes over a line, painted or not, gives way to that which comes over none.
     obeying AS MATERIALIZED (
-        SELECT w.id, n.place_id, p.id AS line_id FROM lanelet w JOIN joined_node n USING (node_id)
-            JOIN lane l ON l.lane_id = w.lane_in
-            LEFT JOIN painted_bound p ON p.source = 3
-                AND (p.edge_id, p.lane_position, p.along_axis) = (l.edge_id, l.lane_position, w.along_in)
+        SELECT w.id, n.place_id, p.id AS line_id, m.marking_id IS NOT NULL AS yields
+        FROM lanelet w JOIN joined_node n USING (node_id) JOIN lane l ON l.lane_id = w.lane_in
+            LEFT JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis) = (l.edge_id, l.lane_position, w.along_in)
+                AND m.kind IN ('stop', 'yield')
+            LEFT JOIN painted_bound p ON (p.source, p.key) = (3, m.marking_id)
         WHERE n.place_id NOT IN (SELECT place_id FROM streetgen._places(model, options) WHERE kind = 'signals')),
     regulating AS MATERIALIZED (
         SELECT *, (SELECT max(id) FROM lanelet) + row_number() OVER (ORDER BY source, key, way) AS id
         FROM (SELECT 1 AS source, place_id AS key, NULL::boolean AS way, array_agg(id ORDER BY id) AS lanelets,
                 string_agg('<member type="relation" ref="' || id || '" role="'
-                    || CASE WHEN line_id IS NULL THEN 'right_of_way' ELSE 'yield' END || '"/>', '' ORDER BY id)
-                || string_agg(DISTINCT '<member type="way" ref="' || line_id || '" role="ref_line"/>', '')
+                    || CASE WHEN yields THEN 'yield' ELSE 'right_of_way' END || '"/>', '' ORDER BY id)
+                || coalesce(string_agg(DISTINCT '<member type="way" ref="' || line_id || '" role="ref_line"/>', ''), '')
                 || streetgen._lanelet2_tags('{type,subtype}', '{regulatory_element,right_of_way}') AS text
-            FROM obeying GROUP BY place_id HAVING count(line_id) BETWEEN 1 AND count(*) - 1
+            FROM obeying GROUP BY place_id HAVING count(*) FILTER (WHERE yields) BETWEEN 1 AND count(*) - 1
             UNION ALL SELECT 2, p.key, p.along_axis, array_agg(w.id), '<member type="way" ref="' || p.id
                 || '" role="refers"/>' || coalesce('<member type="way" ref="' || min(s.id) || '" role="ref_line"/>', '')
                 || streetgen._lanelet2_tags('{type,subtype}', '{regulatory_element,traffic_light}')

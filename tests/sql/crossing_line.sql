@@ -133,3 +133,15 @@ INSERT INTO zebra VALUES (2, 'SRID=2154;POINT(650180 6860000)');
 SELECT count(*) FROM streetgen.import_objects('brought', 'zebra', '{"type": {"value": "crossing"}, "source_ref": "id"}') \g /dev/null
 SELECT 'where the next one has none, it lies as before', count(*) = 1 AND bool_and(m.geom = l.geom AND free_geom IS NULL) FROM brought.marking m, free_line l WHERE kind = 'stop';
 SELECT 'a run after imports writes nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('brought');
+
+-- A crossing takes all of a short lane: nothing is painted, and the signal head stands where the line would lie.
+DO $$ BEGIN PERFORM streetgen.create_model('short', 2154, subjects => '{object,signal}', driving_side => 'right'); END $$;
+INSERT INTO short.axis (geom, width, importance, lane_count) VALUES ('SRID=2154;LINESTRING(649900 6860000,650000 6860000,650100 6860000)', 7, 2, 2),
+  ('SRID=2154;LINESTRING(649900 6859976,650000 6859976,650100 6859976)', 7, 2, 2), ('SRID=2154;LINESTRING(650000 6859976,650000 6860000)', 7, 3, 2);
+INSERT INTO short.control_point (geom, kind) VALUES ('SRID=2154;POINT(650000 6860000)', 'signals');
+INSERT INTO short.pedestrian_crossing_editing (geom) VALUES ('SRID=2154;POINT(650000 6859985.5)');
+SELECT 'the head of a lane without room for a line stands where that would lie', count(*) = 1 AND bool_and(ST_IsEmpty(m.surface) AND ST_Distance(h.geom, m.geom) < 1e-9)
+  FROM short.marking m JOIN short.edge USING (edge_id) JOIN short.lane l USING (edge_id, lane_position) JOIN short.signal_head h ON (h.lane_id, h.along_axis) = (l.lane_id, m.along_axis) WHERE axis_id = 3 AND m.kind = 'stop';
+SELECT 'after a run too', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('short') WHERE relation ~ 'marking|signal';
+SELECT 'check_model has nothing to say of it', NOT EXISTS (SELECT FROM streetgen.check_model('short') WHERE rule LIKE 'signal head%');
+SELECT 'a file of Lanelet2 has the lines that are painted', (SELECT count(*) > 0 AND count(*) = (SELECT count(*) FROM short.marking WHERE kind <> 'arrow' AND NOT ST_IsEmpty(surface)) FROM streetgen.export_lanelet2('short') l WHERE l::text LIKE '%stop_line%');

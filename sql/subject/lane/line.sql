@@ -21,7 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen._waiting_place(lane geometry, along_axis bo
         LATERAL (SELECT coalesce(ST_LineInterpolatePoint(line, 0.5::float8), ST_EndPoint(way)) AS place OFFSET 0) p $$;
 COMMENT ON FUNCTION streetgen._waiting_place(geometry, boolean, geometry) IS
     'Where traffic of a lane waits, and its direction there, degrees clockwise from the north: in the middle of a '
-    'line across the lane, or where the lane ends (line NULL: none is painted).';
+    'line across the lane, painted or not, or where the lane ends (line NULL).';
 
 CREATE OR REPLACE FUNCTION streetgen._line_statement(subjects text[], chosen text, OUT crossings text, OUT lay text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

@@ -83,7 +83,7 @@ OR EXISTS (SELECT FROM roundabout_edge x JOIN roundabout USING (roundabout_id) W
 --{heads_at_lines
 UPDATE signal_head h SET geom = w.geom, angle = w.angle
 FROM edge e JOIN lane l USING (edge_id) JOIN marking m USING (edge_id, lane_position),
-    LATERAL streetgen._waiting_place(l.geom, m.along_axis, CASE WHEN NOT ST_IsEmpty(m.surface) THEN m.geom END) w
+    LATERAL streetgen._waiting_place(l.geom, m.along_axis, m.geom) w
 WHERE {chosen} AND m.kind = 'stop' AND (h.lane_id, h.along_axis) = (l.lane_id,
     m.along_axis) AND (h.geom::bytea, h.angle) IS DISTINCT FROM (w.geom::bytea, w.angle);
 

@@ -196,8 +196,7 @@ BEGIN
                 JOIN lane l ON l.lane_id = m.lane_in
                 LEFT JOIN marking s ON (s.edge_id, s.kind, s.lane_position, s.along_axis)
                     = (l.edge_id, 'stop', l.lane_position, m.along_in)
-                CROSS JOIN LATERAL streetgen._waiting_place(l.geom, m.along_in, CASE WHEN
-                    NOT ST_IsEmpty(s.surface) THEN s.geom END) w),
+                CROSS JOIN LATERAL streetgen._waiting_place(l.geom, m.along_in, s.geom) w),
         there AS (SELECT * FROM signal_head WHERE controller_id = ANY (known)),
         gone AS (DELETE FROM signal_head o USING there t WHERE (o.lane_id, o.along_axis) = (t.lane_id, t.along_axis)
             AND NOT EXISTS (SELECT FROM new n WHERE (n.lane_id, n.along_axis) = (t.lane_id, t.along_axis)) RETURNING 1),
