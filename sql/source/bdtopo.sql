@@ -116,8 +116,8 @@ COMMENT ON FUNCTION streetgen._bdtopo_kinds(integer, boolean, boolean, boolean, 
 
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text, lane_width float8)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
-        name text, ref text, level integer, class text, roundabout_tag text, kind_forward text, kind_backward text,
-        access text, source_ref text, label text, left_out text, unread text[])
+        name text, ref text, level integer, class text, roundabout_tag text, lanes_both integer, kind_forward text,
+        kind_backward text, access text, source_ref text, label text, left_out text, unread text[])
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT s.geom, metres, said_lanes::integer, direction, kmh,
@@ -128,10 +128,7 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     CASE WHEN s.level ~ '^-?\d' THEN greatest(-50, least(50, substring(s.level FROM '^-?\d{1,3}')::integer))
         ELSE 0 END,
     s.class, CASE s.class WHEN 'Rond-point' THEN s.class END,
-    streetgen._bdtopo_kinds(forward, of_buses OR bus_forward AND alone, bus_forward, near_forward, far_forward,
-        driving_side),
-    streetgen._bdtopo_kinds(backward, of_buses OR bus_backward AND alone, bus_backward, near_backward, far_backward,
-        driving_side),
+    CASE WHEN num_nonnulls(kinds_forward, kinds_backward) > 0 THEN nullif(middle, 0) END, kinds_forward, kinds_backward,
     CASE WHEN s.access ~* 'impossible' THEN 'no' WHEN s.access ~* 'restreint|ayants droit' THEN 'private' END,
     s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif ~* '^\s*(oui|true|t)\s*$' THEN 'fictitious axis' END,
@@ -165,15 +162,23 @@ FROM pg_temp._import_line s,
      -- One lane in all, unless buses have one of their own, is of both directions.
      LATERAL (SELECT direction = 'both' AND said_lanes = 1 AND NOT bus_forward
          AND NOT bus_backward AS of_both) b,
-     LATERAL (SELECT CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE (lanes + 1) / 2 END WHEN 'direct'
-         THEN CASE WHEN bus_backward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS forward,
-                     CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0 ELSE greatest(lanes / 2, 1)
-                         END WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes
-                         END ELSE 0 END AS backward) n,
+     -- An odd lane is that of the buses, else in the middle.
+     LATERAL (SELECT CASE WHEN direction = 'both' AND lanes >= 3 AND NOT bus_forward AND NOT bus_backward
+         THEN lanes % 2 ELSE 0 END AS middle) m,
+     LATERAL (SELECT CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0
+             ELSE greatest((lanes - middle + bus_forward::integer) / 2, 1) END
+         WHEN 'direct' THEN CASE WHEN bus_backward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS forward,
+                     CASE direction WHEN 'both' THEN CASE WHEN of_both THEN 0
+             ELSE greatest((lanes - middle + bus_backward::integer) / 2, 1) END
+         WHEN 'reverse' THEN CASE WHEN bus_forward THEN greatest(lanes - 1, 1) ELSE lanes END ELSE 0 END AS backward) n,
      -- Buses have the one lane of a direction where cars may not drive, or lanes of both have no room.
      LATERAL (SELECT coalesce(s.access ~* 'impossible', false) OR coalesce(metres, 200)
          < streetgen._narrowest_of_several(lane_width) * (forward + backward + (bus_forward AND forward = 1)::integer
-             + (bus_backward AND backward = 1)::integer) AS alone) c
+             + (bus_backward AND backward = 1)::integer) AS alone) c,
+     LATERAL (SELECT streetgen._bdtopo_kinds(forward, of_buses OR bus_forward AND alone, bus_forward, near_forward,
+             far_forward, driving_side) AS kinds_forward,
+         streetgen._bdtopo_kinds(backward, of_buses OR bus_backward AND alone, bus_backward, near_backward,
+             far_backward, driving_side) AS kinds_backward) k
 $$;
 COMMENT ON FUNCTION streetgen._bdtopo_rows(text, float8) IS
     'The rows of the import that the lines of a BD TOPO table become, where one drives on a side, left or right, and '
@@ -237,7 +242,8 @@ BEGIN
             ('speed', '{speed}'), ('importance', '{importance}'), ('name', '{name}'), ('ref', '{ref}'),
             ('level', '{level}'),
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
-            ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}')) c(name, wants)
+            ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}'),
+            ('lanes_both', '{bus,cycle,cycle_right,cycle_left}')) c(name, wants)
         WHERE jsonb_strip_nulls(found) ?| wants), driving_side, streetgen._setting_number(model, 'lane_width')));
     CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
         SELECT * FROM streetgen._bdtopo_unread();

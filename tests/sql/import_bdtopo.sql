@@ -46,7 +46,7 @@ SELECT 'version 3: lines with such heights are named', (SELECT source_refs = '{A
 ALTER TABLE import_bdtopo3 ADD reserve_aux_bus text, ADD bande_cyclable text;
 UPDATE import_bdtopo3 SET reserve_aux_bus = CASE cleabs WHEN 'B' THEN 'Sens inverse' END, nombre_de_voies = 3, bande_cyclable = CASE cleabs WHEN 'A' THEN 'Deux sens' WHEN 'C' THEN 'Sens inverse' END;
 DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_v3', 'import_bdtopo3'); END $$;
-SELECT 'version 3: bus and cycle lanes', (SELECT array_agg(concat_ws(' ', kind_forward, '/', kind_backward) ORDER BY source_ref) = '{general|general|cycle / general|cycle,/ bus,/ general|general|general|cycle}' FROM import_v3.axis);
+SELECT 'version 3: bus and cycle lanes', (SELECT array_agg(concat_ws(' ', kind_forward, '/', kind_backward, lanes_both) ORDER BY source_ref) = '{general|cycle / general|cycle 1,/ bus,/ general|general|general|cycle}' FROM import_v3.axis);
 SELECT 'version 3: a bus lane against the traffic is one of the lanes', (SELECT (u.lanes_forward, u.lanes_backward) = (2, 1) FROM import_v3.axis_used u JOIN import_v3.axis a USING (axis_id) WHERE source_ref = 'B');
 UPDATE import_bdtopo3 SET nombre_de_voies = 1, reserve_aux_bus = NULL WHERE cleabs = 'A';
 DO $$ BEGIN PERFORM streetgen.import_bdtopo('import_v3', 'import_bdtopo3'); END $$;

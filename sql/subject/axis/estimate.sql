@@ -172,13 +172,25 @@ CREATE OR REPLACE FUNCTION streetgen.lanes_of_both(stated integer, stated_forwar
     listed boolean,
         lane_count integer, narrow boolean) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN stated > 0 THEN stated WHEN stated_forward > 0 OR stated_backward > 0 THEN 0
+    RETURN CASE WHEN stated_forward > 0 OR stated_backward > 0 THEN greatest(stated, 0)
+        WHEN stated > 0 THEN stated + CASE WHEN lane_count > stated THEN (lane_count - stated) % 2 ELSE 0 END
         WHEN lane_count = 1 OR listed AND lane_count > 0 THEN lane_count
-        WHEN narrow AND lane_count IS NULL AND NOT listed THEN 1 ELSE 0 END;
+        WHEN lane_count % 2 = 1 OR narrow AND lane_count IS NULL AND NOT listed THEN 1 ELSE 0 END;
 COMMENT ON FUNCTION streetgen.lanes_of_both(integer, integer, integer, boolean, integer, boolean) IS
-    'Lanes of a two-way street that both directions use: what is stated; none where lanes of a direction are; else '
-    'the one lane that there is, by lane_count or on a narrow street of which no count is stated. Lists of kinds '
-    '(listed) without a lane for motor traffic leave all of lane_count. An argument that is NULL is unknown.';
+    'Lanes of a two-way street that both directions use: what is stated; else none where lanes of a direction are; '
+    'else the one lane that there is, by lane_count or on a narrow street of which no count is stated. An odd lane of '
+    'which nothing says the direction is of both. Lists of kinds (listed) without a lane for motor traffic leave all '
+    'of lane_count. An argument that is NULL is unknown.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_by_list(lane_count integer, lanes_both integer, turns text, widths text)
+    RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN lane_count % 2 = 1 AND NOT lanes_both > 0 IS TRUE AND (lane_count + 1) / 2
+        IN (cardinality(string_to_array(turns, '|')), cardinality(string_to_array(widths, '|')))
+        THEN (lane_count + 1) / 2 END;
+COMMENT ON FUNCTION streetgen._lanes_by_list(integer, integer, text, text) IS
+    'How many of an odd number of lanes a direction of a two-way street has whose list of turns or widths has the odd '
+    'one; NULL where no list has it.';
 
 CREATE OR REPLACE FUNCTION streetgen.lanes_of_way(open boolean, listed boolean, stated integer, against integer,
     lane_count integer, fewest integer DEFAULT 1) RETURNS integer

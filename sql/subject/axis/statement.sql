@@ -115,8 +115,12 @@ LEFT JOIN LATERAL (
             kind_backward, lane_width_forward, lane_width_backward) = 0, false) AND kerb_width IS NULL
             AS parks HAVING true) usual ON true
 LEFT JOIN LATERAL (
-    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0)) AS stated_forward,
-        coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0)) AS stated_backward,
+    SELECT coalesce(streetgen.driving_lanes(kind_forward), nullif(lanes_forward, 0),
+            CASE direction_used WHEN 'both' THEN streetgen._lanes_by_list(lane_count, lanes_both, turn_forward,
+                lane_width_forward) END) AS stated_forward,
+        coalesce(streetgen.driving_lanes(kind_backward), nullif(lanes_backward, 0),
+            CASE direction_used WHEN 'both' THEN streetgen._lanes_by_list(lane_count, lanes_both, turn_backward,
+                lane_width_backward) END) AS stated_backward,
            coalesce(importance, class_importance) AS importance_known, width_by_hand OR source IS NULL AS by_hand
                HAVING true) known ON true
 LEFT JOIN LATERAL (
