@@ -236,7 +236,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._settle_class_lanes(model);
     RETURN QUERY SELECT * FROM streetgen._tell_usual_widths(model);
     RETURN QUERY SELECT * FROM streetgen._tell_narrow_between_kerbs(model);
-    RETURN QUERY SELECT * FROM streetgen._suspects(model);
+    RETURN QUERY SELECT * FROM streetgen._suspects(model, source);
     RETURN QUERY SELECT * FROM streetgen._settle_driving_side(model);
     RETURN QUERY SELECT * FROM streetgen._settle_untagged_rings(model);
     changed := (SELECT count(*) FROM pg_temp._import_part);

@@ -111,14 +111,25 @@ COMMENT ON FUNCTION streetgen._mend_heights() IS
     'Gives vertices of the import whose height is no data (NaN, -1000 and the like) the height of their neighbours '
     'along the line, or 0; reports the lines.';
 
-CREATE OR REPLACE FUNCTION streetgen._suspects(model name)
+CREATE OR REPLACE FUNCTION streetgen._suspects(model name, source text)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     SET jit = off SET enable_nestloop = off
     AS $$
 #variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := source;
 BEGIN
     PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT c.rule, NULL::text, count(DISTINCT c.id), array_agg(DISTINCT coalesce(a.source_ref,
+            'axis ' || c.id))
+        FROM streetgen._contradictions(model, origin) c JOIN axis a ON a.axis_id = c.id GROUP BY c.rule ORDER BY c.rule;
+    RETURN QUERY SELECT 'odd number of lanes, the last one in the middle for both directions', NULL::text, count(*),
+        array_agg(coalesce(a.source_ref, 'axis ' || a.axis_id) ORDER BY a.source_ref)
+        FROM axis a JOIN axis_used u USING (axis_id)
+        WHERE u.axis_id = ANY (ARRAY(SELECT o.axis_id FROM axis o WHERE o.source = origin AND o.direction = 'both'
+                AND o.lane_count > 1 AND o.lane_count % 2 = 1 AND o.lanes_both IS NULL))
+            AND u.lanes_both = 1 HAVING count(*) > 0;
     RETURN QUERY WITH network AS MATERIALIZED (
         -- Without the radius, so that a predictor of the user's is not asked.
         SELECT streetgen._network(Find_SRID(model::text, 'axis', 'geom'),
@@ -127,14 +138,17 @@ BEGIN
                 speed, lanes_forward, lanes_backward, lanes_both, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
                 false, 0,
                 true, false)::streetgen.street_axis ORDER BY axis_id)) AS number FROM axis_used),
-    missed AS (SELECT r.issue, r.measure, coalesce(a.source_ref, a.axis_id::text) AS source_ref
+    -- An axis of another source is known by its number.
+    missed AS (SELECT r.issue, r.measure, coalesce(CASE WHEN a.source = origin THEN a.source_ref END,
+            'axis ' || a.axis_id) AS source_ref
         FROM streetgen._computed_report((SELECT number FROM network)) r JOIN axis a ON a.axis_id = r.axis_a)
-    SELECT attribute || CASE WHEN too_small THEN format(' too small: %s m, taken as %s m', width, taken)
-            ELSE ' not believed' END, NULL::text, count(*), array_agg(source_ref ORDER BY source_ref)
-        FROM streetgen._unbelieved(model) GROUP BY 1
-    UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, a.axis_id::text)
+    SELECT attribute || CASE WHEN too_small THEN format(' too small: %s m, taken as %s m', u.width, taken)
+            ELSE ' not believed' END, NULL::text, count(*), array_agg(coalesce(u.source_ref, 'axis ' || u.axis_id)
+            ORDER BY u.source_ref)
+        FROM streetgen._unbelieved(model) u JOIN axis a USING (axis_id) WHERE a.source = origin GROUP BY 1
+    UNION ALL SELECT 'crosses or touches itself', NULL, count(*), array_agg(coalesce(a.source_ref, 'axis ' || a.axis_id)
         ORDER BY a.source_ref) FROM axis a
-    WHERE NOT ST_IsSimple(a.geom) HAVING count(*) > 0
+    WHERE a.source = origin AND NOT ST_IsSimple(a.geom) HAVING count(*) > 0
     UNION ALL SELECT issue, NULL, count(DISTINCT source_ref), array_agg(DISTINCT source_ref ORDER BY source_ref)
         FROM missed WHERE issue = 'axis lies on another' GROUP BY issue
     UNION ALL SELECT format('%s: tolerance %s would join them all', issue, ceil(10 * max(measure) - 0.001) / 10), NULL,
@@ -145,6 +159,7 @@ EXCEPTION WHEN internal_error THEN
     -- call ends as 57014.
     RAISE;
 END $$;
-COMMENT ON FUNCTION streetgen._suspects(name) IS
-    'Axes that importers report: a width that is not believed, a line that meets itself, and what the network of all '
-    'axes tells: lines upon lines, and ends that miss.';
+COMMENT ON FUNCTION streetgen._suspects(name, text) IS
+    'Axes of a source that importers report: columns that contradict each other, an odd lane of no direction, a width '
+    'that is not believed, a line that meets itself, and what the network of all axes tells: lines upon lines, and '
+    'ends that miss.';

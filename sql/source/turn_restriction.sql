@@ -58,7 +58,7 @@ BEGIN
             WHEN a.axis_id IS NULL OR b.axis_id IS NULL OR array_position(v.axes, NULL) IS NOT NULL
                 THEN 'of ways that are no axes'
             WHEN NOT v.follow THEN 'via ways that do not follow each other' END AS left_out,
-        except_kinds, except_others, of = 'hours' AS at_hours,
+        except_kinds, other_words, of = 'hours' AS at_hours,
         further
     FROM pg_temp._import_relation r CROSS JOIN LATERAL (SELECT split_part(held_for, ',', 1) AS of,
             (string_to_array(held_for, ','))[2:] AS further) k
@@ -80,7 +80,8 @@ BEGIN
         ORDER BY f.follow IS NOT TRUE, o.along DESC LIMIT 1) v
     CROSS JOIN LATERAL (
         -- Traffic that the model tells from others, and what it does not.
-        SELECT string_agg(DISTINCT kind, '|') AS except_kinds, coalesce(bool_or(kind IS NULL), false) AS except_others
+        SELECT string_agg(DISTINCT kind, '|') AS except_kinds,
+            string_agg(DISTINCT left(btrim(word), 40), ', ') FILTER (WHERE kind IS NULL) AS other_words
         FROM regexp_split_to_table(lower(excepted), '[;,]') word
         CROSS JOIN LATERAL (SELECT CASE btrim(word) WHEN 'psv' THEN 'bus' WHEN 'bus' THEN 'bus'
             WHEN 'bicycle' THEN 'cycle' WHEN 'hov' THEN 'carpool' END AS kind) k
@@ -97,9 +98,9 @@ BEGIN
             r.to_axis, r.kind, r.turn, r.except_kinds, r.via_axes, r.via_geom, r.to_geom
         FROM pg_temp._import_restriction r ORDER BY r.source_ref;
     RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'turn_restriction', relations);
-    RETURN QUERY SELECT 'turn restriction with an exception, taken for all traffic', r.class, count(*),
-        array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.except_others GROUP BY r.class
-        ORDER BY r.class;
+    RETURN QUERY SELECT format('turn restriction with an exception for %s, taken for these too', r.other_words),
+        r.class, count(*), array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r
+        WHERE r.other_words IS NOT NULL GROUP BY r.other_words, r.class ORDER BY r.other_words, r.class;
     RETURN QUERY SELECT 'turn restriction at hours of a day, taken for all times', r.class, count(*),
         array_agg(DISTINCT r.relation) FROM pg_temp._import_restriction r WHERE r.at_hours GROUP BY r.class
         ORDER BY r.class;

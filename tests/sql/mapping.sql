@@ -5,12 +5,12 @@ SELECT streetgen.create_model('town', 32631) \g /dev/null
 CREATE FUNCTION pg_temp.lines(n integer) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * n), ST_MakePoint(100, 50 * n)), 32631) $$;
 CREATE TABLE register (id text, w text, lanes text, speed text, dir text, lvl text, kinds text, widths text, geom geometry);
 INSERT INTO register SELECT v.*, pg_temp.lines(row_number() OVER ()::integer) FROM (VALUES
-  ('a', '7.5', '2', '50', 'both', '0', 'general|bus', '3,5|3 m'), ('b', '7,5', '2.0', '30 mph', 'DIRECT', '+1', NULL, NULL), ('c', ' 24 ft ', '2', '50 km/h', '-1', '-1.0', '', ' '),
+  ('a', '7.5', '3', '50', 'both', '0', 'general|bus', '3,5|3 m'), ('b', '7,5', '2.0', '30 mph', 'DIRECT', '+1', NULL, NULL), ('c', ' 24 ft ', '2', '50 km/h', '-1', '-1.0', '', ' '),
   ('d', '', '', '', '', '', '', ''), ('e', 'unknown', 'two', 'none', 'FT', 'bridge', 'tram', 'wide'), ('f', '900', '2.5', '-30', 'oneway', '99', 'general||', '3|-3'), ('g', 'NaN', '31', '500', '2', '1e9', NULL, NULL)) v;
 \set all_columns '{"source_ref": "id", "width": "w", "lane_count": "lanes", "speed": "speed", "direction": "dir", "level": "lvl", "kind_forward": "kinds", "lane_width_forward": "widths"}'
 CREATE TEMPORARY TABLE told AS SELECT * FROM streetgen.import_axes('town', 'register', :'all_columns');
 SELECT 'texts are read' AS name, array_agg(ROW(source_ref, round(width::numeric, 4), lane_count, round(speed::numeric, 2), direction, level, kind_forward, lane_width_forward)::text ORDER BY source_ref)
-  = '{"(a,7.5000,2,50.00,both,0,general|bus,3.5|3)","(b,7.5000,2,48.28,direct,1,,)","(c,7.3152,2,50.00,reverse,-1,,)"}' AS holds FROM town.axis WHERE source_ref < 'd';
+  = '{"(a,7.5000,3,50.00,both,0,general|bus,3.5|3)","(b,7.5000,2,48.28,direct,1,,)","(c,7.3152,2,50.00,reverse,-1,,)"}' AS holds FROM town.axis WHERE source_ref < 'd';
 SELECT 'what is empty or means nothing is unknown', count(*) = 4 AND bool_and(num_nulls(width, lane_count, speed, kind_forward, lane_width_forward) = 5 AND direction = 'both' AND level = 0) FROM town.axis WHERE source_ref >= 'd';
 SELECT 'each such value is named by its row, and nothing else', array_agg(what || ' ' || array_to_string(source_refs, ',') ORDER BY what) = ARRAY['direction "2" not understood, taken as unknown g', 'direction "FT" not understood, taken as unknown e', 'direction "oneway" not understood, taken as unknown f', 'kind_forward not understood, taken as unknown e,f',
   'lane_count not understood, taken as unknown e,f,g', 'lane_width_forward not understood, taken as unknown e,f', 'level not understood, taken as unknown e,f,g',

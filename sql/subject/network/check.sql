@@ -20,20 +20,12 @@ BEGIN
     PERFORM streetgen._use_model(model);
     FOR finding IN
     -- Without the radius, so that a predictor of the user's is not asked.
-    WITH used AS MATERIALIZED (SELECT axis_id, geom, width, width_end, roadway_offset, lane_count, lanes_forward,
-        lanes_backward, input_hash, setting_hash FROM axis_used),
+    WITH used AS MATERIALIZED (SELECT axis_id, geom, width, width_end, roadway_offset, input_hash,
+        setting_hash FROM axis_used),
     ending AS MATERIALIZED (SELECT node_id, axis_id, geom FROM node n
         JOIN LATERAL (SELECT from_node, axis_id FROM edge
         UNION ALL SELECT to_node, axis_id FROM edge) e(node_id, axis_id) USING (node_id)
         WHERE axis_id IN (SELECT unnest(ARRAY[from_axis, to_axis] || via_axes) FROM turn_restriction)),
-    listed AS MATERIALIZED (
-        SELECT u.axis_id, u.geom, w.*, streetgen.driving_lanes(w.kinds) AS of_kinds FROM used u
-            JOIN axis a USING (axis_id),
-        LATERAL (VALUES (a.kind_forward, a.lane_width_forward, a.turn_forward, a.lanes_forward, u.lanes_forward,
-            a.direction = 'reverse'),
-                        (a.kind_backward, a.lane_width_backward, a.turn_backward, a.lanes_backward, u.lanes_backward,
-                            a.direction = 'direct')) w(kinds, widths, turns, stated, used, closed)
-        WHERE coalesce(w.kinds, w.widths, w.turns, w.stated::text) IS NOT NULL),
     degree AS MATERIALIZED (SELECT * FROM streetgen._node_degrees(model))
     SELECT 'error', 'node without an edge', 'node', n.node_id, 0, n.geom FROM node n
         WHERE NOT EXISTS (SELECT FROM degree d WHERE d.node_id = n.node_id)
@@ -103,24 +95,7 @@ BEGIN
             AND ST_DWithin(u.geom, o.geom, o.width / 2 + tolerance)
             AND streetgen._metres_beyond(ST_Force2D(u.geom), o.geom) <= tolerance)
     UNION ALL
-    SELECT 'notice', 'lanes for both directions of a one-way street, not taken', 'axis', axis_id, lanes_both,
-        geom FROM axis WHERE direction <> 'both' AND lanes_both > 0
-    UNION ALL
-    SELECT 'notice', 'lane_count is not that of the directions, which count', 'axis', a.axis_id, a.lane_count,
-        a.geom FROM axis a JOIN used u USING (axis_id)
-        WHERE a.lane_count <> u.lane_count
-    UNION ALL
-    SELECT 'notice', 'lanes against a one-way street, not taken', 'axis', axis_id, stated, geom FROM listed
-        WHERE closed AND stated > 0 AND kinds IS NULL
-    UNION ALL
-    SELECT 'notice', 'number of lanes is not that of their kinds, which count', 'axis', axis_id, stated, geom
-        FROM listed WHERE stated <> of_kinds
-    UNION ALL
-    SELECT 'notice', what || ' are not those of all lanes, not taken', 'axis', axis_id,
-        cardinality(string_to_array(list, '|')), geom
-        FROM listed, LATERAL (VALUES ('widths', widths), ('turns', turns)) v(what, list)
-        WHERE cardinality(string_to_array(list, '|')) NOT IN (used, coalesce(cardinality(string_to_array(kinds, '|')),
-            used))
+    SELECT * FROM streetgen._contradictions(model)
     UNION ALL
     SELECT 'notice', issue, 'axis', axis_a, measure, geom FROM report
     UNION ALL
@@ -229,19 +204,6 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'move it onto a street, or delete it'),
     ('kerb point override without its axis', 'the axis is gone, or lies no more beside the point',
         'delete the override, or draw the axis'),
-    ('lanes for both directions of a one-way street, not taken',
-        '`lanes_both` counts only where both directions are open',
-        'correct `direction` or `lanes_both`'),
-    ('lane_count is not that of the directions, which count', 'the sum of both directions differs',
-        'correct `lane_count`'),
-    ('lanes against a one-way street, not taken',
-        'a closed direction has only lanes that `kind_backward` or `kind_forward` names',
-        'name the kinds, or correct the direction'),
-    ('number of lanes is not that of their kinds, which count', 'number and list differ', 'correct either'),
-    ('widths are not those of all lanes, not taken', 'the list of widths has another length than the lanes',
-        'correct the list'),
-    ('turns are not those of all lanes, not taken', 'the list of turns has another length than the lanes',
-        'correct the list'),
     ('smoothed line off its axis, m',
         'an edge leaves its axis by more than setting smoothing_shift and the tolerance allow',
         '`generate` over all'),
