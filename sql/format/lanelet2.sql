@@ -142,10 +142,10 @@ BEGIN
         || CASE WHEN along THEN border ELSE border + 1 END || '" role="left"/><member type="way" ref="'
         || CASE WHEN along THEN border + 1 ELSE border END || '" role="right"/>' || coalesce(r.text, '')
         || streetgen._lanelet2_tags(ARRAY['type', 'subtype', 'location', 'one_way', 'speed_limit',
-            'participant:' || participant, 'edge'], ARRAY['lanelet', subtype, 'urban',
-            CASE type WHEN 'bidirectional' THEN 'no' ELSE 'yes' END, round(speed::numeric, 1) || ' km/h', 'yes',
+            'participant:' || participant, 'access', 'edge'], ARRAY['lanelet', subtype, 'urban',
+            CASE type WHEN 'bidirectional' THEN 'no' ELSE 'yes' END, round(speed::numeric, 1) || ' km/h', 'yes', t.word,
             edge_id::text]) || '</relation>'
-    FROM lanelet l LEFT JOIN regulated r USING (id)
+    FROM lanelet l LEFT JOIN regulated r USING (id) LEFT JOIN streetgen._lanes_without_through(model) t USING (lane_id)
     UNION ALL SELECT 4, id, '<relation id="' || id || '" version="1" visible="true">' || text || '</relation>'
     FROM regulating;
 END $$;
@@ -174,7 +174,8 @@ COMMENT ON FUNCTION streetgen.export_lanelet2(name, jsonb) IS
     'solid_dashed or dashed_solid where only one side may; the outer ones are curbstones, but where roadway lies '
     'beside the lanes. Lanelets have '
     'the speed limit of their edge, say who drives there and whether one way only, and '
-    'name their edge. A junction with stop or yield lines has a regulatory element right_of_way, and with subject '
+    'name their edge; access is the word of axis.access where nobody may drive through. A junction with stop or yield '
+    'lines has a regulatory element right_of_way, and with subject '
     'signal each lane that waits for lights has one of traffic_light. Parking lanes are left out. Coordinates are '
     'WGS 84, heights are left out. Junctions, references and options are those of export_opendrive. An unknown '
     'option, or no edge that they take: 22023. A caller who may not read the model: 42501; a model without '

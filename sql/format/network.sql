@@ -95,3 +95,16 @@ END $$;
 COMMENT ON FUNCTION streetgen._connecting_ways(name, jsonb) IS
     'The pairs of lanes that connect, with their turn and path, and for whom alone beside what their lanes say: across '
     'each node, or across each junction where options take its nodes as one.';
+
+CREATE OR REPLACE FUNCTION streetgen._lanes_without_through(model name) RETURNS TABLE(lane_id bigint, word text)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT l.lane_id, w.word FROM axis a JOIN edge USING (axis_id) JOIN lane l USING (edge_id),
+            streetgen._access_of_way(a.access, l.along_axis) w(word)
+        WHERE a.access IS NOT NULL AND l.kind = 'general'
+            AND w.word IN ('private', 'destination', 'customers', 'delivery');
+END $$;
+COMMENT ON FUNCTION streetgen._lanes_without_through(name) IS
+    'The general lanes of streets that nobody may drive through, and the word of axis.access for them.';

@@ -174,10 +174,7 @@ BEGIN
     crossroads AS MATERIALIZED (
         SELECT node_id, place_id FROM joined_node
         WHERE place_id IN (SELECT place_id FROM connecting JOIN joined_node n USING (node_id))),
-    no_way_through AS MATERIALIZED (
-        SELECT lane_id FROM lane JOIN edge USING (edge_id) JOIN axis a USING (axis_id)
-        WHERE a.access IS NOT NULL AND lane.kind = 'general'
-            AND streetgen._access_of_way(a.access, along_axis) IN ('private', 'destination', 'customers', 'delivery')),
+    no_way_through AS MATERIALIZED (SELECT lane_id FROM streetgen._lanes_without_through(model)),
     lane_text AS (
         SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
             || '" type="' || types[i] || '" level="false">'

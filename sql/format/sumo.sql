@@ -10,13 +10,16 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_lane_class()
     ('carpool', 'hov bus coach taxi motorcycle emergency', NULL),
     ('cycle', 'bicycle', NULL),
     ('private', 'private emergency authority delivery bicycle', NULL),
+    ('destination', 'private emergency authority delivery taxi bicycle', NULL),
+    ('customers', 'private emergency authority delivery taxi bicycle', NULL),
     ('delivery', 'delivery emergency authority bicycle', NULL),
     ('closed', NULL, 'all'),
     ('parking', NULL, 'all'),
     ('sidewalk', 'pedestrian', NULL) $$;
 COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
     'The vehicle classes of SUMO that kinds of lanes, general ones by who may drive, and sidewalks allow, or else '
-    'those that they do not. Cars park on a parking lane, but none drives there.';
+    'those that they do not. SUMO knows no street that one may drive to and not through: who has business there is of '
+    'class private. Cars park on a parking lane, but none drives there.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)
@@ -88,10 +91,6 @@ BEGIN
         FROM streetgen._sumo_crossings(model, options) c CROSS JOIN LATERAL unnest(c.names) n(name)
             JOIN sumo_edge s ON s.name = n.name
         WHERE s.until = 1 AND s.along_axis <> c.at_start AND ST_Intersects(s.line, c.line) GROUP BY s.name),
-    restricted AS MATERIALIZED (
-        SELECT edge_id, along_axis, streetgen._access_of_way(a.access, along_axis) AS word
-        FROM axis a JOIN edge USING (axis_id) CROSS JOIN (VALUES (true), (false)) v(along_axis)
-        WHERE a.access IS NOT NULL),
     lane_line AS MATERIALIZED (
         SELECT name, index, c.allow, c.disallow, l.width,
             CASE WHEN until - since < 1 AND NOT within THEN ST_LineSubstring(driven, since, until) ELSE driven END
@@ -103,9 +102,9 @@ BEGIN
                 CASE WHEN l.kind IN ('bus', 'carpool') AND (SELECT bool_or(j < i) AND bool_or(j > i)
                     FROM unnest(e.lanes) WITH ORDINALITY o(lane_id, j) JOIN lane USING (lane_id)
                     WHERE lane.kind = 'general') THEN 'general'
-                    WHEN l.kind = 'general' AND r.word IN ('private', 'delivery') THEN r.word ELSE l.kind END AS kind
-            FROM sumo_edge e LEFT JOIN restricted r USING (edge_id, along_axis)
-                CROSS JOIN LATERAL streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN lane l USING (lane_id)
+                    ELSE coalesce(t.word, l.kind) END AS kind
+            FROM sumo_edge e CROSS JOIN LATERAL streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i)
+                JOIN lane l USING (lane_id) LEFT JOIN streetgen._lanes_without_through(model) t USING (lane_id)
             UNION ALL SELECT name, 0, since, until, walk_width, false, walk_line, 'sidewalk'
             FROM sumo_edge WHERE walk = 1) l
         JOIN streetgen._sumo_lane_class() c USING (kind)),
