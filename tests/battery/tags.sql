@@ -47,3 +47,22 @@ SELECT CASE WHEN count(l.way_id) = 0 THEN 't' ELSE 'f' END, k.kind || ': each wa
 FROM tag_kind k LEFT JOIN osm_line l ON l.kind = k.kind AND NOT EXISTS (SELECT FROM told t WHERE t.what ~ 'not understood' AND l.way_id::text = ANY (t.source_refs)) GROUP BY k.kind ORDER BY k.kind;
 SELECT CASE WHEN count(*) = 0 THEN 't' ELSE 'f' END, 'with the tag and a reason' FROM nonsense.unread_tag u JOIN osm_line l ON l.way_id::text = u.source_ref
   WHERE coalesce(u.reason, '') = '' OR NOT (l.tags ? u.tag OR u.tag = 'highway');
+-- Each tag of ways that the page of tags has, with a word that means nothing.
+CREATE FUNCTION pg_temp.keys_of(written text) RETURNS SETOF text LANGUAGE plpgsql AS $$
+DECLARE
+  parts constant text[] := regexp_match(written, '^([^][]*)\[([^][]*)\](.*)$');
+BEGIN
+  IF parts IS NULL THEN
+    RETURN NEXT written;
+  ELSE
+    RETURN QUERY SELECT keys_of FROM unnest(string_to_array(parts[2], '|')) word, pg_temp.keys_of(parts[1] || word || parts[3]);
+  END IF;
+END $$;
+CREATE TABLE every_line AS SELECT row_number() OVER () AS way_id, 'primary' AS class, NULL::text AS name, NULL::text AS ref, jsonb_build_object(key, 'xyzzy') AS tags, key,
+  ST_SetSRID(ST_MakeLine(ST_MakePoint(500000, 300 * row_number() OVER ()), ST_MakePoint(500120, 300 * row_number() OVER ())), 32631) AS geom
+FROM (SELECT key FROM streetgen.tag_use() u, regexp_split_to_table(u.tag, ',\s*') part, pg_temp.keys_of(btrim(part)) key WHERE u.source ~ '^OpenStreetMap, (lanes|ways)' GROUP BY key HAVING bool_and(u.becomes NOT LIKE 'Nothing%')) k;
+SELECT streetgen.create_model('every_tag', 32631, subjects => '{lane}') \g /dev/null
+CREATE TEMPORARY TABLE every_told AS SELECT * FROM streetgen.import_osm('every_tag', 'every');
+-- Texts of any words, values beside those that say something of a street, and widths of lanes that are not there.
+SELECT CASE WHEN count(*) = 0 AND (SELECT count(*) FROM every_line) > 120 THEN 't' ELSE 'f' END, 'a word that means nothing is named, whichever tag has it' || coalesce(', but not ' || string_agg(key, ', '), '')
+FROM every_line l WHERE key !~ '^((source:)?maxspeed(:type)?|name|ref|highway|aeroway|area|junction|bridge|tunnel|bicycle(:forward|:backward)?|cycleway:(est_)?width)$' AND NOT EXISTS (SELECT FROM every_told t WHERE t.what ~ 'not understood' AND l.way_id::text = ANY (t.source_refs));
