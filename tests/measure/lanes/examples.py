@@ -36,6 +36,8 @@ EXAMPLES = [
     ('highway=secondary lanes=2 parking:lane:both=parallel parking:lane:both:parallel=on_street', 'general|parking', 'general|parking'),
     ('highway=secondary lanes=2 parking:lane:right=parallel parking:lane:right:parallel=half_on_kerb', 'general', 'general'),
     ('highway=secondary lanes=2 parking:lane:right=parallel parking:right=on_kerb', 'general', 'general'),
+    ('highway=secondary lanes=3 lanes:forward=2 turn:lanes:forward=left| cycleway:left=lane cycleway:left:lane=advisory', 'general|general', 'general|cycle'),
+    ('highway=primary oneway=yes lanes:forward=3 turn:lanes:forward=left|through|right change:lanes:forward=no|no|no', 'general|general|general', ''),
 ]
 DOUBTS = [
     ('highway=primary lanes=3', 'an odd number of lanes, of no direction'),
