@@ -49,7 +49,8 @@ void settle(const BusCount& count, BusWish& wish, WayTags& tags) {
   if (*count.lanes < wish.lanes())
     return tags.name(count.key, "tags of the kerbs have more bus lanes");
   if (*count.lanes == 0) return;
-  wish.near = *count.lanes - wish.far;
+  wish.unplaced = *count.lanes - wish.lanes();
+  wish.near += wish.unplaced;
   wish.by_count = true;
   wish.key = count.key;
 }
@@ -105,9 +106,11 @@ BusWishes wanted_bus_lanes(WayTags& tags) {
   settle(counted_at(tags.key_of("", Heading::against), tags), wishes.against, tags);
   settle_both(counted_at("", tags), wishes, tags);
   // A kerb has no bus lane beside others that are all bus lanes.
-  if (for_buses_alone(Heading::along, tags) && !wishes.along.by_count) wishes.along = {};
-  if (!tags.one_way() && for_buses_alone(Heading::against, tags) && !wishes.against.by_count)
-    wishes.against = {};
+  const auto drop = [&](Heading heading, BusWish& wish) {
+    if (wish.lanes() > 0 && !wish.by_count && for_buses_alone(heading, tags)) wish = {};
+  };
+  drop(Heading::along, wishes.along);
+  if (!tags.one_way()) drop(Heading::against, wishes.against);
   return wishes;
 }
 
@@ -122,6 +125,8 @@ void lay_bus_lanes(const BusWish& wish, bool beside, DrivingSide side, HeadingLa
   const int driving = lanes.driving();
   const bool within = lanes.known && !beside &&
                       (driving > wish.lanes() || (wish.by_count && driving == wish.lanes()));
+  if (wish.unplaced > 0 && driving > (within ? wish.lanes() : 0))
+    tags.name(wish.key, "no tag says at which kerb the lanes lie: the near one is taken");
   if (lanes.known && !beside && !within)
     tags.name(wish.key, "the lanes that are counted leave none beside the bus lanes");
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far})

@@ -8,6 +8,7 @@ namespace streetgen {
 // Wanted bus lanes of one direction, at its near and its far kerb.
 struct BusWish {
   int near = 0, far = 0;
+  int unplaced = 0;       // of those at the near kerb, of which no tag says that they lie there
   bool by_count = false;  // lanes:psv and its like say how many
   std::string key{};      // the tag that says so
   int lanes() const { return near + far; }

@@ -37,8 +37,8 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"lanes[:both_ways|:reversible]", "The number of lanes in the middle, for both directions."},
       {"centre_turn_lane", "Value yes is a lane in the middle, for both directions.", "yes no"},
       {"lanes[:bus|:psv][|:forward|:backward]",
-       "So many lanes are bus lanes, at the near kerb, unless a list says which or tag busway says "
-       "at which kerb. More at the kerbs than it counts are named."},
+       "So many lanes are bus lanes, where a list or tag busway says, else at the near kerb, and "
+       "that is named. So is a number less than the bus lanes at the kerbs."},
       {"turn:lanes[|:forward|:backward]", "The turns that each lane is marked for."},
       {"turn[|:forward|:backward]",
        "The turns that all lanes of the direction are marked for, where no list marks any."},

@@ -38,7 +38,8 @@ TEST(OsmBusLanes, KerbsSayTheSidesOfTheLanesThatACountHas) {
     };
     EXPECT_EQ(one_way("1", {{"busway:left", "lane"}}), "bus general general | ");
     EXPECT_EQ(one_way("1", {{"busway:right", "lane"}}), "general general bus | ");
-    EXPECT_EQ(one_way("2", {{"busway:left", "lane"}}), "bus general bus | ");
+    EXPECT_EQ(one_way("2", {{"busway:left", "lane"}}), std::string("bus general bus |  ?") + count)
+        << "no tag says where the other one lies";
     EXPECT_EQ(one_way("2", {{"busway:both", "lane"}}), "bus general bus | ");
     EXPECT_EQ(one_way("1", {{"busway", "opposite_lane"}}), "general general | bus");
     EXPECT_EQ(one_way("1", {{"busway:left", "opposite_lane"}}), "general general | bus");

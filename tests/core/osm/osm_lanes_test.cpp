@@ -350,7 +350,8 @@ TEST(OsmLanes, LanesForBusesTaxisAndCarpools) {
             "carpool general general | ")
       << "a list says which";
   EXPECT_EQ(with({{"hov", "lane"}}), "general general general |  ?hov");
-  EXPECT_EQ(with({{"lanes:bus", "1"}}), "general general bus | ");
+  EXPECT_EQ(with({{"lanes:bus", "1"}}), "general general bus |  ?lanes:bus")
+      << "no tag says at which kerb";
   EXPECT_EQ(with({{"busway", "lane"}}), "general general bus | ");
   EXPECT_EQ(with({{"busway:left", "lane"}, {"turn:lanes", "left|through|through"}}),
             "bus:left general:through general:through | ");
@@ -364,16 +365,16 @@ TEST(OsmLanes, BusLanesOfStreetsOfBothDirections) {
                   {"lanes:forward", "1"},
                   {"lanes:backward", "1"},
                   {"lanes:psv:forward", "1"}}),
-            "general bus | general")
+            "general bus | general ?lanes:psv:forward")
       << "lanes:forward leaves the bus lane out";
   EXPECT_EQ(read({{"lanes", "3"}, {"lanes:forward", "2"}, {"lanes:psv:forward", "1"}}),
-            "general bus | general");
+            "general bus | general ?lanes:psv:forward");
   EXPECT_EQ(read({{"lanes", "3"}, {"busway:right", "lane"}}), "general bus | general");
   EXPECT_EQ(read({{"lanes", "3"}, {"busway:left", "lane"}}), "general | general bus");
   EXPECT_EQ(read({{"lanes", "4"}, {"busway", "lane"}}), "general bus | general bus");
   EXPECT_EQ(read({{"busway", "lane"}}), "general bus | general bus");
   EXPECT_EQ(read({{"lanes", "1"}, {"busway", "lane"}}), "general bus | general bus ?lanes");
-  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:psv", "2"}}), "general bus | general bus");
+  EXPECT_EQ(read({{"lanes", "4"}, {"lanes:psv", "2"}}), "general bus | general bus ?lanes:psv");
   EXPECT_EQ(read({{"lanes", "3"}, {"lanes:psv", "1"}}), "general | general | 1 ?lanes:psv ?lanes");
   EXPECT_EQ(read({{"busway", "designated"}}), "general | general ?busway");
 }
