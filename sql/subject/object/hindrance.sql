@@ -87,7 +87,9 @@ BEGIN
         FROM unnest(places) WITH ORDINALITY p(type, geom, level, away, by_kerb, self, number)
             LEFT JOIN (SELECT type, max(metres) AS metres FROM _object_spacing() WHERE other = ANY (crossings)
                 GROUP BY type) most ON most.type = p.type
-            JOIN pedestrian_crossing c ON ST_DWithin(c.surface, p.geom, greatest(4, most.metres))
+            -- Each place looks for the few crossings about it, also where the tables are new and their size unknown.
+            CROSS JOIN LATERAL (SELECT * FROM pedestrian_crossing c
+                WHERE ST_DWithin(c.surface, p.geom, greatest(4, most.metres)) OFFSET 0) c
             JOIN street_object o USING (street_object_id) JOIN axis a USING (axis_id),
             LATERAL (SELECT ST_Force2D(a.geom) AS line, a.level, o.abscissa OFFSET 0) l
         WHERE p.type <> ALL (on_roadway) AND l.level = p.level
