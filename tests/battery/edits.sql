@@ -92,8 +92,9 @@ BEGIN
     WHEN 'bay' THEN
       RETURN ARRAY[format('INSERT INTO edited.parking_bay_editing (geom, angle) VALUES (%L, %s)', ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('0', '60', '90'))];
     WHEN 'rule' THEN
-      RETURN ARRAY[format('INSERT INTO edited.placement_rule (type, along, side, every, phase, axis_offset, orientation, distance_from_limit, importance_from, density) VALUES (%L, %L, %L, %s, %s, %s, %s, %s, %s, %s)',
-                          edits.one_of('lamp', 'tree', 'bollard', 'crossing', 'parking_bay'), edits.one_of('border', 'border', 'axis', 'arm', 'corner'), edits.one_of('left', 'right', 'both', 'alternating'), edits.one_of('6', '9', '25'),
+      RETURN ARRAY[format('INSERT INTO edited.placement_rule (type, along, side, every, phase, axis_offset, orientation, distance_from_limit, importance_from, density) VALUES (%s, %L, %s, %s, %s, %s, %s, %s, %s)',
+                          CASE WHEN edits.chance(0.2) THEN $q$'parking_bay', 'lane'$q$
+                            ELSE format('%L, %L', edits.one_of('lamp', 'tree', 'bollard', 'crossing', 'parking_bay'), edits.one_of('border', 'border', 'axis', 'arm', 'corner')) END, edits.one_of('left', 'right', 'both', 'alternating'), edits.one_of('6', '9', '25'),
                           edits.between(0, 9), edits.one_of('0', '0.8', '-1'), edits.one_of('0', '60', '90'), edits.one_of('0', '2.5', '5'), edits.one_of('NULL', 'NULL', '3'), edits.one_of('1', '1', '0.5'))];
     WHEN 'other rule' THEN
       RETURN ARRAY[edits.one_of('UPDATE edited.placement_rule SET phase = phase + 1', 'UPDATE edited.placement_rule SET every = every + 2', 'UPDATE edited.placement_rule SET active = NOT active', $q$DELETE FROM edited.placement_rule WHERE type = 'lamp'$q$, 'DELETE FROM edited.free_place')];

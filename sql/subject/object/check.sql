@@ -65,6 +65,9 @@ BEGIN
             WHERE NOT EXISTS (SELECT FROM axis_class c WHERE c.class = k)
                 AND NOT EXISTS (SELECT FROM axis a WHERE a.kind = k))
     UNION ALL
+    SELECT 'notice', 'placement rule along lanes, which the model does not compute', 'placement_rule', rule_id,
+        NULL::float8, NULL::geometry FROM placement_rule WHERE active AND along = 'lane' AND to_regclass('lane') IS NULL
+    UNION ALL
     SELECT 'notice', 'object nearer to another one than distance_least', 'street_object', street_object_id,
         NULL::float8, geom FROM streetgen._crowding_objects(model)
     UNION ALL
@@ -93,6 +96,20 @@ BEGIN
     UNION ALL SELECT 'notice', 'parking bay on another bay', 'parking_bay', b.street_object_id, NULL::float8, b.surface
         FROM parking_bay a JOIN parking_bay b ON a.surface && b.surface
             AND a.street_object_id < b.street_object_id AND streetgen._takes_ground(a.surface, b.surface)
+    UNION ALL
+    SELECT 'notice', CASE t.what WHEN 'lane' THEN 'parking bay on a lane for others'
+            WHEN 'narrow' THEN 'parking bay that narrows a lane, m'
+            WHEN 'roadway' THEN 'parking bay that leaves a narrow roadway, m' END, 'parking_bay', b.street_object_id,
+        t.measure, p.surface FROM _judged_bays() b JOIN parking_bay p USING (street_object_id),
+            (SELECT value::float8 AS least_lane FROM setting WHERE name = 'lane_width_minimal') s, LATERAL (VALUES
+            ('lane', NULL::float8, on_lane), ('narrow', narrowest, narrowest < least_lane - 1e-6),
+            ('roadway', remains, remains < needed - 1e-6)) t(what, measure, told)
+        WHERE t.told
+    UNION ALL
+    SELECT 'notice', 'parking lane too narrow for bays, m', 'edge', e.edge_id, p.depth, e.geom
+        FROM _parking_lanes(CASE WHEN EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane')
+            THEN ARRAY(SELECT edge_id FROM edge) ELSE '{}' END) p JOIN edge e USING (edge_id)
+        WHERE p.depth < streetgen._least_bay_depth()
     UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
         o.geom
         FROM street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM axis a
@@ -132,6 +149,9 @@ COMMENT ON FUNCTION streetgen._object_summary() IS 'What streetgen.summary count
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('parking bay on a crossing or an intersection', 'a bay that was put by hand takes ground where none parks',
         'drag the bay, or the crossing'),
+    ('parking bay on a lane for others',
+        'a bay by hand takes ground of a cycle, bus, carpool, merging or closed lane; rules place none there',
+        'drag the bay, or change the lanes'),
     ('parking bay without its ground', 'a bay stands at no street, or its street ends before it or bends too sharply',
         'drag it to a street in `parking_bay_editing`, or delete it'),
     ('pedestrian crossing without its roadway', 'a crossing stands at no street, or meets no kerb',
@@ -141,6 +161,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('placement rule for a kind that no street has',
         '`kind` names what is neither a class nor the kind of an axis; the rule places nothing there',
         'write a kind of `axis_class`, or none'),
+    ('placement rule along lanes, which the model does not compute', 'it places nothing',
+        '`switch_subject` adds subject lane'),
     ('parking bay on another bay',
         'two bays that were put by hand, or by rules on both sides of a narrow street, share ground',
         'drag one of them, or delete it'),
@@ -169,3 +191,13 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'generate all axes'),
     ('object on an axis that is not there', 'the object names an axis that was deleted past the triggers',
         'drag the object, or delete it');
+INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
+    ('parking bay that narrows a lane, m',
+        'a bay by hand, or on a parking lane, leaves a general lane narrower than setting `lane_width_minimal`',
+        'drag or delete the bay, or widen the roadway', true),
+    ('parking bay that leaves a narrow roadway, m',
+        'bays, parking lanes and cycle lanes leave less for driving than settings `bay_roadway_one_way` or '
+        '`bay_roadway_both` ask; a rule places such bays on parking lanes alone, as the source says',
+        'correct width or lanes, or delete the bay', true),
+    ('parking lane too narrow for bays, m', 'no car stands on a lane under 1.6 m, and rules place no bays there',
+        'correct width or lanes', true);

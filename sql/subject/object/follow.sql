@@ -17,7 +17,8 @@ BEGIN
     IF 'object' <> ALL (streetgen._subjects(model)) THEN
         PERFORM streetgen._drop_own_functions(model, '{_place_objects,_renew_grounds,_carry_objects,'
             'carry_objects_insert,carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,'
-            '_renew_crossings,_renew_bays,'
+            '_renew_crossings,_renew_bays,_lanes_across,_parking_lanes,_bay_room,'
+            '_laid_bays,_judged_bays,'
             '_types_below,_has_rules,_has_rules_at_kerbs,_renew_placed,_types_on_roadway,_object_spacing,'
             '_hindrances,_near_earlier,_take_from_rules,'
             '_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
@@ -28,6 +29,7 @@ BEGIN
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
         streetgen._make_hindrances(model), streetgen._make_rule_functions(model), streetgen._make_rule_edits(model),
         streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model),
+        streetgen._make_bay_room(model),
         streetgen._make_redraw(model);
     CREATE OR REPLACE FUNCTION _renew_grounds(axes bigint[], of_rules boolean) RETURNS void
         LANGUAGE sql VOLATILE SET search_path FROM CURRENT

@@ -13,7 +13,7 @@ BEGIN
     END IF;
     ALTER TABLE placement_rule ADD IF NOT EXISTS turn text CHECK (turn ~ '^[a-z_]+$'),
         DROP CONSTRAINT IF EXISTS placement_rule_along_check,
-        ADD CONSTRAINT placement_rule_along_check CHECK (along IN ('border', 'axis', 'arm', 'corner'));
+        ADD CONSTRAINT placement_rule_along_check CHECK (along IN ('border', 'axis', 'arm', 'corner', 'lane'));
     ALTER TABLE street_object ADD IF NOT EXISTS control_point_id bigint,
         ADD IF NOT EXISTS by_hand text[] NOT NULL DEFAULT '{}';
     ALTER TABLE IF EXISTS object_edge DROP CONSTRAINT IF EXISTS object_edge_street_object_id_fkey,

@@ -30,6 +30,11 @@ BEGIN
         streetgen._check_edit_number('the phase of ' || subject, NEW.phase, 0, 10000, 'm', '0 begins with the axis.'),
         streetgen._check_edit_number('the density of ' || subject, NEW.density, 0, 1, NULL, '1 takes all places.'),
         streetgen._check_edit_number('the offset of ' || subject, NEW.axis_offset, -200, 200, 'm', 'Try 1 m.');
+    IF NEW.along = 'lane' AND NOT streetgen._is_below(TG_TABLE_SCHEMA, NEW.type, 'parking_bay') THEN
+        PERFORM streetgen._refuse('22023', format('%s cannot place objects of type "%s" on lanes', subject, NEW.type),
+            detail => 'On a parking lane lie parking bays, and types below these.',
+            hint => 'Set along to border, or type to parking_bay.');
+    END IF;
     IF streetgen._is_below(TG_TABLE_SCHEMA, NEW.type, 'parking_bay') AND NEW.along = 'border' THEN
         run := streetgen._bay_run((streetgen._usual_bay()).length, (streetgen._usual_bay()).width,
             streetgen._bay_angle(NEW.orientation));
@@ -82,8 +87,12 @@ BEGIN
         -- Rules of the other sort place what an object keeps distance_least from.
         spaced constant boolean := EXISTS (SELECT FROM placement_rule JOIN object_type USING (type)
             WHERE active AND distance_least > 0);
-        several_bays constant boolean := 1 < (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
+        near_side constant text := (SELECT coalesce(max(value), 'right') FROM setting WHERE name = 'driving_side');
+        bus_stops constant text[] := _types_below('bus_stop');
+        least_lane constant float8 := (SELECT value::float8 FROM setting WHERE name = 'lane_width_minimal');
+        bay_rules constant bigint := (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
             + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
+        on_lanes constant boolean := lying AND EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane');
         apart constant float8 := streetgen._object_reach(current_schema());
         -- An object gives way to one of an axis beside, which is looked at and not written.
         looked_at constant bigint[] := CASE WHEN axes IS NOT NULL AND NOT lying THEN ARRAY(
@@ -126,6 +135,11 @@ BEGIN
                 JOIN section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
             WHERE axes IS NULL OR a.axis_id = ANY (computed) AND u.axis_id = ANY (computed)
                 AND (e.axis_id = ANY (axes) OR e.edge_id = ANY (looked_at))),
+        parking_lane AS MATERIALIZED (
+            SELECT p.edge_id, p.side, p.depth, p.borders, b.*, streetgen._bay_run(b.length, b.width, b.angle) AS run
+            FROM _parking_lanes(ARRAY(SELECT edge_id FROM street)) p,
+                LATERAL streetgen._bay_on_lane(p.depth, (p.side = 'right') = p.along_axis) b
+            WHERE on_lanes AND p.depth >= streetgen._least_bay_depth()),
         meeting AS MATERIALIZED (
             SELECT node, (SELECT count(*) FROM edge WHERE from_node = node)
                 + (SELECT count(*) FROM edge WHERE to_node = node) AS arms
@@ -146,7 +160,8 @@ BEGIN
         place AS (
             SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
                 (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
-                r.axis_offset AS aside, NULL::float8 AS corner_offset
+                r.axis_offset AS aside, NULL::float8 AS corner_offset,
+                NULL::float8 AS bay_length, NULL::float8 AS bay_width
             FROM ruled r, LATERAL generate_series(
                     greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
                     floor((high - distance_from_limit - phase) / every)::bigint) k,
@@ -164,7 +179,7 @@ BEGIN
                 (-1 - 2 * (2 * round(10 * CASE WHEN w.at_start THEN start_abscissa ELSE end_abscissa END)
                     + w.at_start::integer) - (v.side = 'right')::integer)::integer,
                 r.orientation + CASE WHEN w.at_start THEN CASE WHEN r.orientation > 0 THEN -180 ELSE 180 END ELSE 0 END,
-                CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END, NULL
+                CASE v.side WHEN 'middle' THEN 0 ELSE r.axis_offset END, NULL, NULL, NULL
             FROM ruled r JOIN meeting f ON f.node = r.from_node JOIN meeting t ON t.node = r.to_node,
                 LATERAL (SELECT f.arms AS of_start, t.arms AS of_end) n,
                 LATERAL (SELECT of_start >= 3 AS at_start, of_end >= 3 AS at_end, 2 IN (of_start, of_end) AS goes_on,
@@ -191,7 +206,8 @@ BEGIN
             -- numbered by the place of the node there.
             SELECT r.*, NULL, at[1], (100000000 * (1 + (c.at_end = 'start')::integer + 2 * c.half) + n
                 + 50 * (round(10 * CASE c.at_end WHEN 'start' THEN r.start_abscissa
-                    ELSE r.end_abscissa END)::bigint % 1000000))::integer, r.orientation, at[2], r.axis_offset
+                    ELSE r.end_abscissa END)::bigint % 1000000))::integer, r.orientation, at[2], r.axis_offset, NULL,
+                NULL
             FROM arc c JOIN ruled r ON (r.rule_id, r.edge_id) = (c.rule_id, c.edge_id),
                 LATERAL (SELECT floor(size / r.every)::integer AS last OFFSET 0) s,
                 LATERAL generate_series(0, least(last, 49)) n,
@@ -202,9 +218,28 @@ BEGIN
                     (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at OFFSET 0) l
             WHERE (share > 0.5) = (c.half = 1)
             UNION ALL
+            -- Side by side in the middle of what a parking lane has between both limits, numbered by decimetres along
+            -- the axis.
+            SELECT r.*, l.side, c.at, (2 * round(10 * c.at) + (l.side = 'right')::integer)::integer, l.angle,
+                round((b.outer_end - to_border)::numeric, 6)::float8, NULL, l.length, l.width
+            FROM ruled r JOIN parking_lane l ON l.edge_id = r.edge_id,
+                LATERAL (SELECT high - low - 2 * distance_from_limit AS long) g,
+                LATERAL (SELECT floor(long / run + 1e-9)::integer AS fit) f, LATERAL generate_series(0, fit - 1) k,
+                LATERAL (SELECT low + distance_from_limit + (long - fit * run) / 2 + (k + 0.5) * run AS at) c,
+                LATERAL (SELECT streetgen._border_at(l.borders, c.at - start_abscissa, l.side) AS outer_end,
+                    streetgen._to_border(r.width, width_end, ST_Length2D(line), roadway_offset, r.borders, c.at, l.side)
+                    AS to_border) b
+            -- A false constant takes its places out of what is planned.
+            WHERE on_lanes AND r.along = 'lane' AND r.side IN (l.side, 'both', 'alternating')
+                -- A lane may begin or end between both limits.
+                AND l.depth - 0.05 <= (SELECT min(streetgen._border_at(l.borders, at - start_abscissa, 'left')
+                    + streetgen._border_at(l.borders, at - start_abscissa, 'right'))
+                    FROM unnest(ARRAY[c.at - run / 2, c.at + run / 2]) at)
+            UNION ALL
             -- By a function of the user, as rule 0, numbered by what it places and where.
             SELECT (own.rule).*, t.distance_least, true, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type,
-                p.side, p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset, NULL
+                p.side, p.abscissa, p.axis_offset)), coalesce(p.orientation, 0), p.axis_offset, NULL,
+                NULL, NULL
             FROM (SELECT DISTINCT ON (type, axis_id, side, abscissa, axis_offset) *
                     FROM streetgen._own_placements(current_schema(), ARRAY(SELECT edge_id FROM street ORDER BY edge_id))
                     ORDER BY type, axis_id, side, abscissa, axis_offset, orientation) p
@@ -218,15 +253,38 @@ BEGIN
             SELECT rule_id, type, along, every, distance_least, own, beside, axis_id, level, edge_id, at_side, abscissa,
                 rule_place, turned, aside, streetgen._object_geometry(line, width, width_end, roadway_offset, borders,
                 abscissa, NULL, at_side, aside) AS geom,
-                streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle, corner_offset
+                streetgen._object_angle(line, abscissa, NULL, turned, 'axis') AS angle, corner_offset, bay_length,
+                bay_width
             FROM place WHERE streetgen._rule_takes(axis_id, rule_id, rule_place, density)),
         bay AS MATERIALIZED (
-            SELECT rule_id, t.axis_id, rule_place, t.level, streetgen._bay_ground(line, streetgen._border_offset(
+            SELECT rule_id, t.axis_id, rule_place, t.level, edge_id, at_side, along,
+                row_number() OVER (ORDER BY rule_id, t.axis_id, at_side = near_side DESC, rule_place) AS number,
+                streetgen._bay_ground(line, streetgen._border_offset(
                     streetgen._to_border(s.width, width_end, ST_Length2D(line), roadway_offset, borders, abscissa,
-                        at_side), aside, at_side), at_side,
-                abscissa, usual.length, usual.width, streetgen._bay_angle(turned)) AS ground,
-                streetgen._bay_reach(usual.length, usual.width, streetgen._bay_angle(turned)) AS reach, abscissa
-            FROM taken t JOIN street s USING (edge_id), streetgen._usual_bay() usual WHERE own AND type = ANY (bays)),
+                        at_side), aside, at_side), at_side, abscissa, d.length, d.width, d.angle) AS ground,
+                d.reach, abscissa, ROW (edge_id, at_side, abscissa - start_abscissa - d.reach,
+                    abscissa - start_abscissa + d.reach, aside,
+                    streetgen._bay_depth(d.length, d.width, d.angle))::streetgen.bay_place AS place
+            FROM taken t JOIN street s USING (edge_id), LATERAL (
+                SELECT *, streetgen._bay_reach(length, width, angle) AS reach FROM (
+                    SELECT coalesce(bay_length, usual.length) AS length, coalesce(bay_width, usual.width) AS width,
+                        streetgen._bay_angle(turned) AS angle FROM streetgen._usual_bay() usual) l) d
+            WHERE own AND type = ANY (bays)),
+        given_bay AS MATERIALIZED (
+            SELECT place FROM _laid_bays(CASE WHEN EXISTS (SELECT FROM bay) THEN ARRAY(SELECT edge_id FROM street)
+                ELSE '{}' END, of_rules => false) WHERE lying AND bay_rules > 0),
+        -- Bays that others placed come first, and a rule leaves room beside them.
+        laid AS MATERIALIZED (
+            SELECT place, number, row_number() OVER (ORDER BY number) AS turn FROM (SELECT place, number FROM bay
+                UNION ALL SELECT place, -row_number() OVER () FROM given_bay) p),
+        room AS MATERIALIZED (
+            SELECT l.place, l.number, r.on_lane, r.narrowest, r.taken, r.remains, r.needed
+            FROM _bay_room((SELECT array_agg(place ORDER BY turn) FROM laid)) r JOIN laid l ON l.turn = r.number
+            WHERE lying AND bay_rules > 0),
+        roomy AS MATERIALIZED (
+            SELECT r.*, b.rule_id, b.axis_id, b.rule_place, b.along FROM room r LEFT JOIN bay b USING (number)
+            WHERE b.along IS NOT DISTINCT FROM 'lane' OR r.number < 0 OR NOT on_lane AND remains >= needed - 1e-6
+                AND coalesce(narrowest >= least_lane - 1e-6, true)),
         crossed AS MATERIALIZED (SELECT axis_id, abscissa FROM taken WHERE own AND type = ANY (crossings)),
         -- Earlier versions let an object that became the user's keep its rule and place: that place is free.
         former AS MATERIALIZED (
@@ -254,9 +312,23 @@ BEGIN
             UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN crossed c USING (axis_id)
                 WHERE abs(c.abscissa - b.abscissa) < b.reach + 3
             UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN bay c USING (axis_id)
-                WHERE several_bays AND c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
+                WHERE bay_rules > 1 AND c.rule_id < b.rule_id AND abs(c.abscissa - b.abscissa) < b.reach + c.reach
                     AND c.ground && b.ground AND streetgen._takes_ground(c.ground, b.ground)
             UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
+            UNION SELECT rule_id, axis_id, rule_place FROM bay b
+                WHERE NOT EXISTS (SELECT FROM roomy r WHERE r.number = b.number)
+            -- Of two bays opposite each other that leave too little the later one goes. On parking lanes the source
+            -- says that cars stand.
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM roomy b JOIN roomy c
+                ON (c.place).edge_id = (b.place).edge_id AND (c.place).side <> (b.place).side
+                WHERE b.number > c.number AND b.along <> 'lane' AND (c.place).low < (b.place).high
+                    AND (b.place).low < (c.place).high AND b.remains - c.taken < b.needed - 1e-6
+            -- So long is a bus that leaves the roadway and comes back.
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN street_object o USING (axis_id)
+                JOIN street s USING (edge_id)
+                WHERE o.type = ANY (bus_stops) AND o.placed_by <> 'rule' AND o.method = 'relative'
+                    AND b.at_side = coalesce(o.side, CASE WHEN o.axis_offset > s.roadway_offset THEN 'left'
+                        ELSE 'right' END) AND abs(o.abscissa - b.abscissa) < b.reach + 15
             -- By difference, since a hash join of a whole level would pass over the spatial index.
             UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
                 AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
@@ -298,7 +370,7 @@ BEGIN
                 h.street_object_id AS held,
                 (f.type, f.geom::bytea, f.angle, f.abscissa, f.at_side, f.aside, f.turned, 'relative')
                     IS DISTINCT FROM (h.type, h.geom::bytea, h.angle, h.abscissa, h.side, h.axis_offset, h.orientation,
-                    h.method) AS differs
+                    h.method) AS differs, f.bay_length, f.bay_width
             FROM free f FULL JOIN held h USING (rule_id, axis_id, rule_place)),
         gone AS (
             DELETE FROM street_object o USING compared c
@@ -307,12 +379,23 @@ BEGIN
             UPDATE street_object o SET type = c.type, geom = c.geom, angle = c.angle, placement = c.placement,
                 abscissa = c.abscissa, side = c.at_side, axis_offset = c.aside, orientation = c.turned,
                 method = 'relative'
-            FROM compared c WHERE c.type IS NOT NULL AND c.differs AND o.street_object_id = c.held)
-        INSERT INTO street_object (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
-            placed_by, rule_id, rule_place, method)
-        SELECT type, geom, angle, placement, axis_id, abscissa, at_side, aside, turned, 'rule', rule_id, rule_place,
-            'relative'
-        FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place;
+            FROM compared c WHERE c.type IS NOT NULL AND c.differs AND o.street_object_id = c.held),
+        put AS (
+            INSERT INTO street_object (type, geom, angle, placement, axis_id, abscissa, side, axis_offset, orientation,
+                placed_by, rule_id, rule_place, method)
+            SELECT type, geom, angle, placement, axis_id, abscissa, at_side, aside, turned, 'rule', rule_id, rule_place,
+                'relative'
+            FROM compared WHERE held IS NULL ORDER BY rule_id, axis_id, rule_place
+            RETURNING street_object_id, rule_id, axis_id, rule_place)
+        -- A rule's orientation is the angle of its bays.
+        INSERT INTO parking_bay AS b (street_object_id, length, width, angle)
+            SELECT coalesce(c.held, p.street_object_id), coalesce(c.bay_length, usual.length),
+                coalesce(c.bay_width, usual.width), streetgen._bay_angle(c.turned)
+            FROM compared c LEFT JOIN put p USING (rule_id, axis_id, rule_place), streetgen._usual_bay() usual
+            WHERE c.type = ANY (bays)
+            ON CONFLICT (street_object_id) DO UPDATE SET length = excluded.length, width = excluded.width,
+                angle = excluded.angle
+            WHERE (b.length, b.width, b.angle) <> (excluded.length, excluded.width, excluded.angle);
         IF any_former THEN
             UPDATE street_object SET rule_id = NULL, rule_place = NULL WHERE placed_by <> 'rule'
                 AND rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
@@ -322,11 +405,6 @@ BEGIN
             SELECT o.street_object_id FROM street_object o WHERE o.placed_by = 'rule'
                 AND o.type = ANY (crossings) AND (axes IS NULL OR o.axis_id = ANY (axes))
             ON CONFLICT DO NOTHING;
-        -- A rule's orientation is the angle of its bays.
-        INSERT INTO parking_bay AS b (street_object_id, angle)
-            SELECT o.street_object_id, streetgen._bay_angle(o.orientation) FROM street_object o
-            WHERE o.placed_by = 'rule' AND o.type = ANY (bays) AND (axes IS NULL OR o.axis_id = ANY (axes))
-            ON CONFLICT (street_object_id) DO UPDATE SET angle = excluded.angle WHERE b.angle <> excluded.angle;
     END $body$;
     CREATE OR REPLACE FUNCTION _take_from_rules(objects bigint[]) RETURNS void
         LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET streetgen.computes = 'on'

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._object_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
     AS $$ VALUES
     ('placement_function', 'none', NULL::text,
         'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
@@ -12,6 +12,9 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting()
         'similarity of pg_trgm)', NULL, NULL, ARRAY['plain', 'fuzzy']),
     ('line_sight', '5', 'm', 'rules place no object along a border or a corner so near to a stop or yield line', 0, 30,
         NULL),
+    ('bay_roadway_one_way', '3', 'm', 'so much roadway for driving parking bays of rules leave in a one-way street', 0,
+        30, NULL),
+    ('bay_roadway_both', '5.5', 'm', 'the same in a street of both directions', 0, 30, NULL),
     ('median_tree_width', '3', 'm', 'rules place trees on medians from this width on', 0, 30, NULL),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL) $$;
 COMMENT ON FUNCTION streetgen._object_setting() IS 'The settings of objects, with their defaults and ranges.';

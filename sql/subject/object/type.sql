@@ -20,3 +20,14 @@ COMMENT ON COLUMN streetgen.standing_place.level IS 'level of its street';
 COMMENT ON COLUMN streetgen.standing_place.away IS 'm away from the border of the roadway; NULL: placed by the axis';
 COMMENT ON COLUMN streetgen.standing_place.by_kerb IS 'does it stand along a border or a corner, and thus at a kerb';
 COMMENT ON COLUMN streetgen.standing_place.self IS 'the object that stands there; NULL: none yet';
+
+-- A bay by the border of its roadway.
+CREATE TYPE streetgen.bay_place AS (edge_id bigint, side text, low float8, high float8, axis_offset float8,
+    depth float8);
+COMMENT ON TYPE streetgen.bay_place IS 'A parking bay, of which is asked what it takes of its roadway.';
+COMMENT ON COLUMN streetgen.bay_place.edge_id IS 'the edge';
+COMMENT ON COLUMN streetgen.bay_place.side IS 'left or right';
+COMMENT ON COLUMN streetgen.bay_place.low IS 'where it begins, m along the edge';
+COMMENT ON COLUMN streetgen.bay_place.high IS 'where it ends, m along the edge';
+COMMENT ON COLUMN streetgen.bay_place.axis_offset IS 'm from the border of the roadway outwards to its outer end';
+COMMENT ON COLUMN streetgen.bay_place.depth IS 'm from its outer end to its inner one';
