@@ -112,13 +112,15 @@ void settle_limits(Layout& layout, const LimitsByHand& by_hand) {
   for (const Arm& arm : layout.arms) wanted.push_back(arm.limit);
   part_by_hand(layout, by_hand);
   for (int e = 0; e < static_cast<int>(layout.axes.size()); ++e) settle_edge(layout, e, by_hand);
-  for (;;) {
-    const std::vector<int> unparted = part_sections(layout, wanted);
-    if (unparted.empty()) break;
-    for (const int e : unparted) {
+  for (std::vector<bool> settled(layout.axes.size(), true);;) {
+    const std::vector<int> moved = part_sections(layout, settled, wanted);
+    if (moved.empty()) break;
+    settled.assign(layout.axes.size(), false);
+    for (const int e : moved) {
       for (const bool at_start : {true, false})
         layout.arm({e, at_start}).limit = wanted[slot({e, at_start})];
       settle_edge(layout, e, by_hand);
+      settled[e] = true;
     }
   }
   settle_merging_lanes(layout);

@@ -384,16 +384,12 @@ void meet_straight(Layout& layout, Junction& junction) {
 }  // namespace
 
 void solve_joints(Layout& layout, const RadiiByHand& by_hand) {
-  std::vector<Corner>& corners = layout.streets.corners;
   for (const MergingRun& run : layout.merging_runs)
     for (std::size_t k = 1; k < run.edges.size(); ++k) {
       const Edge& edge = layout.streets.network.edges[run.edges[k].edge];
       const int node = run.edges[k].at_start ? edge.from_node : edge.to_node;
       Junction& junction = layout.junctions[node];
       if (junction.straight) continue;
-      const auto first =
-          std::lower_bound(corners.begin(), corners.end(), node,
-                           [](const Corner& corner, int wanted) { return corner.node < wanted; });
       for (std::size_t i = 0; i < 2; ++i) {
         const CornerPlace at{node, i};
         const auto put = by_hand.find({node, i});
@@ -401,7 +397,7 @@ void solve_joints(Layout& layout, const RadiiByHand& by_hand) {
         const SolvedCorner solved = put != by_hand.end()
                                         ? solved_by_hand(layout, at, wanted)
                                         : solve(layout, junction, i, wanted, false);
-        first[i] = corner_of(junction, at, wanted, solved);
+        corner_row(layout, at) = corner_of(junction, at, wanted, solved);
         junction.gaps[i] = solved.gap;
       }
     }

@@ -126,6 +126,14 @@ StreetFace face_about(const Layout& layout, const CornerPlace& start) {
   return face;
 }
 
+Corner& corner_row(Layout& layout, const CornerPlace& corner) {
+  std::vector<Corner>& rows = layout.streets.corners;
+  const auto first =
+      std::lower_bound(rows.begin(), rows.end(), corner.node,
+                       [](const Corner& row, int wanted) { return row.node < wanted; });
+  return first[corner.gap];
+}
+
 int far_node(const Layout& layout, const EdgeEnd& end) {
   const Edge& edge = layout.streets.network.edges[end.edge];
   return end.at_start ? edge.to_node : edge.from_node;

@@ -38,6 +38,9 @@ FaceSide side_before(const Layout& layout, const FaceSide& side);
 // reach of one of its nodes, or on another level.
 StreetFace face_about(const Layout& layout, const CornerPlace& corner);
 
+// The row of a corner, once corners are solved.
+Corner& corner_row(Layout& layout, const CornerPlace& corner);
+
 // The node at the other end.
 int far_node(const Layout& layout, const EdgeEnd& end);
 // The line of the edges about a face.

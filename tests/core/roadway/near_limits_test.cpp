@@ -135,14 +135,76 @@ TEST(NearLimits, LanesKeepToTheGroundOfTheirSection) {
   }
 }
 
-// Sections end before the arc where the link is short: one intersection holds all up to there.
-TEST(NearLimits, AreThoseOfTheCornerWhereASectionEndsBeforeTheArc) {
+// A fork by 8 degrees, whose kerbs cross 50 m away, and whose link meets two streets.
+std::vector<StreetAxis> with_short_link(double link_length) {
   std::vector<StreetAxis> axes = fork(8 * degree, 7, 7);
-  const Point end{52 * std::cos(8 * degree), 52 * std::sin(8 * degree), 0};
+  const Point end{link_length * std::cos(8 * degree), link_length * std::sin(8 * degree), 0};
   axes[1].line = {{0, 0, 0}, end};
   axes.push_back({4, {end, end + Point{0, 100, 0}}, 0, 7, 7, 6, 3});
   axes.push_back({5, {end, end + Point{100, 60, 0}}, 0, 7, 7, 6, 3});
+  return axes;
+}
+
+void expect_tiled(const Streets& town) {
+  const auto surfaces = surfaces_of(town);
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_EQ(shared_area(*surfaces[i], *surfaces[j]), 0);
+}
+
+// Sections end before the kerbs part where the link is short: one intersection holds all up to
+// there.
+TEST(NearLimits, AreThoseOfTheCornerWhereASectionEndsBeforeTheKerbsPart) {
+  const std::vector<StreetAxis> axes = with_short_link(52);
   EXPECT_EQ(limit_of(streets(axes, {}), 1), limit_of(streets(axes, unbounded()), 1));
+}
+
+// A smaller arc ends before the section does.
+TEST(NearLimits, ArcsFitTheSectionsOnWhichTheyEnd) {
+  const std::vector<StreetAxis> axes = with_short_link(66);
+  const Streets town = streets(axes, {}), far = streets(axes, unbounded());
+  EXPECT_GT(limit_of(far, 1), 50);
+  for (const std::int64_t axis : {1, 2}) EXPECT_LT(limit_of(town, axis), 25 + 1e-9);
+  const Corner &corner = between(town, 1, 2), &wide = between(far, 1, 2);
+  EXPECT_LT(corner.radius, wide.radius);
+  EXPECT_GE(corner.radius, 0.25);
+  const Point end = axes[1].line.back();
+  EXPECT_LT(distance(end, corner.arc->end) - 3.5, distance(end, wide.arc->end));
+  EXPECT_GT(distance(end, corner.arc->end), distance(end, wide.arc->end));
+  expect_tiled(town);
+}
+
+// A fork with a street that leaves on the right by 28 degrees: that corner holds 29 m of the
+// street.
+std::vector<StreetAxis> beside_a_corner(double angle) {
+  std::vector<StreetAxis> axes = fork(angle, 7, 7);
+  axes.push_back({4,
+                  {{0, 0, 0}, {200 * std::cos(28 * degree), -200 * std::sin(28 * degree), 0}},
+                  0,
+                  7,
+                  7,
+                  6,
+                  3});
+  return axes;
+}
+
+TEST(NearLimits, FollowThatOfTheirNeighbour) {
+  const Streets town = streets(beside_a_corner(4 * degree), {});
+  EXPECT_GT(limit_of(town, 1), 27);
+  EXPECT_LT(limit_of(town, 1), 30);
+  EXPECT_NEAR(limit_of(town, 2), limit_of(town, 1), 0.1);
+  expect_tiled(town);
+}
+
+// Kerbs cross 26.6 m away, before the limit that another corner wants: a smaller arc is near.
+TEST(NearLimits, ArcsAreSmallWhereNothingPartsTheSections) {
+  const std::vector<StreetAxis> axes = beside_a_corner(15 * degree);
+  const Streets town = streets(axes, {}), far = streets(axes, unbounded());
+  EXPECT_GT(limit_of(far, 2), 32);
+  for (const std::int64_t axis : {1, 2}) EXPECT_LT(limit_of(town, axis), 30);
+  EXPECT_LT(between(town, 1, 2).radius, between(far, 1, 2).radius);
+  EXPECT_GE(between(town, 1, 2).radius, 0.25);
+  EXPECT_EQ(between(town, 1, 2).method, Method::nose);
+  expect_tiled(town);
 }
 
 TEST(NearLimits, EachSectionHasTheGroundNearerToItsAxis) {
