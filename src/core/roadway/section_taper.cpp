@@ -11,6 +11,7 @@
 #include "geometry/tolerance.hpp"
 #include "layout/node_corner.hpp"
 #include "layout/width_transition.hpp"
+#include "roadway/near_limits.hpp"
 
 namespace streetgen {
 
@@ -126,7 +127,7 @@ class SectionTapers {
     const bool beyond = goes_on(junction, a, b);
     const auto straight = straight_on(a, b, wanted, beyond);
     const auto [reach_a, reach_b] =
-        straight.value_or(std::pair(reach(a, wanted, beyond), reach(b, wanted, beyond)));
+        straight.value_or(std::pair(reach(a, +1, wanted, beyond), reach(b, -1, wanted, beyond)));
     gap.taper = {reach_a, reach_b, half_at(arm_a, reach_a, +1), half_at(arm_b, reach_b, -1),
                  straight.has_value()};
     gap.direct = gap.taper.length() < coordinate_margin;
@@ -146,22 +147,22 @@ class SectionTapers {
     if (!way || way->after > 2 * wanted) return std::nullopt;
     const double ground = way->after * sideways(arm_a, arm_b) / 2;
     const EdgeEnd &wide = a_is_wide ? a : b, &narrow = a_is_wide ? b : a;
-    if (ground > layout_.settings.corner_area || way->after > room(narrow, beyond))
+    if (ground > layout_.settings.corner_area ||
+        way->after > room(narrow, a_is_wide ? -1 : +1, beyond))
       return std::nullopt;
-    const double before = std::min(way->before, room(wide, beyond));
+    const double before = std::min(way->before, room(wide, a_is_wide ? +1 : -1, beyond));
     return a_is_wide ? std::pair(before, way->after) : std::pair(way->after, before);
   }
 
-  // Metres from the node, as far as the section has room, or to where it shares no ground any more.
-  double room(const EdgeEnd& end, bool beyond) const {
-    const Arm& arm = layout_.arm(end);
-    if (limits_crossed(layout_.streets, end.edge)) return arm.limit;
-    const double room = length(arm.line) - layout_.arm({end.edge, !end.at_start}).limit;
-    const double alone = arm.limit + layout_.streets.limits[slot(end)].shared;
+  // Metres from the node, as far as the kerb has room, or to where the section shares no ground any
+  // more.
+  double room(const EdgeEnd& end, int side, bool beyond) const {
+    const double room = kerb_room(layout_, end, side);
+    const double alone = layout_.arm(end).limit + layout_.streets.limits[slot(end)].shared;
     return beyond ? room : std::min(alone, room);
   }
-  double reach(const EdgeEnd& end, double wanted, bool beyond) const {
-    return std::min(transition_limit(layout_.arm(end), wanted), room(end, beyond));
+  double reach(const EdgeEnd& end, int side, double wanted, bool beyond) const {
+    return std::min(transition_limit(layout_.arm(end), wanted), room(end, side, beyond));
   }
 
   void add(const EdgeEnd& end, int side, double reach, double own, double half,

@@ -7,6 +7,7 @@
 
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/prepared_surface.hpp"
 #include "streetgen/lane.hpp"
 #include "streetgen/streets.hpp"
 
@@ -105,6 +106,30 @@ TEST(SectionTaper, HasNoPartInAFixedLength) {
   fixed.transition.length = 5;
   for (const Roadway& roadway : streets(widening(fast), fixed).roadways)
     EXPECT_TRUE(roadway.profile.empty());
+}
+
+// A stub of 6 m is 1.5 m wider on both sides than the street about it. On either side the arc of a
+// side street has its kerb all along: the taper begins behind it.
+TEST(SectionTaper, BeginsBehindAnArcAtTheOtherEnd) {
+  const Streets town =
+      streets({axis(1, {{-100, 0, 0}, {0, 0, 0}}, 8, 30), axis(2, {{0, 0, 0}, {6, 0, 0}}, 11, 30),
+               axis(3, {{6, 0, 0}, {100, 0, 0}}, 8, 30), axis(4, {{0, 0, 0}, {0, 60, 0}}, 6, 30),
+               axis(5, {{6, 0, 0}, {6, -60, 0}}, 6, 30)},
+              {});
+  Geos geos;
+  const MultiPolygon ground = geos.polygons(geos.unite(surfaces_of(town)).get());
+  EXPECT_NEAR(area(ground), ground_of(town), 1e-9);
+  int on_stub = 0;
+  for (const Corner& corner : town.corners) {
+    if (!corner.arc) continue;
+    for (const Point& end : {corner.arc->start, corner.arc->end}) {
+      if (std::abs(std::abs(end.y) - 5.5) > 1e-6) continue;
+      ++on_stub;
+      EXPECT_TRUE(PreparedSurface(ground).holds({end.x, end.y * 0.995, 0})) << end.x;
+      EXPECT_FALSE(PreparedSurface(ground).holds({end.x, end.y * 1.005, 0})) << end.x;
+    }
+  }
+  EXPECT_EQ(on_stub, 2);
 }
 
 }  // namespace section_taper_test
