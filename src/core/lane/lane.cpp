@@ -57,8 +57,8 @@ bool convex(const Ring& ring) {
   return true;
 }
 
-// Between the lines along its two sides.  Where a lane begins without width they touch: that ring is
-// no surface, but its ground is, if there is no loop in it.
+// Between the lines along its two sides.  Where a lane begins without width they touch: that ring
+// is no surface, but its ground is, if there is no loop in it.
 MultiPolygon lane_surface(Geos& geos, const Line& left, const Line& right, const Line& middle,
                           double width) {
   Ring ring;
@@ -315,7 +315,7 @@ class LaneBuilder {
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
       append_end_markings(streets_, ranks, controls_, waiting, strip, crossed, made.lanes,
                           settings_.driving_side, out.markings);
-      if (!crossed) append_arrows(geos_, streets_, made.lanes, out.markings);
+      if (!crossed) append_arrows(geos_, streets_, ranks, made.lanes, out.markings);
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
       std::move(made.separators.begin(), made.separators.end(), std::back_inserter(out.separators));
     }

@@ -213,6 +213,13 @@ std::optional<double> waits_at(const std::vector<Marking>& lines, const Lane& la
   return std::nullopt;
 }
 
+// Whether nothing lies between the end of a lane and the node that it leads to.
+bool limit_at_node(const Streets& streets, const Lane& lane) {
+  const SectionLimit& limit = streets.limits[2 * lane.edge + (lane.along_axis ? 1 : 0)];
+  const double at_node = lane.along_axis ? length(streets.network.edges[lane.edge].line) : 0;
+  return std::abs(limit.abscissa - at_node) <= same_place;
+}
+
 }  // namespace
 
 std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& comes) {
@@ -306,13 +313,15 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
   }
 }
 
-void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& lanes,
-                   std::vector<Marking>& out) {
+void append_arrows(Geos& geos, const Streets& streets, const std::vector<NodeRank>& ranks,
+                   const std::vector<Lane>& lanes, std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
     if (lane.both_ways || !lane.reaches(!lane.along_axis) || !painted(lane)) continue;
     const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const Edge& edge = streets.network.edges[lane.edge];
+    const int node = lane.along_axis ? edge.to_node : edge.from_node;
+    if (lane.turns == 0 && ranks[node].degree == 2 && limit_at_node(streets, lane)) continue;
     const double total =
         waits_at(out, lane, way)
             .value_or(length(way) -
@@ -325,7 +334,7 @@ void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& 
     marking.edge = lane.edge;
     marking.position = lane.position;
     marking.along_axis = lane.along_axis;
-    marking.node = lane.along_axis ? edge.to_node : edge.from_node;
+    marking.node = node;
     const Point foot = position_at(way, tip - reach).point, head = position_at(way, tip).point;
     if (distance(foot, head) < 0.9 * reach) continue;
     marking.line = {foot, head};

@@ -39,9 +39,10 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
                          std::vector<Marking>& out);
 
 // The way that each lane runs, and the turns that it allows: before its line in `out` and its end,
-// or in the middle of a short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor
-// on lanes for both directions.
-void append_arrows(Geos& geos, const Streets& streets, const std::vector<Lane>& lanes,
-                   std::vector<Marking>& out);
+// or in the middle of a short lane; none where the lane is too short or narrow for an arrow, nor on
+// parking lanes, nor on lanes for both directions, nor before a node where two edges go straight on
+// and the lane allows no turn.
+void append_arrows(Geos& geos, const Streets& streets, const std::vector<NodeRank>& ranks,
+                   const std::vector<Lane>& lanes, std::vector<Marking>& out);
 
 }  // namespace streetgen

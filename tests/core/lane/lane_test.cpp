@@ -565,5 +565,29 @@ TEST(Lanes, AreOpenedToBothDirectionsAndClosedByHand) {
   EXPECT_TRUE(made.lanes[3].both_ways);
 }
 
+// The places to which arrows on a street in two pieces lead, by the axis of the first one.
+std::vector<double> arrow_tips(double bend, unsigned turns) {
+  const Streets town = streets(
+      {{1, {{0, 0, 0}, {100, 0, 0}}, 0, 7, 7, 6, 3},
+       {2, {{100, 0, 0}, {100 + 100 * std::cos(bend), 100 * std::sin(bend), 0}}, 0, 7, 7, 6, 3}},
+      {});
+  AxisLanes first = general(1, 1);
+  first.forward[0].turns = turns;
+  std::vector<double> tips;
+  for (const Marking& marking : lanes(town, {{1, first}, {2, general(1, 1)}}, {}, {}).markings)
+    if (marking.kind == MarkingKind::arrow) tips.push_back(marking.line.back().x);
+  std::sort(tips.begin(), tips.end());
+  return tips;
+}
+
+TEST(Lane, HasNoArrowWhereItsStreetGoesStraightOn) {
+  const std::vector<double> straight_on = arrow_tips(0, 0);
+  ASSERT_EQ(straight_on.size(), 2u);
+  EXPECT_NEAR(straight_on[0], 5, 1e-6);
+  EXPECT_NEAR(straight_on[1], 195, 1e-6);
+  EXPECT_EQ(arrow_tips(0, turn::left).size(), 3u);
+  EXPECT_EQ(arrow_tips(0.3, 0).size(), 4u);
+}
+
 }  // namespace lane_test
 }  // namespace streetgen
