@@ -137,7 +137,7 @@ read_vector() {
   write=(ogr2ogr -q -f PostgreSQL "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database" "$file" ${options[@]+"${options[@]}"} ${reference[@]+"${reference[@]}"}
     ${encoding:+--config SHAPE_ENCODING "$encoding"} -nln "$table" -lco GEOMETRY_NAME=geom -lco SCHEMA=streetgen_source -lco PRECISION=NO -lco LAUNDER=NO -nlt PROMOTE_TO_MULTI
     -mapFieldType 'String(JSON)=String,Date=String,Time=String,DateTime=String')
-  if [ -n "$query" ]; then write+=(-sql "$query"); elif [ -n "$layer" ]; then write+=("$layer"); fi
+  if [ -n "$query" ]; then write+=(-dialect OGRSQL -sql "$query"); elif [ -n "$layer" ]; then write+=("$layer"); fi
   run_sql -c "DROP TABLE IF EXISTS streetgen_source.$table"
   "${write[@]}" 2>"$log" || failed=yes
   # Ids of features that repeat or are missing are no key of a table.

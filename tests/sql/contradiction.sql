@@ -28,14 +28,14 @@ INSERT INTO odd_words SELECT v.*, pg_temp.street(200 + row_number() OVER ()::int
   ('widths', '2', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, '3|3|3', NULL, NULL, NULL), ('wider', '2', NULL, NULL, NULL, NULL, '5', NULL, NULL, NULL, '3.5', '3.5', NULL, NULL),
   ('narrow', '6', NULL, NULL, NULL, NULL, '3', NULL, NULL, NULL, NULL, NULL, NULL, NULL), ('fast', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, '400', NULL),
   ('still', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, '0', NULL), ('ring', '2', NULL, NULL, '2', 'direct', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL),
-  ('up', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 'bridge'), ('fits', '3', '2', '1', NULL, 'both', '10.5', 'general|general|cycle', 'left|through', 'no|no', '3|3', '3', '50', '1')) v;
+  ('square', NULL, NULL, NULL, NULL, NULL, '80', NULL, NULL, NULL, NULL, NULL, NULL, NULL), ('up', NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 'bridge'), ('fits', '3', '2', '1', NULL, 'both', '10.5', 'general|general|cycle', 'left|through', 'no|no', '3|3', '3', '50', '1')) v;
 DROP TABLE told;
 CREATE TABLE told AS SELECT * FROM streetgen.import_axes('town', 'odd_words', '{"source_ref": "id", "lane_count": "lc", "lanes_forward": "lf", "lanes_backward": "lb", "lanes_both": "lbo", "direction": "dir", "width": "w", "kind_forward": "kf", "turn_forward": "tf", "change_forward": "cf", "lane_width_forward": "wf", "lane_width_backward": "wb", "speed": "sp", "level": "lv"}');
 SELECT ref || ' is told: ' || about, EXISTS (SELECT FROM told WHERE what LIKE about AND ref = ANY (source_refs)) FROM (VALUES ('sum', 'lane_count is not that of the directions%'), ('kinds', 'lane_count is not that%'), ('list', 'number of lanes is not that of their kinds%'),
   ('against', 'lanes against a one-way street%'), ('turns', 'turns are not those%'), ('changes', 'changes are not those%'), ('widths', 'widths are not those%'), ('wider', 'lanes wider than their street%'), ('narrow', 'width too small: 3 m%'), ('fast', 'speed that no street has%'),
-  ('still', 'speed of zero%'), ('ring', 'lanes for both directions of a one-way street%'), ('up', 'level not understood%')) v(ref, about);
+  ('square', 'width that no street has%'), ('still', 'speed of zero%'), ('ring', 'lanes for both directions of a one-way street%'), ('up', 'level not understood%')) v(ref, about);
 SELECT 'a row that agrees with itself is not', NOT EXISTS (SELECT FROM told WHERE 'fits' = ANY (source_refs));
-SELECT 'check_model names them too', bool_and(EXISTS (SELECT FROM streetgen.check_model('town') f JOIN town.axis a ON a.axis_id = f.id WHERE f.rule = what AND a.source_ref = source_refs[1])) FROM told WHERE what ~ '^(lane|number|turns|changes|widths|speed that)';
+SELECT 'check_model names them too', bool_and(EXISTS (SELECT FROM streetgen.check_model('town') f JOIN town.axis a ON a.axis_id = f.id WHERE f.rule = what AND a.source_ref = source_refs[1])) FROM told WHERE what ~ '^(lane|number|turns|changes|widths|(speed|width) that)';
 -- A report is about its own source.
 CREATE TABLE next_words AS SELECT 'n' AS id, pg_temp.street(300, false) AS geom;
 SELECT 'an import names rows of its own source alone', NOT EXISTS (SELECT FROM streetgen.import_axes('town', 'next_words', '{"source_ref": "id"}') WHERE what ~ '^(lane|odd|width|number|turns|changes|speed|crosses)');

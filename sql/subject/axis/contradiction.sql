@@ -53,6 +53,9 @@ BEGIN
         WHERE coalesce(a.lane_width_forward, a.lane_width_backward) IS NOT NULL
             AND together > greatest(u.width, u.width_end) + 0.1
     UNION ALL
+    SELECT 'notice', 'width that no street has, m', 'axis', axis_id, greatest(width, width_end), geom FROM said
+        WHERE greatest(width, width_end) > 50 AND lane_count IS NULL
+    UNION ALL
     SELECT 'notice', 'speed that no street has, km/h', 'axis', axis_id, speed, geom FROM said
         WHERE speed > 200 OR speed < 1;
 END $$;
@@ -77,5 +80,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'the list of who may leave a lane has another length than the lanes', 'correct the list'),
     ('lanes wider than their street, m', 'the widths of single lanes are more than the roadway has',
         'correct `width`, or the lists of widths'),
+    ('width that no street has, m',
+        'the roadway is over 50 m wide, no number of lanes says so, and it is taken as it is',
+        'correct `width`, or the unit of its column in the mapping; or state `lane_count`'),
     ('speed that no street has, km/h', 'the speed is below 1 or beyond 200 km/h, and is taken as it is',
         'correct `speed`, or the unit of its column in the mapping');
