@@ -60,7 +60,7 @@ SELECT 'NULL is told as NULL', NOT EXISTS (SELECT FROM public.tried WHERE statem
 SELECT 'none is refused by an error of the server or of SQL', NOT EXISTS (SELECT FROM public.tried WHERE state ~ '^(XX|42)');
 -- A word that a column does not know is refused, and the words that it takes are told.
 SELECT format('%s.%s takes none but its words', relation, attribute), state = '23514' AND detail ~ words
-  FROM (VALUES ('object_type', 'symbol', 'circle, .* or triangle'), ('object_type', 'geometry', 'point or line'), ('placement_rule', 'along', 'border, axis, arm or corner'), ('placement_rule', 'side', 'left, right, both or alternating'), ('placement_rule', 'turn', 'left'), ('street_object', 'placed_by', 'user, import or rule')) v(relation, attribute, words),
+  FROM (VALUES ('object_type', 'symbol', 'circle, .* or triangle'), ('object_type', 'geometry', 'point or line'), ('placement_rule', 'along', 'border, axis, arm, corner or lane'), ('placement_rule', 'side', 'left, right, both or alternating'), ('placement_rule', 'turn', 'left'), ('street_object', 'placed_by', 'user, import or rule')) v(relation, attribute, words),
   test.refusal(format('UPDATE town.%I SET %I = ''donut''', relation, attribute));
 SELECT 'a rule takes no type that is none', state = '22023' AND hint ~ 'object_type' FROM test.refusal($$UPDATE town.placement_rule SET type = 'donut'$$);
 SELECT 'a rule for all kinds is no finding', count(*) = 0 FROM streetgen.check_model('town') WHERE rule ~ 'kind that no street';
