@@ -41,6 +41,9 @@ SELECT 'and none when it is no kind of it any more', NOT EXISTS (SELECT FROM tow
 UPDATE town.street_object SET type = 'parking_bay', abscissa = 30;
 DELETE FROM town.parking_bay;
 SELECT 'the object goes with its bay', NOT EXISTS (SELECT FROM town.street_object);
+-- Streets of 7 m have no room beside their lanes: here rules take it.
+SELECT streetgen.set('town', 'bay_roadway_both', '0'), streetgen.set('town', 'lane_width_minimal', '1') \g /dev/null
+SELECT FROM streetgen.generate('town', wait => true) \g /dev/null
 INSERT INTO town.placement_rule (type, along, side, every, orientation, axis_offset, distance_from_limit) VALUES ('parking_bay', 'border', 'right', 6, 0, 0, 0);
 INSERT INTO town.pedestrian_crossing_editing (geom) VALUES (pg_temp.line('POINT(50 0)'));
 SELECT 'rules place bays beside each other', count(*) > 20 AND bool_and(ST_Area(b.surface) BETWEEN 11.4 AND 11.6) AND NOT EXISTS (SELECT FROM town.parking_bay a JOIN town.parking_bay c
