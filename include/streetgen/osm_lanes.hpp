@@ -47,7 +47,7 @@ struct OsmLanes {
   int both_ways = 0;  // in the middle, for both directions
   // Are general and bus lanes of the direction stated, or only usual?
   bool forward_known = false, backward_known = false;
-  // Who may drive, as column access of an axis has it; empty: all.
+  // The words of column access of an axis say who may drive; empty: all may.
   std::string access_forward{}, access_backward{};
   std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
   // Metres from the way to the middle of all lanes, left positive.

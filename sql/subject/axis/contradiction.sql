@@ -1,4 +1,4 @@
--- What an axis says of itself that cannot hold together.
+-- The columns of an axis may contradict each other: check_model and the report of an import tell.
 
 CREATE OR REPLACE FUNCTION streetgen._contradictions(model name, said_by text DEFAULT NULL)
     RETURNS SETOF streetgen.finding

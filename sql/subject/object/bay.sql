@@ -90,7 +90,7 @@ BEGIN
                 streetgen._border_offset(streetgen._to_border(a.width,
                     a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders, o.abscissa, o.side), o.axis_offset,
                     o.side),
-                coalesce(o.side, CASE WHEN o.axis_offset > a.roadway_offset THEN 'left' ELSE 'right' END), o.abscissa,
+                streetgen._side_of_street(o.side, o.axis_offset, a.roadway_offset), o.abscissa,
                 b.length, b.width, b.angle) AS ground
             FROM parking_bay b JOIN street_object o USING (street_object_id)
                 LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'

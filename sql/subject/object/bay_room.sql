@@ -1,4 +1,4 @@
--- What parking bays take of a roadway, and what they leave to those who drive: for rules, and for check_model.
+-- Parking bays take ground of a roadway and leave the rest to those who drive: rules and check_model ask how much.
 
 CREATE OR REPLACE FUNCTION streetgen._least_bay_depth() RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -45,7 +45,7 @@ BEGIN
         AS $body$
         SELECT DISTINCT ON (edge_id, s.side) edge_id, s.side, l.width, l.along_axis, l.borders
         FROM _lanes_across(edges) l JOIN edge e USING (edge_id), LATERAL (
-            SELECT CASE WHEN l.axis_offset > e.roadway_offset THEN 'left' ELSE 'right' END AS side) s
+            SELECT streetgen._side_of_street(NULL, l.axis_offset, e.roadway_offset) AS side) s
         WHERE l.kind = 'parking' ORDER BY edge_id, s.side, abs(l.axis_offset - e.roadway_offset) DESC $body$;
     CREATE OR REPLACE FUNCTION _bay_room(bays streetgen.bay_place[])
         RETURNS TABLE(number bigint, on_lane boolean, narrowest float8, taken float8, remains float8, needed float8)
@@ -104,9 +104,8 @@ BEGIN
                     AS borders
                 FROM edge e JOIN section s USING (edge_id) WHERE edges IS NULL OR e.edge_id = ANY (edges)) e
             JOIN street_object o USING (axis_id) JOIN parking_bay b USING (street_object_id),
-            LATERAL (SELECT coalesce(o.side, CASE WHEN o.axis_offset > e.roadway_offset THEN 'left' ELSE 'right' END)
-                AS side, o.abscissa - e.start_abscissa AS at, streetgen._bay_reach(b.length, b.width, b.angle) AS reach)
-                s
+            LATERAL (SELECT streetgen._side_of_street(o.side, o.axis_offset, e.roadway_offset) AS side,
+                o.abscissa - e.start_abscissa AS at, streetgen._bay_reach(b.length, b.width, b.angle) AS reach) s
         WHERE (of_rules OR o.placed_by <> 'rule') AND o.method = 'relative' AND b.surface IS NOT NULL
             AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa $body$;
     CREATE OR REPLACE FUNCTION _judged_bays()

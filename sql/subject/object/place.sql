@@ -1,5 +1,13 @@
 -- The place of an object by an axis, or by the border of its roadway.
 
+CREATE OR REPLACE FUNCTION streetgen._side_of_street(side text, axis_offset float8, roadway_offset float8)
+    RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(side, CASE WHEN axis_offset > roadway_offset THEN 'left' ELSE 'right' END);
+COMMENT ON FUNCTION streetgen._side_of_street(text, float8, float8) IS
+    'The side of its street, left or right, on which an object stands: that of its border, else by its distance from '
+    'the axis to the left and that of the middle of the roadway, metres.';
+
 CREATE OR REPLACE FUNCTION streetgen._axis_borders(model name, axes bigint[])
     RETURNS TABLE(axis_id bigint, borders float8[])
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public

@@ -317,18 +317,18 @@ BEGIN
             UNION SELECT rule_id, axis_id, rule_place FROM bay WHERE ground IS NULL
             UNION SELECT rule_id, axis_id, rule_place FROM bay b
                 WHERE NOT EXISTS (SELECT FROM roomy r WHERE r.number = b.number)
-            -- Of two bays opposite each other that leave too little the later one goes. On parking lanes the source
-            -- says that cars stand.
+            -- The later one of two bays opposite each other goes where they leave too little. A source says that cars
+            -- stand on parking lanes: these bays stay.
             UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM roomy b JOIN roomy c
                 ON (c.place).edge_id = (b.place).edge_id AND (c.place).side <> (b.place).side
                 WHERE b.number > c.number AND b.along <> 'lane' AND (c.place).low < (b.place).high
                     AND (b.place).low < (c.place).high AND b.remains - c.taken < b.needed - 1e-6
-            -- So long is a bus that leaves the roadway and comes back.
+            -- A bus needs 15 m to leave the roadway, and to come back.
             UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN street_object o USING (axis_id)
                 JOIN street s USING (edge_id)
                 WHERE o.type = ANY (bus_stops) AND o.placed_by <> 'rule' AND o.method = 'relative'
-                    AND b.at_side = coalesce(o.side, CASE WHEN o.axis_offset > s.roadway_offset THEN 'left'
-                        ELSE 'right' END) AND abs(o.abscissa - b.abscissa) < b.reach + 15
+                    AND b.at_side = streetgen._side_of_street(o.side, o.axis_offset, s.roadway_offset)
+                    AND abs(o.abscissa - b.abscissa) < b.reach + 15
             -- By difference, since a hash join of a whole level would pass over the spatial index.
             UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
                 AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)

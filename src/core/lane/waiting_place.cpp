@@ -17,7 +17,7 @@ constexpr double least_room = 1;     // of the lane behind its line
 
 const double same_course = std::cos(M_PI / 6);  // arms nearer in direction go on side by side
 
-// Of the first metres of a line.
+// The first metres of a line have this direction.
 Point direction_of(const Line& line) {
   return unit(planar(position_at(line, first_metres).point - line.front()));
 }

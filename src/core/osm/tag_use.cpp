@@ -80,8 +80,7 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"busway[|:left|:right|:both]",
        "Value lane: a bus lane at the kerb, among the lanes that are counted, unless all of them "
        "are bus lanes; opposite_lane: one against the traffic, at the far kerb. At another kerb, "
-       "or "
-       "on a street of both directions, it is named.",
+       "or on a street of both directions, it is named.",
        "lane opposite_lane opposite separate no none"},
       {"cycleway[|:left|:right|:both]",
        "Value lane or soft_lane: a cycle lane at the kerb, beside the lanes that are counted; "
@@ -145,8 +144,7 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
        "Who alone may drive where cars may not: buses with taxis, carpools or bicycles."},
       {"layer",
        "The level, from -10 to 10. A bridge on layer 0 or none is on level 1, a tunnel on level "
-       "-1; where they "
-       "contradict it, it stands, and the way is named."},
+       "-1; where they contradict it, it stands, and the way is named."},
       {"bridge", "Level 1 where layer says 0 or none."},
       {"tunnel", "Level -1 where layer says 0 or none; building_passage is on the ground.", nullptr,
        "building_passage"},

@@ -108,7 +108,7 @@ TEST(SectionTaper, HasNoPartInAFixedLength) {
     EXPECT_TRUE(roadway.profile.empty());
 }
 
-// A stub of 6 m is 1.5 m wider on both sides than the street about it. On either side the arc of a
+// A street of 6 m is 1.5 m wider on both sides than the street about it. On either side the arc of a
 // side street has its kerb all along: the taper begins behind it.
 TEST(SectionTaper, BeginsBehindAnArcAtTheOtherEnd) {
   const Streets town =
