@@ -13,10 +13,6 @@ namespace {
 
 constexpr double noticed = 1e-3;  // square metres that a contested sidewalk has lost
 
-double middle_width(const std::vector<WidthKnot>& widths) {
-  return (widths.front().width + widths.back().width) / 2;
-}
-
 }  // namespace
 
 std::vector<Sidewalk> find_sidewalks(std::vector<SidewalkKerb> kerbs, double transition) {
@@ -30,7 +26,7 @@ std::vector<Sidewalk> find_sidewalks(std::vector<SidewalkKerb> kerbs, double tra
       if (!kerbs[i].wanted || strips[i].surface.empty()) continue;
       Sidewalk sidewalk;
       sidewalk.kerb = i;
-      sidewalk.width = kerbs[i].width.value_or(middle_width(chains.widths(i)));
+      sidewalk.width = kerbs[i].width.value_or(strips[i].width);
       if (strips[i].narrow) sidewalk.method = Method::contested;
       const std::vector<int> rivals = shared.rivals(i);
       if (!rivals.empty() || !strips[i].plain) {

@@ -84,11 +84,16 @@ void KerbChains::widen(int from, double transition) {
   const double end = known_to ? *kerbs_[to].width : start;
   const bool across =
       std::any_of(between.begin(), between.end(), [&](int kerb) { return kerbs_[kerb].across; });
-  if (across && std::min(start, end) <= 0) return;
+  if (std::min(start, end) <= 0) {
+    if (across || between.empty() || start == end) return;
+    if (start <= 0) std::reverse(between.begin(), between.end());
+    ends_.push_back(start > 0 ? SidewalkEnd{from, true, start, between, to}
+                              : SidewalkEnd{to, false, end, between, from});
+    return;
+  }
   const double beyond = std::max(0.0, (transition - size) / 2);
-  // A kerb without a sidewalk stays without.
-  const double before = known_from && start > 0 ? std::min(beyond, lengths_[from] / 2) : 0;
-  const double after = known_to && end > 0 ? std::min(beyond, lengths_[to] / 2) : 0;
+  const double before = known_from ? std::min(beyond, lengths_[from] / 2) : 0;
+  const double after = known_to ? std::min(beyond, lengths_[to] / 2) : 0;
   const double inset = std::max(0.0, (size - transition) / 2);
   const std::vector<WidthKnot> change{{inset - before, start}, {size - inset + after, end}};
   double at = 0;
@@ -125,9 +130,7 @@ void KerbChains::put(int kerb, double start, double end, const std::vector<Width
   if (!keeps_end) knots.push_back({end - start, width_at(change, end)});
   if (keeps_end && knots.back().abscissa < end - start)
     knots.push_back({end - start, change.back().width});
-  const bool any =
-      std::any_of(knots.begin(), knots.end(), [](const WidthKnot& knot) { return knot.width > 0; });
-  widths = any ? std::move(knots) : std::vector<WidthKnot>{};
+  widths = std::move(knots);
 }
 
 }  // namespace streetgen

@@ -12,6 +12,16 @@ struct WidthKnot {
   double abscissa, width;
 };
 
+// A way from a kerb with a sidewalk to one that has none.
+struct SidewalkEnd {
+  int beside = 0;     // the kerb with the sidewalk
+  bool ahead = true;  // the way begins at the end of that kerb, else at its start
+  double width = 0;   // metres, of the sidewalk
+  std::vector<int>
+      on;        // kerbs without a width of their own, in their order from `beside`: one or more
+  int none = 0;  // the kerb without a sidewalk
+};
+
 class KerbChains {
  public:
   KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition);
@@ -21,6 +31,7 @@ class KerbChains {
   int previous(int kerb) const { return previous_[kerb]; }
   // Ascending, from the start of the kerb to its end; empty where it has no sidewalk.
   const std::vector<WidthKnot>& widths(int kerb) const { return widths_[kerb]; }
+  const std::vector<SidewalkEnd>& ends() const { return ends_; }
 
  private:
   void link();
@@ -31,6 +42,7 @@ class KerbChains {
   std::vector<int> next_, previous_;
   std::vector<double> lengths_;
   std::vector<std::vector<WidthKnot>> widths_;
+  std::vector<SidewalkEnd> ends_;
 };
 
 }  // namespace streetgen

@@ -9,6 +9,7 @@
 #include "geometry/ring_simplicity.hpp"
 #include "geometry/surface_union.hpp"
 #include "geometry/tolerance.hpp"
+#include "sidewalk/straight_end.hpp"
 #include "streetgen/cancel.hpp"
 #include "strip/back_line.hpp"
 #include "strip/bend.hpp"
@@ -134,7 +135,14 @@ MultiPolygon united_pieces(const WidthCourse& course, const Point& came, const P
 class Strips {
  public:
   Strips(const std::vector<SidewalkKerb>& kerbs, const KerbChains& chains)
-      : kerbs_(kerbs), chains_(chains), strips_(kerbs.size()), done_(kerbs.size()) {}
+      : kerbs_(kerbs),
+        chains_(chains),
+        strips_(kerbs.size()),
+        done_(kerbs.size()),
+        ends_ahead_(kerbs.size()),
+        ends_behind_(kerbs.size()) {
+    for (const SidewalkEnd& end : chains.ends()) make_end(end);
+  }
 
   std::vector<Strip> make() {
     for (int i = 0; i < count(); ++i)
@@ -148,11 +156,11 @@ class Strips {
   bool has_strip(int kerb) const { return kerb >= 0 && !chains_.widths(kerb).empty(); }
   bool follows(int kerb) const { return has_strip(chains_.previous(kerb)); }
   Point came(int kerb) const {
-    const int previous = chains_.previous(kerb);
+    const int previous = ends_behind_[kerb] ? -1 : chains_.previous(kerb);
     return previous < 0 ? Point{} : direction_at(kerbs_[previous].line, false);
   }
   Point goes(int kerb) const {
-    const int next = chains_.next(kerb);
+    const int next = ends_ahead_[kerb] ? -1 : chains_.next(kerb);
     return next < 0 ? Point{} : direction_at(kerbs_[next].line, true);
   }
 
@@ -164,6 +172,18 @@ class Strips {
   }
   double widest_beside(int kerb) const {
     return std::max({widest(chains_.previous(kerb)), widest(kerb), widest(chains_.next(kerb))});
+  }
+
+  // Beside it, the sidewalk ends square.
+  void make_end(const SidewalkEnd& end) {
+    Strip& strip = strips_[end.on.front()];
+    strip.width = strip.widest = end.width;
+    strip.reach = spread * end.width;
+    strip.plain = false;
+    Ring ring = straight_end(kerbs_, end, strip.reach);
+    if (ring.empty()) return;
+    strip.surface = {{std::move(ring)}};
+    (end.ahead ? ends_ahead_ : ends_behind_)[end.beside] = true;
   }
 
   void make_chain(int first) {
@@ -197,6 +217,8 @@ class Strips {
   void make_strip(int kerb, const WidthCourse& course, const KerbGround& ground,
                   const BackLine& back, int first, int last) {
     Strip& strip = strips_[kerb];
+    const std::vector<WidthKnot>& widths = chains_.widths(kerb);
+    strip.width = (widths.front().width + widths.back().width) / 2;
     strip.widest = widest(kerb);
     strip.reach = spread * widest_beside(kerb);
     strip.narrow = ground.narrow;
@@ -217,6 +239,8 @@ class Strips {
   const KerbChains& chains_;
   std::vector<Strip> strips_;
   std::vector<bool> done_;
+  std::vector<bool> ends_ahead_,
+      ends_behind_;  // its sidewalk goes on along a corner, and ends there
 };
 
 }  // namespace

@@ -138,13 +138,13 @@ TEST(Sidewalk, ChangesItsWidthAboutAPlaneMeetingOfTwoKerbs) {
   EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), 37.5 * 4 + 2.5 * 3.5, 1e-9);
 }
 
-// The width goes from 2 to 1.5 m over 5 m, of which the last 0.1 m lie on a kerb of 2 m. The second
-// half of that kerb leads to none.
+// The width goes from 2 to 1.5 m over 5 m, of which the last 0.1 m lie on a kerb of 2 m. The
+// sidewalk ends square at the kerb that has none.
 TEST(Sidewalk, ChangesItsWidthTwiceAlongAShortKerbWhateverTheOrderOfKerbs) {
   const std::vector<SidewalkKerb> kerbs{
       kerb({{0, 0, 0}, {40, 0, 0}}, 2), kerb({{40, 0, 0}, {44.8, 0, 0}}, std::nullopt),
       kerb({{44.8, 0, 0}, {46.8, 0, 0}}, 1.5), kerb({{46.8, 0, 0}, {60, 0, 0}}, 0)};
-  const double wanted = 0.1 * (1.51 + 1.5) / 2 + 0.9 * 1.5 + 1.0 * 1.5 / 2;
+  const double wanted = 0.1 * (1.51 + 1.5) / 2 + 1.9 * 1.5;
   std::vector<int> order{0, 1, 2, 3};
   do {
     std::vector<SidewalkKerb> given;
@@ -154,11 +154,64 @@ TEST(Sidewalk, ChangesItsWidthTwiceAlongAShortKerbWhateverTheOrderOfKerbs) {
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
-TEST(Sidewalk, LeavesAKerbWithoutWidthAsItIs) {
+TEST(Sidewalk, EndsSquareAtAKerbWithoutWidthThatGoesStraightOn) {
   const auto sidewalks =
       find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, 0), kerb({{40, 0, 0}, {80, 0, 0}}, 4)}, 5);
   ASSERT_EQ(sidewalks.size(), 1u);
-  EXPECT_NEAR(area(sidewalks[0].surface), 37.5 * 4 + 2.5 * 2, 1e-9);
+  EXPECT_NEAR(area(sidewalks[0].surface), 160, 1e-9);
+}
+
+// A kerb comes down, turns to the left by an arc and leads on without a sidewalk. The back line
+// goes straight on, to where the arc or the kerb behind it meets it.
+TEST(Sidewalk, GoesStraightOnToTheKerbOfAStreetThatHasNone) {
+  for (const double radius : {0.5, 2.0, 6.0, 12.0})
+    for (const double width : {1.5, 3.0})
+      for (const bool mirrored : {false, true}) {
+        std::vector<SidewalkKerb> kerbs{
+            kerb({{0, 50, 0}, {0, radius, 0}}, width),
+            kerb(quarter({radius, radius, 0}, radius, M_PI), std::nullopt),
+            kerb({{radius, 0, 0}, {60, 0, 0}}, 0)};
+        if (mirrored)
+          for (SidewalkKerb& each : kerbs) {
+            for (Point& place : each.line) place.x = -place.x;
+            std::reverse(each.line.begin(), each.line.end());
+          }
+        const auto sidewalks = find_sidewalks(kerbs, 5);
+        ASSERT_EQ(sidewalks.size(), 2u) << radius << ' ' << width;
+        EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), (50 - radius) * width, 1e-6);
+        EXPECT_EQ(of_kerb(sidewalks, 1).method, Method::hypothesis);
+        EXPECT_DOUBLE_EQ(of_kerb(sidewalks, 1).width, width);
+        // All between the arc and the line `width` from the kerb that comes down: the integral of
+        // the depth of the arc, and a rectangle where the line lies beyond it.
+        const double rest = std::max(radius - width, 0.0), across = std::min(width, radius);
+        const double under =
+            radius * radius * std::acos(rest / radius) - rest * std::sqrt(across * (radius + rest));
+        const double wanted = under / 2 + (width - across) * radius;
+        EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), wanted, 1e-3 * radius * radius)
+            << radius << ' ' << width;
+      }
+}
+
+// A street parts by 10 degrees: the back line would meet its kerb only after 17 m.
+TEST(Sidewalk, EndsSquareWhereAStreetThatHasNonePartsSlowly) {
+  const double t = 10 * M_PI / 180;
+  const auto sidewalks = find_sidewalks(
+      {kerb({{0, 0, 0}, {40, 0, 0}}, 3), kerb({{40, 0, 0}, {42, 0, 0}}, std::nullopt),
+       kerb({{42, 0, 0}, {42 + 40 * std::cos(t), 40 * std::sin(t), 0}}, 0)},
+      5);
+  EXPECT_NEAR(total(sidewalks), 42 * 3, 1e-9);
+}
+
+// The kerb turns back by 150 degrees, so the tip of the ground is narrower than the sidewalk.
+TEST(Sidewalk, FillsTheTipOfASharpCornerWithAStreetThatHasNone) {
+  const double t = 30 * M_PI / 180;
+  const auto sidewalks = find_sidewalks(
+      {kerb({{0, 0, 0}, {40, 0, 0}}, 3), kerb({{40, 0, 0}, {41, 0, 0}}, std::nullopt),
+       kerb({{41, 0, 0}, {41 - 40 * std::cos(t), 40 * std::sin(t), 0}}, 0)},
+      5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), std::tan(t) / 2, 1e-6);
+  // Straight on, from the tip to the kerb that comes back.
+  EXPECT_NEAR(total(sidewalks), 3 * 41 - 9 / std::tan(t) / 2, 1e-6);
 }
 
 // A street without a sidewalk on its right.
