@@ -322,11 +322,12 @@ class GroundBeside {
                                                                          : Beside::outer;
   }
 
-  // A street parts there into its two directions.
+  // A street parts there into its two directions, and the ground lies between them.
   bool parts_at_corner(const EdgeEnd& first, const EdgeEnd& second) const {
-    const Line &a = layout_.arm(first).line, &b = layout_.arm(second).line;
+    const Line &line = layout_.arm(first).line, &other = layout_.arm(second).line;
+    const Point a = unit(planar(line[1] - line[0])), b = unit(planar(other[1] - other[0]));
     return first.edge != second.edge && are_a_pair(first, {second.edge, !second.at_start}) &&
-           dot(unit(planar(a[1] - a[0])), unit(planar(b[1] - b[0]))) > nearly_along;
+           dot(a, b) > nearly_along && cross(a, b) > 0;
   }
 
   // Another carriageway lies beside it near one of its ends.

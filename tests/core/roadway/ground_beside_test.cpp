@@ -73,6 +73,26 @@ TEST(GroundBeside, IsAMedianBetweenCarriagewaysOfOneStreet) {
   expect_beside(pair(27.1, 5, 5), {{1, {outer, outer}}, {2, {outer, outer}}});
 }
 
+// At their common end the median lies on one side of the node, and the city about it on the other.
+TEST(GroundBeside, IsTheCityAboutTheCommonEndOfTwoCarriageways) {
+  for (const bool backward : {false, true}) {
+    std::vector<StreetAxis> axes{axis(1, {{0, 0, 0}, {150, 15, 0}}, along, 5),
+                                 axis(2, {{150, 15, 0}, {0, 30, 0}}, along, 5)};
+    if (backward)
+      for (StreetAxis& one : axes) {
+        one.line = {one.line.rbegin(), one.line.rend()};
+        std::swap(one.leads_forward, one.leads_backward);
+      }
+    const Streets town = streets(axes, StreetSettings{});
+    ASSERT_EQ(town.network.edges.size(), 2u);
+    // By the edge end that comes first about a corner, counter-clockwise: the start, the end.
+    const std::vector<Beside>& corners = town.beside.corners;
+    const Beside about = corners[backward ? 0 : 1], between = corners[backward ? 3 : 2];
+    EXPECT_EQ(about, outer) << backward;
+    EXPECT_EQ(between, median) << backward;
+  }
+}
+
 TEST(GroundBeside, IsTheCityBetweenStreetsOfTwoNames) {
   expect_beside(pair(12, 5, 6), {{1, {outer, outer}}, {2, {outer, outer}}});
 }
