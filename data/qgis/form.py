@@ -3,7 +3,7 @@ from qgis.core import QgsEditorWidgetSetup, QgsFieldConstraints
 
 
 # Columns that hold the key of another layer, which is of one word.
-LISTED = {('axis', 'kind'): ('axis_class', 'class'), ('street_object', 'type'): ('object_type', 'type'), ('placement_rule', 'type'): ('object_type', 'type'), ('object_type', 'parent'): ('object_type', 'type')}
+LISTED = {('axis', 'kind'): ('axis_class', 'class'), ('street_object', 'type'): ('object_type', 'type'), ('placement_rule', 'type'): ('object_type', 'type'), ('object_distance', 'type_a'): ('object_type', 'type'), ('object_distance', 'type_b'): ('object_type', 'type'), ('object_type', 'parent'): ('object_type', 'type')}
 
 
 def set_form(vector, layer, words, vectors):

@@ -207,6 +207,7 @@ EDITED = (
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
            'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'access', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True, scale=5000),
     Layer('edit/tables', 'object_type', 'type', writable=('type', 'category', 'parent', 'geometry', 'symbol', 'size', 'description', 'distance_least')),
+    Layer('edit/tables', 'object_distance', '"type_a","type_b"', writable=('type_a', 'type_b', 'metres')),
     Layer('edit/tables', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'turn', 'density', 'active')),
     Layer('edit/tables', 'axis_class', 'class', writable=('taken', 'width', 'speed', 'importance', 'highway_role', 'walked_along', 'crossed_on_foot', 'lanes_by_width', 'lanes_one_way', 'width_one_way', 'lanes_each_way', 'parking_left', 'parking_right')),
     Layer('edit/tables', 'roundabout_pattern', 'pattern', writable=('pattern', 'language')),

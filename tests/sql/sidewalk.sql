@@ -87,6 +87,10 @@ CREATE FUNCTION pg_temp.walks(axes bigint[]) RETURNS text LANGUAGE sql AS $$ SEL
 SELECT 'no sidewalk is estimated on a median', pg_temp.walks('{3,4}') = '3r 4l';
 SELECT 'kerbs there say so', bool_and(k.beside = CASE WHEN (axis_id, side) IN ((3, 'left'), (4, 'right')) THEN 'median' ELSE 'outer' END) AND count(*) = 12 FROM dual.kerb k JOIN dual.edge USING (edge_id) WHERE side IN ('left', 'right');
 SELECT 'and so do edges, whose widths are those that hold', (SELECT (sidewalk_left, beside_left, beside_right) = (0, 'median', 'outer') AND sidewalk_right > 0 FROM dual.edge WHERE axis_id = 3);
+INSERT INTO dual.sidewalk_override (axis_id, abscissa, side, width) VALUES (3, 5, 'right', 2);
+SELECT 'a width by hand is no estimate', sidewalk_right = 2 AND 'sidewalk_right' <> ALL (estimated) AND 'sidewalk_left' = ANY (estimated) FROM dual.edge WHERE axis_id = 3;
+DELETE FROM dual.sidewalk_override;
+SELECT 'taken back it is one again', 'sidewalk_right' = ANY (estimated) FROM dual.edge WHERE axis_id = 3;
 SELECT 'ground between streets of two names is none, nor is wide ground', pg_temp.walks('{1,2,5,6}') = '1l 1r 2l 2r 5l 5r 6l 6r';
 UPDATE dual.axis SET geom = ST_Translate(geom, 0, -25) WHERE axis_id = 2;
 SELECT 'a carriageway that comes near takes the sidewalk off the other', pg_temp.walks('{1,2}') = '1r 2l' AND test.followed('dual', 'anew');

@@ -55,8 +55,10 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
        coalesce(sidewalk_left_by_hand, CASE WHEN beside_left <> 'outer' AND 'sidewalk_left' = ANY (estimated) THEN 0
            ELSE sidewalk_left END) AS sidewalk_left,
        coalesce(sidewalk_right_by_hand, CASE WHEN beside_right <> 'outer' AND 'sidewalk_right' = ANY (estimated) THEN 0
-           ELSE sidewalk_right END) AS sidewalk_right, beside_left, beside_right, speed, importance, estimated,
-           input_hash, setting_hash
+           ELSE sidewalk_right END) AS sidewalk_right, beside_left, beside_right, speed, importance,
+       array_remove(array_remove(estimated, CASE WHEN sidewalk_left_by_hand IS NOT NULL THEN 'sidewalk_left' END),
+           CASE WHEN sidewalk_right_by_hand IS NOT NULL THEN 'sidewalk_right' END) AS estimated,
+       input_hash, setting_hash
 FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
     u.sidewalk_left, u.sidewalk_right, h.sidewalk_left_by_hand, h.sidewalk_right_by_hand, u.speed, u.importance,
              u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
