@@ -220,6 +220,7 @@ struct FormerEdge {
   FormerSurface section;
   WidthProfile borders{};  // of the section
   Beside beside_left = Beside::outer, beside_right = Beside::outer;
+  std::vector<double> median_left{}, median_right{};  // stretches, as in BesideEdges::medians
 };
 struct FormerNode {
   Point point;

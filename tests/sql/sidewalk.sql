@@ -94,6 +94,12 @@ SELECT 'taken back it is one again', 'sidewalk_right' = ANY (estimated) FROM dua
 SELECT 'ground between streets of two names is none, nor is wide ground', pg_temp.walks('{1,2,5,6}') = '1l 1r 2l 2r 5l 5r 6l 6r';
 UPDATE dual.axis SET geom = ST_Translate(geom, 0, -25) WHERE axis_id = 2;
 SELECT 'a carriageway that comes near takes the sidewalk off the other', pg_temp.walks('{1,2}') = '1r 2l' AND test.followed('dual', 'anew');
+UPDATE dual.axis SET geom = pg_temp.line('LINESTRING(50 215,150 215)') WHERE axis_id = 4;
+SELECT 'a median along a part of a street takes the sidewalk off that part', test.followed('dual', 'anew') AND string_agg(format('%s %s %s', part, k.beside, coalesce(trunc(ST_Area(s.surface) / nullif(s.width, 0)), 0)), ', ' ORDER BY part) = '1 outer 50, 2 median 0, 3 outer 50'
+  FROM dual.kerb k JOIN dual.edge e USING (edge_id) LEFT JOIN dual.sidewalk s USING (edge_id, side, part) WHERE axis_id = 3 AND side = 'left';
+SELECT 'the edge says where', (SELECT median_left = '{50,150}' AND sidewalk_left > 0 FROM dual.edge WHERE axis_id = 3);
+UPDATE dual.axis SET geom = pg_temp.line('LINESTRING(0 215,200 215)') WHERE axis_id = 4;
+SELECT 'and off all of it, where it lies along all', pg_temp.walks('{3}') = '3r' AND (SELECT median_left = '{}' AND sidewalk_left = 0 FROM dual.edge WHERE axis_id = 3) AND test.followed('dual', 'anew');
 UPDATE dual.axis SET name = 'South Bank' WHERE axis_id = 5;
 SELECT 'and so does a name', pg_temp.walks('{5,6}') = '5r 6l' AND test.followed('dual', 'anew');
 UPDATE dual.axis SET sidewalk_left = 1 WHERE axis_id = 3;

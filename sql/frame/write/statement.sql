@@ -8,7 +8,11 @@ former_edge AS MATERIALIZED (
            t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
                c.contested_area > 0 AS contested, c.level, coalesce((
                SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(c.borders) WITH ORDINALITY
-                   b(number, place)), '') AS borders, e.beside_left, e.beside_right
+                   b(number, place)), '') AS borders, e.beside_left, e.beside_right,
+           CASE cardinality(e.median_left) WHEN 0 THEN '' ELSE streetgen._numbers_sent(e.median_left) END
+               AS median_left,
+           CASE cardinality(e.median_right) WHEN 0 THEN '' ELSE streetgen._numbers_sent(e.median_right) END
+               AS median_right
     FROM {model}.edge e,
         LATERAL (SELECT * FROM {model}.section_limit s WHERE (s.edge_id, s.which) = (e.edge_id, 'start') OFFSET 0) s,
         LATERAL (SELECT * FROM {model}.section_limit t WHERE (t.edge_id, t.which) = (e.edge_id, 'end') OFFSET 0) t,
@@ -56,7 +60,7 @@ computed AS MATERIALIZED (
         former_edges => (
             SELECT array_agg(ROW (axis_id, start_abscissa, end_abscissa, geom, wanted_start, start, border_start,
                 wanted_end, "end", border_end, surface, contested, level, borders, beside_left,
-                beside_right)::streetgen.former_edge)
+                beside_right, median_left, median_right)::streetgen.former_edge)
             FROM former_edge),
         former_nodes => (
             SELECT array_agg(ROW (ST_X(geom), ST_Y(geom), surface::bytea,

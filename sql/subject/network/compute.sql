@@ -25,13 +25,13 @@ CREATE OR REPLACE FUNCTION streetgen._computed_edge(streets bigint)
     RETURNS TABLE(number integer, affected boolean, lanes_affected boolean, kerbs_affected boolean,
         spreads_to boolean, axis_id bigint, from_node integer, to_node integer, level integer,
         start_abscissa float8, end_abscissa float8, geom geometry, curve geometry, beside_left text,
-        beside_right text)
+        beside_right text, median_left float8[], median_right float8[])
     LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 1000 ROWS 200 AS 'MODULE_PATHNAME', 'streetgen_computed_edge';
 COMMENT ON FUNCTION streetgen._computed_edge(bigint) IS
     'The edges of streets computed in this statement: affected: its section comes out; lanes_affected: its lanes do; '
     'kerbs_affected: the kerbs of its section do; spreads_to: the change goes on beyond it, so that a run for its '
     'axis is due; abscissas along the axis, m; curve: the arc road of which geom is chords, NULL '
-    'where there is none; beside_left, beside_right: as in table edge.';
+    'where there is none; beside_left, beside_right, median_left, median_right: as in table edge.';
 
 CREATE OR REPLACE FUNCTION streetgen._upsert_written(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -54,8 +54,8 @@ same_edge AS MATERIALIZED (SELECT e.number, o.edge_id FROM written_edge e
     streetgen._upsert_rows(places, 'edge', named => true,
         columns => 'axis_id, from_node, to_node, level, start_abscissa, end_abscissa, geom, curve, '
             'width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both, sidewalk_left, '
-            'sidewalk_right, beside_left, beside_right, speed, importance, estimated, '
-                'input_hash, setting_hash',
+            'sidewalk_right, beside_left, beside_right, median_left, median_right, speed, importance, '
+            'estimated, input_hash, setting_hash',
         rows => streetgen._part('edge_rows'),
         there => 'SELECT edge_id FROM old_edge WHERE written')) $$;
 COMMENT ON FUNCTION streetgen._upsert_edge(jsonb) IS

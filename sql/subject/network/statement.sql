@@ -52,10 +52,13 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
        level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
        width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both,
        -- No sidewalk is estimated on medians, splitters and islands.
-       coalesce(sidewalk_left_by_hand, CASE WHEN beside_left <> 'outer' AND 'sidewalk_left' = ANY (estimated) THEN 0
+       coalesce(sidewalk_left_by_hand, CASE WHEN beside_left <> 'outer' AND cardinality(median_left) = 0
+               AND 'sidewalk_left' = ANY (estimated) THEN 0
            ELSE sidewalk_left END) AS sidewalk_left,
-       coalesce(sidewalk_right_by_hand, CASE WHEN beside_right <> 'outer' AND 'sidewalk_right' = ANY (estimated) THEN 0
-           ELSE sidewalk_right END) AS sidewalk_right, beside_left, beside_right, speed, importance,
+       coalesce(sidewalk_right_by_hand, CASE WHEN beside_right <> 'outer' AND cardinality(median_right) = 0
+               AND 'sidewalk_right' = ANY (estimated) THEN 0
+           ELSE sidewalk_right END) AS sidewalk_right, beside_left, beside_right,
+       median_left, median_right, speed, importance,
        array_remove(array_remove(estimated, CASE WHEN sidewalk_left_by_hand IS NOT NULL THEN 'sidewalk_left' END),
            CASE WHEN sidewalk_right_by_hand IS NOT NULL THEN 'sidewalk_right' END) AS estimated,
        input_hash, setting_hash

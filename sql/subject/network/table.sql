@@ -68,6 +68,12 @@ COMMENT ON COLUMN :"model".edge.beside_left IS
     'what lies on its left: median, between the two carriageways of one street; splitter, between arms of one '
     'junction; island, of a roundabout or a slip lane; outer, all else';
 COMMENT ON COLUMN :"model".edge.beside_right IS 'the same on its right';
+ALTER TABLE :"model".edge ADD COLUMN IF NOT EXISTS median_left float8[] NOT NULL DEFAULT '{}';
+ALTER TABLE :"model".edge ADD COLUMN IF NOT EXISTS median_right float8[] NOT NULL DEFAULT '{}';
+COMMENT ON COLUMN :"model".edge.median_left IS
+    'where a median lies along a part of its left: from, to, from, to …, metres along geom; empty where it is of one '
+    'kind all along. beside_left is as more than half of it';
+COMMENT ON COLUMN :"model".edge.median_right IS 'the same on its right';
 
 CREATE TABLE :"model".report (
     issue text NOT NULL, axis_a bigint NOT NULL, axis_b bigint NOT NULL, measure float8 NOT NULL,

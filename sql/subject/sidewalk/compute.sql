@@ -56,8 +56,10 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs_of_part(places jsonb) RETUR
     streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM rival_kerb_row', '(SELECT known FROM rival_kerb)'),
     streetgen._kerbs_near('outer_kerb', 'SELECT geom FROM beside_kerb_row', '(SELECT known FROM beside_kerb)'))
     || streetgen._part('standing_kerb') || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
-        SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM sidewalk_edge
-        UNION ALL SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.sidewalk_left, e.sidewalk_right
+        SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right, estimated
+        FROM sidewalk_edge
+        UNION ALL SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.sidewalk_left, e.sidewalk_right,
+            e.estimated
         FROM (SELECT DISTINCT edge_id FROM standing_kerb) n, LATERAL (SELECT * FROM {model}.edge e
             WHERE e.edge_id = n.edge_id OFFSET 0) e WHERE e.edge_id NOT IN (SELECT edge_id FROM sidewalk_edge)$part$)
     || ')', places) $$;
@@ -70,7 +72,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',', CASE places ->> 'run' WHEN 'part' THEN streetgen._sidewalk_kerbs_of_part(places)
         ELSE streetgen._fill_template(E'\nsidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
             'SELECT edge_id, node_id, level, side, part, geom, method, beside, true AS wanted FROM new_kerb',
-            'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right FROM new_edge')
+            'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right, estimated '
+                'FROM new_edge')
             || ')', places) END,
     streetgen._upsert_rows(places, 'sidewalk',
         columns => 'edge_id, node_id, side, part, width, surface, method', rows => streetgen._part('sidewalk_rows'),

@@ -13,7 +13,8 @@ FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level OR
 
 --{sidewalk_kerbs_of_part
 sidewalk_edge AS MATERIALIZED (
-    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right
+    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right,
+        estimated
     FROM new_edge),
 -- Kerbs that moved or went, as they were.
 former_kerb AS MATERIALIZED (
@@ -54,8 +55,10 @@ SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_
     k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
     -- Nor does a sidewalk lead from the city on to a median, a splitter or an island.
     k.side IN ('start', 'end') OR k.beside <> 'outer' AS across, o.width IS NOT NULL AS by_hand,
-    CASE k.side WHEN 'left' THEN coalesce(o.width, e.sidewalk_left)
-        WHEN 'right' THEN coalesce(o.width, e.sidewalk_right) END AS width
+    -- None is estimated along the part of a side where a median lies.
+    CASE WHEN k.side IN ('left', 'right') THEN coalesce(o.width, CASE
+        WHEN k.beside <> 'outer' AND 'sidewalk_' || k.side = ANY (e.estimated) THEN 0
+        WHEN k.side = 'left' THEN e.sidewalk_left ELSE e.sidewalk_right END) END AS width
 FROM ({kerbs}) k JOIN ({edges}) e USING (edge_id) LEFT JOIN LATERAL (
     SELECT width FROM {model}.sidewalk_override o WHERE o.axis_id = e.axis_id AND o.side = k.side
         AND k.node_id IS NULL AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa

@@ -26,7 +26,8 @@ COMMENT ON COLUMN streetgen.street_corner.radius IS 'm';
 CREATE TYPE streetgen.former_edge AS (
     axis_id bigint, start_abscissa float8, end_abscissa float8, geom bytea, wanted_start float8, start float8,
         border_start bytea, wanted_end float8, "end" float8, border_end bytea, surface bytea,
-        contested boolean, level integer, borders bytea, beside_left text, beside_right text
+        contested boolean, level integer, borders bytea, beside_left text, beside_right text,
+        median_left bytea, median_right bytea
 );
 COMMENT ON TYPE streetgen.former_edge IS 'An edge as it was before a change, with its section limits and its section.';
 COMMENT ON COLUMN streetgen.former_edge.axis_id IS 'the axis';
@@ -46,6 +47,15 @@ COMMENT ON COLUMN streetgen.former_edge.borders IS
     'numbers of column borders of the section, each as float8send writes it; empty: there were none';
 COMMENT ON COLUMN streetgen.former_edge.beside_left IS 'what lay beside it on its left, as in table edge';
 COMMENT ON COLUMN streetgen.former_edge.beside_right IS 'what lay beside it on its right';
+COMMENT ON COLUMN streetgen.former_edge.median_left IS
+    'numbers of column median_left of the edge, each as float8send writes it';
+COMMENT ON COLUMN streetgen.former_edge.median_right IS 'the same on its right';
+
+CREATE OR REPLACE FUNCTION streetgen._numbers_sent(numbers float8[]) RETURNS bytea
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(numbers) WITH ORDINALITY
+        n(number, place) $$;
+COMMENT ON FUNCTION streetgen._numbers_sent(float8[]) IS 'The bytes of numbers, as a former edge has them.';
 
 CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean, level integer);
 COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with its intersection.';

@@ -228,7 +228,8 @@ class RoadwayBorder {
                   streets_.kerbs);
     for (const BorderLoop& loop : border.loops()) {
       if (i < edges_) {
-        rows.append(loop, places_of_section(layout_, i, loop));
+        const BorderLoop cut = cut_at_medians(layout_, i, loop);
+        rows.append(cut, places_of_section(layout_, i, cut));
         continue;
       }
       const BorderLoop cut = cut_at_dead_ends(layout_, i - edges_, loop);

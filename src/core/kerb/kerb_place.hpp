@@ -5,6 +5,7 @@
 
 #include "kerb/free_border.hpp"
 #include "layout/layout.hpp"
+#include "streetgen/beside.hpp"
 
 namespace streetgen {
 
@@ -13,10 +14,15 @@ struct KerbPlace {
   KerbSide side = KerbSide::left;
   Method method = Method::hypothesis;
   int corner = -1;  // in streets.corners, where the piece is a chord of its arc
+  Beside beside = Beside::outer;
 };
 inline bool operator==(const KerbPlace& a, const KerbPlace& b) {
-  return a.edge == b.edge && a.side == b.side && a.method == b.method && a.corner == b.corner;
+  return a.edge == b.edge && a.side == b.side && a.method == b.method && a.corner == b.corner &&
+         a.beside == b.beside;
 }
+
+// The border of a section, cut across where a median beside the edge begins or ends.
+BorderLoop cut_at_medians(const Layout& layout, int edge, const BorderLoop& loop);
 
 // One for each piece; those of shared pieces mean nothing.
 std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const BorderLoop& loop);

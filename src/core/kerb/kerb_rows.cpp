@@ -23,21 +23,6 @@ Arc curve_of(const Corner& corner, const Line& line) {
   return {line.front(), centre + middle * corner.radius, line.back()};
 }
 
-Beside beside(const BesideEdges& all, const KerbPlace& place) {
-  switch (place.side) {
-    case KerbSide::left:
-      return all.sides[2 * place.edge];
-    case KerbSide::right:
-      return all.sides[2 * place.edge + 1];
-    case KerbSide::corner_at_start:
-      return all.corners[2 * place.edge];
-    case KerbSide::corner_at_end:
-      return all.corners[2 * place.edge + 1];
-    default:
-      return Beside::outer;  // ahead of a street, not beside it
-  }
-}
-
 }  // namespace
 
 KerbRows::KerbRows(const Layout& layout, int edge, int node, int level, std::vector<Kerb>& kerbs)
@@ -89,7 +74,7 @@ void KerbRows::append_row(const KerbPlace& place, Line line) {
   kerb.line = std::move(line);
   kerb.method = place.method;
   kerb.stone_width = layout_.settings.kerb_stone_width;
-  kerb.beside = beside(layout_.streets.beside, place);
+  kerb.beside = place.beside;
   kerbs_.push_back(std::move(kerb));
 }
 

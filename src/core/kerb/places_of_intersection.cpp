@@ -109,6 +109,7 @@ class NodeCorners {
   KerbPlace of_gap(int gap, const BorderPiece& piece, bool whole) const {
     const EdgeEnd& end = junction_.ends[gap];
     KerbPlace place{end.edge, end.at_start ? KerbSide::corner_at_start : KerbSide::corner_at_end};
+    place.beside = layout_.streets.beside.corners[slot(end)];
     const int corner = corner_from_[slot(end)];
     if (!whole)
       place.method = Method::contested;

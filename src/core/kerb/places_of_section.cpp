@@ -102,7 +102,56 @@ class SectionSides {
   const Line &line_, &start_, &end_;
 };
 
+// Where the line across the edge at a place meets a piece of the border, on that side of the edge
+// and inside of the piece: a share of its length.
+std::optional<double> share_across(const BorderPiece& piece, const LinePosition& place,
+                                   bool on_left) {
+  const double from = dot(piece.from - place.point, place.direction),
+               to = dot(piece.to - place.point, place.direction);
+  if (from * to >= 0 || std::min(std::abs(from), std::abs(to)) <= same_place) return std::nullopt;
+  const double share = from / (from - to);
+  const Point met = piece.from + (piece.to - piece.from) * share;
+  const bool left = cross(place.direction, met - place.point) > 0;
+  return left == on_left ? std::optional(share) : std::nullopt;
+}
+
+// Of a place on the left or the right border of a section.
+Beside beside_at(const Layout& layout, int edge, KerbSide side, const Point& place) {
+  if (side != KerbSide::left && side != KerbSide::right) return Beside::outer;
+  const EdgeEnd end{edge, side == KerbSide::left};
+  const BesideEdges& beside = layout.streets.beside;
+  const std::vector<double>& medians = beside.medians[slot(end)];
+  if (medians.empty()) return beside.sides[slot(end)];
+  const double at = nearest_abscissa(place, layout.streets.network.edges[edge].line);
+  const auto passed = std::upper_bound(medians.begin(), medians.end(), at) - medians.begin();
+  return passed % 2 == 1 ? Beside::median : Beside::outer;
+}
+
 }  // namespace
+
+BorderLoop cut_at_medians(const Layout& layout, int edge, const BorderLoop& loop) {
+  const BesideEdges& beside = layout.streets.beside;
+  if (beside.medians[2 * edge].empty() && beside.medians[2 * edge + 1].empty()) return loop;
+  const Line& line = layout.streets.network.edges[edge].line;
+  BorderLoop cut;
+  for (BorderPiece piece : loop) {
+    std::vector<double> shares;
+    for (const bool on_left : {true, false})
+      for (const double abscissa : beside.medians[slot({edge, on_left})]) {
+        const auto share = share_across(piece, position_at(line, abscissa), on_left);
+        if (share && !piece.shared) shares.push_back(*share);
+      }
+    std::sort(shares.begin(), shares.end());
+    const Point from = piece.from, along = piece.to - piece.from;
+    for (const double share : shares) {
+      BorderPiece first = piece;
+      first.to = piece.from = from + along * share;
+      cut.push_back(first);
+    }
+    cut.push_back(piece);
+  }
+  return cut;
+}
 
 std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const BorderLoop& loop) {
   const SectionSides section(layout, edge);
@@ -118,7 +167,8 @@ std::vector<KerbPlace> places_of_section(const Layout& layout, int edge, const B
     const Method method = loop[i].joins_level                         ? Method::level_change
                           : whole[static_cast<std::size_t>(sides[i])] ? Method::hypothesis
                                                                       : Method::contested;
-    places.push_back({edge, sides[i], method});
+    const Point middle = (loop[i].from + loop[i].to) * 0.5;
+    places.push_back({edge, sides[i], method, -1, beside_at(layout, edge, sides[i], middle)});
   }
   return places;
 }

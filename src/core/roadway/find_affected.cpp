@@ -275,9 +275,10 @@ class Change {
     const SectionLimit &start = layout_.streets.limits[2 * e],
                        &end = layout_.streets.limits[2 * e + 1];
     room_before_[e] = before.end.abscissa - before.start.abscissa;
-    const std::vector<Beside>& beside = layout_.streets.beside.sides;
+    const auto& [sides, corners, medians] = layout_.streets.beside;
     moved_.beside[e] =
-        beside[2 * e] != before.beside_left || beside[2 * e + 1] != before.beside_right;
+        sides[2 * e] != before.beside_left || sides[2 * e + 1] != before.beside_right ||
+        medians[2 * e] != before.median_left || medians[2 * e + 1] != before.median_right;
     // An arc may move beyond a limit that stays; borders tell where it ends.
     const bool same_arcs = (start.shared <= 0 && end.shared <= 0) ||
                            before.borders.places == section_borders(layout_, e).places;

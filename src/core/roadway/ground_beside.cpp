@@ -20,6 +20,7 @@ const double nearly_along = std::cos(M_PI / 4);  // of two that part
 const double spread = std::cos(M_PI / 3);        // of two at the end of a median
 constexpr double longer_than_wide = 2;           // a median; else it may be a block
 constexpr double places_apart = 5;               // metres along an edge, at most
+constexpr double least_stretch = 15;             // metres of an edge that have a kind of their own
 constexpr double largest_island = 300;           // square metres between kerbs
 constexpr double least_turn = M_PI / 8;          // of a ring within the reach, radians
 
@@ -50,12 +51,15 @@ class GroundBeside {
 
   BesideEdges find() const {
     BesideEdges found{std::vector<Beside>(2 * edges_.size()),
-                      std::vector<Beside>(2 * edges_.size())};
+                      std::vector<Beside>(2 * edges_.size()),
+                      std::vector<std::vector<double>>(2 * edges_.size())};
     for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
       poll_cancel();
       if (layout_.axis_of(e).outer) continue;
-      for (const bool at_start : {true, false})
-        found.sides[slot({e, at_start})] = beside({e, at_start});
+      for (const bool at_start : {true, false}) {
+        const EdgeEnd end{e, at_start};
+        found.sides[slot(end)] = beside(end, found.medians[slot(end)]);
+      }
     }
     for (int n = 0; n < static_cast<int>(layout_.junctions.size()); ++n) {
       if (layout_.outer(n) || layout_.junctions[n].dead_end()) continue;
@@ -79,10 +83,16 @@ class GroundBeside {
     return street == other || street == 0 || other == 0;
   }
 
-  Beside beside(const EdgeEnd& end) const {
+  Beside beside(const EdgeEnd& end, std::vector<double>& medians) const {
     if (lies_within_ring(end)) return Beside::island;
     if (const std::optional<Beside> small = small_[slot(end)]) return *small;
-    return runs_beside_other(end) || closes_median(end) ? Beside::median : Beside::outer;
+    if (closes_median(end)) return Beside::median;
+    medians = beside_other(end);
+    const double size = length(layout_.arm(end).line);
+    double together = 0;
+    for (std::size_t k = 1; k < medians.size(); k += 2) together += medians[k] - medians[k - 1];
+    if (medians.size() == 2 && medians[0] == 0 && medians[1] == size) medians.clear();
+    return 2 * together > size ? Beside::median : Beside::outer;
   }
 
   // A ring that its source names turns towards its island.
@@ -221,16 +231,40 @@ class GroundBeside {
     return corners == 1;
   }
 
-  // Another carriageway lies there along more than half of its places.
-  bool runs_beside_other(const EdgeEnd& end) const {
-    if (flow_of(end) == Flow::both) return false;
-    const Line& line = layout_.arm(end).line;
-    const double size = length(line);
+  // Where another carriageway lies there: from, to …, metres along the edge.
+  std::vector<double> beside_other(const EdgeEnd& end) const {
+    if (flow_of(end) == Flow::both) return {};
+    const double size = length(layout_.arm(end).line);
     const int count = std::max(1, static_cast<int>(std::ceil(size / places_apart)));
-    int beside = 0;
+    std::vector<bool> beside;
     for (int k = 0; k < count; ++k)
-      if (faces_other(end, size, (k + 0.5) / count * size)) ++beside;
-    return 2 * beside > count;
+      beside.push_back(faces_other(end, size, (k + 0.5) / count * size));
+    if (!end.at_start) std::reverse(beside.begin(), beside.end());
+    join_short(beside, static_cast<int>(std::ceil(least_stretch / size * count)));
+    std::vector<double> stretches;
+    for (int k = 0; k < count; ++k) {
+      if (!beside[k]) continue;
+      if (k == 0 || !beside[k - 1]) stretches.push_back(size * k / count);
+      if (k + 1 == count || !beside[k + 1])
+        stretches.push_back(k + 1 == count ? size : size * (k + 1) / count);
+    }
+    return stretches;
+  }
+
+  // Runs of fewer than `least` become as their neighbours: the shortest first, and of equal ones
+  // those that are true.
+  static void join_short(std::vector<bool>& values, int least) {
+    const int count = static_cast<int>(values.size());
+    while (true) {
+      int shortest = count, at = 0;
+      for (int from = 0, to = 0; from < count; from = to) {
+        while (to < count && values[to] == values[from]) ++to;
+        if (to - from < shortest || (to - from == shortest && values[from] && !values[at]))
+          shortest = to - from, at = from;
+      }
+      if (shortest == count || shortest >= least) return;
+      for (int k = at; k < at + shortest; ++k) values[k] = !values[k];
+    }
   }
 
   struct Hit {

@@ -38,6 +38,11 @@ Beside side(const Streets& streets, std::size_t slot) {
   return sides.empty() ? Beside::outer : sides[slot];
 }
 
+std::vector<double> medians(const Streets& streets, std::size_t slot) {
+  const auto& all = streets.beside.medians;
+  return all.empty() ? std::vector<double>{} : all[slot];
+}
+
 bool fill_node(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {
   const auto& node = computed.streets.network.nodes[i];
   std::vector<std::int64_t> axes;
@@ -61,7 +66,8 @@ bool fill_edge(const ComputedStreets& computed, const Named&, std::size_t i, Row
              edge.start_abscissa, edge.end_abscissa,
              Geometry{stored_line(edge.line, with_z(computed))}, std::move(curve),
              name(beside_name(side(computed.streets, 2 * i))),
-             name(beside_name(side(computed.streets, 2 * i + 1))));
+             name(beside_name(side(computed.streets, 2 * i + 1))), medians(computed.streets, 2 * i),
+             medians(computed.streets, 2 * i + 1));
 }
 
 bool fill_report(const ComputedStreets& computed, const Named&, std::size_t i, Row& row) {

@@ -143,7 +143,9 @@ void take(FunctionCallInfo fcinfo, StreetsCall* call) {
                         column(edges, "level", INT4OID),
                         column(edges, "borders", BYTEAOID),
                         column(edges, "beside_left", TEXTOID),
-                        column(edges, "beside_right", TEXTOID)};
+                        column(edges, "beside_right", TEXTOID),
+                        column(edges, "median_left", BYTEAOID),
+                        column(edges, "median_right", BYTEAOID)};
 
   const Rows nodes = rows(fcinfo, 9, "former nodes");
   call->former_nodes = {nodes.count,

@@ -45,7 +45,7 @@ struct StreetsCall {
     int count;
     Column axis_id, start_abscissa, end_abscissa, geom;
     Column wanted_start, start, border_start, wanted_end, end, border_end, surface, contested,
-        level, borders, beside_left, beside_right;
+        level, borders, beside_left, beside_right, median_left, median_right;
   } former_edges;
   struct {
     int count;

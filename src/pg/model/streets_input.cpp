@@ -289,7 +289,7 @@ FormerSurface former_surface(const Column& surface, const Column& contested, con
 }
 
 // Numbers as float8send writes them, each eight bytes from the highest on.
-WidthProfile borders_of(std::string_view bytes) {
+std::vector<double> numbers_of(std::string_view bytes) {
   std::vector<double> numbers;
   for (std::size_t at = 0; at + 8 <= bytes.size(); at += 8) {
     std::uint64_t bits = 0;
@@ -299,6 +299,11 @@ WidthProfile borders_of(std::string_view bytes) {
     std::memcpy(&number, &bits, sizeof number);
     numbers.push_back(number);
   }
+  return numbers;
+}
+
+WidthProfile borders_of(std::string_view bytes) {
+  const std::vector<double> numbers = numbers_of(bytes);
   WidthProfile borders;
   for (std::size_t i = 0; i + 3 <= numbers.size(); i += 3)
     borders.places.push_back({numbers[i], numbers[i + 1], numbers[i + 2]});
@@ -328,7 +333,9 @@ Former former_of(const StreetsCall& call) {
                             former_surface(edges.surface, edges.contested, edges.level, i),
                             borders_of(bytes_of(edges.borders.values[i])),
                             beside_of(text_of(edges.beside_left.values[i])),
-                            beside_of(text_of(edges.beside_right.values[i]))});
+                            beside_of(text_of(edges.beside_right.values[i])),
+                            numbers_of(bytes_of(edges.median_left.values[i])),
+                            numbers_of(bytes_of(edges.median_right.values[i]))});
   }
   const auto& nodes = call.former_nodes;
   for (int i = 0; i < nodes.count; ++i)

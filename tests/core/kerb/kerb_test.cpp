@@ -42,6 +42,40 @@ std::vector<StreetAxis> cross_roads() {
           axis(3, {{0, -50}, {0, 0}}, 6, 5), axis(4, {{0, 0}, {0, 50}}, 6, 5)};
 }
 
+// A one-way street with another carriageway of its name beside its middle.
+TEST(Kerb, IsCutWhereAMedianBeginsAndEnds) {
+  for (const bool bent : {false, true}) {
+    Line line{{0, 0}, {300, 0}};
+    if (bent) line = {{0, 0}, {150, 0}, {300, -20}};
+    StreetAxis whole = axis(1, line, 7, 5);
+    StreetAxis part = axis(2, {{140, 12}, {60, 12}}, 7, 5);
+    whole.street = part.street = 5;
+    whole.leads_backward = part.leads_backward = false;
+    const Streets town = with_kerbs({whole, part});
+    const int e = town.network.edges[0].axis_id == 1 ? 0 : 1;
+    // To the places at which the edge looks across.
+    const std::vector<double>& median = town.beside.medians[2 * e];
+    ASSERT_EQ(median.size(), 2u);
+    EXPECT_NEAR(median[0], 60, 2.5);
+    EXPECT_NEAR(median[1], 140, 2.5);
+    std::vector<Kerb> left, right;
+    for (const Kerb& kerb : town.kerbs) {
+      if (kerb.edge == e && kerb.side == KerbSide::left) left.push_back(kerb);
+      if (kerb.edge == e && kerb.side == KerbSide::right) right.push_back(kerb);
+    }
+    EXPECT_EQ(right.size(), 1u);
+    EXPECT_EQ(right[0].line.size(), bent ? 3u : 2u);
+    ASSERT_EQ(left.size(), 3u);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(left[k].part, k + 1);
+      EXPECT_EQ(left[k].beside, k == 1 ? Beside::median : Beside::outer);
+      if (k > 0) EXPECT_EQ(distance(left[k].line.front(), left[k - 1].line.back()), 0);
+    }
+    EXPECT_NEAR(left[1].line.front().x, median[0], 1e-9);
+    EXPECT_NEAR(left[1].line.back().x, median[1], 1e-9);
+  }
+}
+
 TEST(Kerb, OfACrossAreItsSidesCornersAndDeadEnds) {
   const Streets town = with_kerbs(cross_roads());
   const std::map<std::string, int> sides = sides_of(town);
@@ -235,6 +269,8 @@ TEST(Kerb, OnTheAxisIsLeftOfTheGroundOnItsRight) {
   const StreetSettings settings;
   for (const double noise : {-1e-10, 0.0, 1e-10}) {
     Layout layout({axis(1, {{0, 0}, {10, 0}}, 8, 5)}, settings, {});
+    layout.streets.beside = {std::vector<Beside>(2), std::vector<Beside>(2),
+                             std::vector<std::vector<double>>(2)};
     layout.streets.limits.resize(2);
     layout.streets.limits[0].border_line = {{0, 4}, {0, -4}};
     layout.streets.limits[1].border_line = {{10, 4}, {10, -4}};

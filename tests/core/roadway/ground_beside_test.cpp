@@ -118,6 +118,27 @@ TEST(GroundBeside, IsAMedianAlongMoreThanHalfOfAnEdge) {
   expect_beside(axes, {{1, {median, outer}}, {2, {median, outer}}});
 }
 
+// The other carriageway begins and ends within the edge. Its part is known to the places at which
+// the edge looks across, 5 m apart; what is shorter than 15 m is no part.
+TEST(GroundBeside, KnowsTheStretchesOfAMedian) {
+  const auto stretches = [](double from, double to, bool backward) {
+    std::vector<StreetAxis> axes = pair(12, 5, 5);
+    axes[1].line = {{to, 12, 0}, {from, 12, 0}};
+    if (backward)
+      for (StreetAxis& one : axes) one.line = {one.line.rbegin(), one.line.rend()};
+    const Streets town = streets(axes, StreetSettings{});
+    const int e = town.network.edges[0].axis_id == 1 ? 0 : 1;
+    EXPECT_TRUE(town.beside.medians[2 * e + (backward ? 0 : 1)].empty());
+    EXPECT_TRUE(town.beside.medians[2 * (1 - e)].empty());
+    return town.beside.medians[2 * e + (backward ? 1 : 0)];
+  };
+  EXPECT_EQ(stretches(100, 220, false), (std::vector<double>{100, 220}));
+  EXPECT_EQ(stretches(100, 220, true), (std::vector<double>{80, 200}));
+  EXPECT_EQ(stretches(0, 140, false), (std::vector<double>{0, 140}));
+  EXPECT_EQ(stretches(0, 290, false), std::vector<double>{});
+  EXPECT_EQ(stretches(100, 110, false), std::vector<double>{});
+}
+
 TEST(GroundBeside, IsAMedianWhereALinkClosesIt) {
   std::vector<StreetAxis> axes = pair(16, 5, 5);
   axes.push_back(axis(3, {{300, 0, 0}, {300, 16, 0}}, both, 9));
