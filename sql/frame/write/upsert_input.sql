@@ -1,5 +1,11 @@
 -- The one statement, what it reads: axes with what is decided by hand, and what was there before the change.
 
+CREATE OR REPLACE FUNCTION streetgen._numbers_sent(numbers float8[]) RETURNS bytea
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(numbers) WITH ORDINALITY
+        n(number, place) $$;
+COMMENT ON FUNCTION streetgen._numbers_sent(float8[]) IS 'The bytes of numbers, as a former edge has them.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_former(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template(streetgen._part('former'), places) $$;

@@ -51,12 +51,6 @@ COMMENT ON COLUMN streetgen.former_edge.median_left IS
     'numbers of column median_left of the edge, each as float8send writes it';
 COMMENT ON COLUMN streetgen.former_edge.median_right IS 'the same on its right';
 
-CREATE OR REPLACE FUNCTION streetgen._numbers_sent(numbers float8[]) RETURNS bytea
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(numbers) WITH ORDINALITY
-        n(number, place) $$;
-COMMENT ON FUNCTION streetgen._numbers_sent(float8[]) IS 'The bytes of numbers, as a former edge has them.';
-
 CREATE TYPE streetgen.former_node AS (x float8, y float8, surface bytea, contested boolean, level integer);
 COMMENT ON TYPE streetgen.former_node IS 'A node as it was before a change, with its intersection.';
 COMMENT ON COLUMN streetgen.former_node.x IS 'abscissa in the plane';
