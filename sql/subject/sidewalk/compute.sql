@@ -55,12 +55,8 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_kerbs_of_part(places jsonb) RETUR
     -- The ground of a rival depends on the strips beside it. Each such strip depends on the kerbs about it.
     streetgen._kerbs_near('beside_kerb', 'SELECT geom FROM rival_kerb_row', '(SELECT known FROM rival_kerb)'),
     streetgen._kerbs_near('outer_kerb', 'SELECT geom FROM beside_kerb_row', '(SELECT known FROM beside_kerb)'))
-    || streetgen._part('standing_kerb') || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb', $part$
-        SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right, estimated
-        FROM (SELECT DISTINCT edge_id FROM standing_kerb WHERE edge_id NOT IN (SELECT edge_id FROM sidewalk_edge)) n,
-            LATERAL (SELECT * FROM {model}.edge e WHERE e.edge_id = n.edge_id OFFSET 0) e
-        UNION ALL SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right, estimated
-        FROM sidewalk_edge$part$)
+    || streetgen._part('standing_kerb') || streetgen._sidewalk_kerbs('SELECT * FROM standing_kerb',
+        streetgen._part('standing_edges'))
     || ')', places) $$;
 COMMENT ON FUNCTION streetgen._sidewalk_kerbs_of_part(jsonb) IS
     'Part of the one statement in a run for some axes: sidewalk_kerb, the kerbs near what the run moved; wanted: their '

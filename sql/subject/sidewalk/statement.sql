@@ -50,6 +50,13 @@ standing_kerb AS MATERIALIZED (
     FROM (TABLE beside_kerb_row UNION ALL TABLE outer_kerb_row) k),
 sidewalk_kerb AS MATERIALIZED (
 
+--{standing_edges
+TABLE sidewalk_edge
+UNION ALL SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.sidewalk_left,
+    e.sidewalk_right, e.estimated
+FROM (SELECT DISTINCT edge_id FROM standing_kerb) n, LATERAL (SELECT * FROM {model}.edge e
+    WHERE e.edge_id = n.edge_id OFFSET 0) e WHERE e.edge_id NOT IN (SELECT edge_id FROM sidewalk_edge)
+
 --{sidewalk_kerbs
 SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_id, k.node_id, k.side, k.part,
     k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
