@@ -68,6 +68,17 @@ SELECT 'the kerb is flush at a crossing', pg_temp.cut('town', 1, 31.9) ~ 'flush 
 SELECT 'at its mouth on each side', pg_temp.cut('town', 1, 77) ~ '^left.*flush kerb.*right' AND pg_temp.cut('town', 1, 77) !~ 'right.*flush' AND pg_temp.cut('town', 1, 63) ~ 'right.*flush' AND pg_temp.cut('town', 1, 70) !~ 'flush';
 SELECT 'a bay lies before its kerb', pg_temp.cut('town', 2, 50) ~ '^left: general 1.95, bay 2.3, kerb .* right: general 4.25, kerb' AND pg_temp.cut('town', 2, 53) !~ 'bay';
 SELECT 'one across the street is as deep as long, and may pass the axis', pg_temp.cut('town', 2, 30) ~ '^left: bay 0.05, general 3.9, kerb .* right: bay 3.95, kerb';
+-- Behind a bay goes on what lies between it and the kerb; before a bay behind its kerb one drives over the kerb, whose stone lies in the ground of the bay.
+INSERT INTO town.axis (axis_id, geom, width, direction, name, lanes_forward, lanes_backward, kind_forward, kind_backward, sidewalk_left, sidewalk_right, importance) VALUES
+  (14, pg_temp.line('LINESTRING(0 1800,100 1800)'), 14, 'both', 'fourteen', 1, 1, 'general|parking|cycle', 'general|parking|cycle', 4, 4, 4);
+INSERT INTO town.parking_bay_editing (axis_id, abscissa, side, axis_offset, length, width, angle) VALUES (14, 50, 'right', -1.5, 5, 2, 0), (14, 50, 'left', -2, 5, 1, 0), (14, 70, 'right', 2, 5, 2, 0), (14, 70, 'left', 1, 5, 2, 0),
+  (14, 30, 'right', 3.5, 5, 2, 0);
+SELECT 'a cycle lane between a bay and the kerb', pg_temp.cut('town', 14, 50) ~ ' right: general 3.5, bay 2, cycle 1.5, kerb 0.3, furnishing 1, sidewalk 2.7, outer$';
+SELECT 'a bay parts its lane', pg_temp.cut('town', 14, 50) ~ '^left: general 3.5, parking 0.5, bay 1, parking 0.5, cycle 1.5, kerb 0.3, furnishing 1, sidewalk 2.7, outer right';
+SELECT 'a bay behind the kerb takes from the sidewalk', pg_temp.cut('town', 14, 70) ~ ' right: general 3.5, parking 2, cycle 1.5, flush kerb 0, bay 2, sidewalk 2, outer$';
+SELECT 'and one on both sides of it from both', pg_temp.cut('town', 14, 70) ~ '^left: general 3.5, parking 2, cycle 0.5, bay 1, flush kerb 0, bay 1, furnishing 1, sidewalk 2, outer right';
+SELECT 'one away from its kerb lies on other ground', pg_temp.cut('town', 14, 30) !~ 'bay';
+SELECT 'each part of a lane is drawn', (SELECT count(*) FROM regexp_matches(streetgen.cross_section_svg('town', 14, 50), '>0\.50<', 'g')) = 2;
 SELECT 'with objects: ' || name, holds FROM test.cross_section('town');
 -- Sidewalks by hand, lanes by hand, settings.
 UPDATE town.sidewalk_editing SET width = 4 WHERE edge_id IN (SELECT edge_id FROM town.edge WHERE axis_id = 2) AND side = 'left';

@@ -30,7 +30,7 @@ BEGIN
     FROM (SELECT c.*, (place - start_abscissa) / (end_abscissa - start_abscissa) AS share,
             rank() OVER (ORDER BY start_abscissa DESC) AS turn
         FROM cross_section c WHERE c.edge_id = edge AND place BETWEEN start_abscissa AND end_abscissa) c
-    WHERE turn = 1 AND (offset_to IS NULL OR kerb = 'none'
+    WHERE turn = 1 AND (offset_to IS NULL OR kerb IS NOT NULL
         OR (offset_to - offset_from) * (1 - share) + (offset_to_end - offset_from_end) * share > 1e-9)
     ORDER BY side, "order";
     GET DIAGNOSTICS pieces = ROW_COUNT;

@@ -26,19 +26,25 @@ CROSS JOIN LATERAL (
     roadside AS MATERIALIZED (
         SELECT v.outwards, b.border, b.border_end, y.bay_from, y.bay_from_end, y.bay_to, y.bay_to_end,
             coalesce(y.bay_from, b.border) AS inner_border, coalesce(y.bay_from_end, b.border_end) AS inner_border_end,
-            k.kerb, k.stone, k.sidewalk, k.beside, CASE WHEN k.sidewalk - k.stone - g.furnishing
+            -- Cars drive over the kerb before a bay behind it.
+            CASE WHEN f.behind > 0 AND k.kerb = 'standing' THEN 'flush' ELSE k.kerb END AS kerb, f.behind, f.front,
+            k.sidewalk, k.beside, CASE WHEN k.sidewalk - f.front - g.furnishing
                 >= streetgen._walking_width() THEN g.furnishing ELSE 0 END AS furnishing, g.gutter
         FROM (VALUES ('left', 1, e.beside_left), ('right', -1, e.beside_right)) v(side, outwards, beside)
             CROSS JOIN LATERAL (SELECT streetgen._border_at(e.borders, s.low, v.side) AS border,
                 streetgen._border_at(e.borders, s.high, v.side) AS border_end, (s.low + s.high) / 2 AS middle) b
             CROSS JOIN LATERAL ({kerbs}) k CROSS JOIN LATERAL ({bays}) y
+            -- The stone lies in the ground of such a bay.
+            CROSS JOIN LATERAL (SELECT coalesce(y.bay_behind, 0) AS behind,
+                coalesce(y.bay_behind, k.stone) AS front) f
             CROSS JOIN (SELECT (SELECT value::float8 FROM setting WHERE name = 'gutter_width') AS gutter,
                 (SELECT value::float8 FROM setting WHERE name = 'furnishing_width') AS furnishing) g),
     beside_lanes AS (
-        SELECT r.*, greatest(coalesce(bay_to, room), border - gutter) AS gutter_from,
-            greatest(coalesce(bay_to_end, room_end), border_end - gutter) AS gutter_from_end
+        SELECT r.*, greatest(filled, border - gutter) AS gutter_from,
+            greatest(filled_end, border_end - gutter) AS gutter_from_end
         FROM (SELECT r.*, least(inner_border, d.outer_border) AS room, least(inner_border_end, d.outer_border_end)
-                AS room_end
+                AS room_end, greatest(bay_to, least(border, d.outer_border)) AS filled,
+                greatest(bay_to_end, least(border_end, d.outer_border_end)) AS filled_end
             FROM roadside r CROSS JOIN LATERAL (
                 SELECT max(CASE r.outwards WHEN 1 THEN left_offset ELSE -right_offset END) AS outer_border,
                     max(CASE r.outwards WHEN 1 THEN left_offset_end ELSE -right_offset_end END) AS outer_border_end
@@ -51,6 +57,14 @@ CROSS JOIN LATERAL (
             least(greatest(d.right_offset_end, -r.inner_border_end), d.left_offset_end, l.inner_border_end)
                 AS right_offset_end
         FROM driven d, roadside l, roadside r WHERE (l.outwards, r.outwards) = (1, -1)
+        -- A lane goes on behind a bay, as a cycle lane does at the kerb.
+        UNION ALL SELECT d.lane_id, d.kind, NULL, d.left_offset,
+            least(d.left_offset, greatest(d.right_offset, r.bay_to)), d.left_offset_end,
+            least(d.left_offset_end, greatest(d.right_offset_end, r.bay_to_end))
+        FROM driven d, roadside r WHERE r.outwards = 1 AND r.bay_to IS NOT NULL
+        UNION ALL SELECT d.lane_id, d.kind, NULL, greatest(d.right_offset, least(d.left_offset, -r.bay_to)),
+            d.right_offset, greatest(d.right_offset_end, least(d.left_offset_end, -r.bay_to_end)), d.right_offset_end
+        FROM driven d, roadside r WHERE r.outwards = -1 AND r.bay_to IS NOT NULL
         UNION ALL SELECT NULL, x.kind, CASE x.kind WHEN 'kerb' THEN b.kerb END,
             CASE b.outwards WHEN 1 THEN x.outer_border ELSE -x.inner_border END,
             CASE b.outwards WHEN 1 THEN x.inner_border ELSE -x.outer_border END,
@@ -59,14 +73,15 @@ CROSS JOIN LATERAL (
         FROM beside_lanes b CROSS JOIN LATERAL (VALUES
             ('shoulder', room, coalesce(bay_from, gutter_from), room_end, coalesce(bay_from_end, gutter_from_end)),
             ('bay', bay_from, bay_to, bay_from_end, bay_to_end),
-            ('shoulder', bay_to, gutter_from, bay_to_end, gutter_from_end),
+            ('shoulder', CASE WHEN bay_to IS NOT NULL THEN filled END, gutter_from, filled_end, gutter_from_end),
             ('gutter', gutter_from, border, gutter_from_end, border_end),
-            ('kerb', border, border + stone, border_end, border_end + stone),
-            ('furnishing', border + stone, border + stone + furnishing, border_end + stone,
-                border_end + stone + furnishing),
-            ('sidewalk', border + stone + furnishing, border + sidewalk, border_end + stone + furnishing,
+            ('kerb', border, border + front - behind, border_end, border_end + front - behind),
+            ('bay', border, border + behind, border_end, border_end + behind),
+            ('furnishing', border + front, border + front + furnishing, border_end + front,
+                border_end + front + furnishing),
+            ('sidewalk', border + front + furnishing, border + sidewalk, border_end + front + furnishing,
                 border_end + sidewalk),
-            (beside, border + greatest(stone, sidewalk), 'Infinity', border_end + greatest(stone, sidewalk),
+            (beside, border + greatest(front, sidewalk), 'Infinity', border_end + greatest(front, sidewalk),
                 'Infinity')) x(kind, inner_border, outer_border, inner_border_end, outer_border_end)
         WHERE x.inner_border IS NOT NULL AND (x.kind <> 'kerb' OR b.kerb IS NOT NULL))
     SELECT f.side, row_number() OVER (PARTITION BY f.side ORDER BY f.offset_from + f.offset_from_end,
@@ -78,7 +93,7 @@ CROSS JOIN LATERAL (
         ('right', greatest(0, -t.left_offset), greatest(0, -t.right_offset), greatest(0, -t.left_offset_end),
             greatest(0, -t.right_offset_end))) f(side, offset_from, offset_to, offset_from_end, offset_to_end)
     WHERE greatest(f.offset_to - f.offset_from, f.offset_to_end - f.offset_from_end) > 1e-9
-        OR t.kerb = 'none' AND greatest(f.offset_from, f.offset_from_end) > 0) p
+        OR t.kind = 'kerb' AND greatest(f.offset_from, f.offset_from_end) > 0) p
 -- Neighbours end at the same number.
 CROSS JOIN LATERAL (SELECT round(p.offset_from::numeric, 9)::float8 AS offset_from,
     round(p.offset_to::numeric, 9)::float8 AS offset_to, round(p.offset_from_end::numeric, 9)::float8
@@ -147,20 +162,26 @@ UNION ALL SELECT p.place FROM street_object o JOIN pedestrian_crossing c USING (
 WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND c.surface IS NOT NULL
 
 --{cross_section_without_bays
-SELECT NULL::float8 AS bay_from, NULL::float8 AS bay_from_end, NULL::float8 AS bay_to, NULL::float8 AS bay_to_end
+SELECT NULL::float8 AS bay_from, NULL::float8 AS bay_from_end, NULL::float8 AS bay_to, NULL::float8 AS bay_to_end,
+    NULL::float8 AS bay_behind
 
 --{cross_section_bays
 SELECT y.*
 FROM (VALUES (1)) one LEFT JOIN LATERAL (
-    SELECT b.border + o.axis_offset - d.depth AS bay_from, b.border_end + o.axis_offset - d.depth AS bay_from_end,
-        b.border + least(o.axis_offset, 0) AS bay_to, b.border_end + least(o.axis_offset, 0) AS bay_to_end
+    -- On the roadway, and behind its border.
+    SELECT CASE WHEN on_roadway THEN b.border + o.axis_offset - d.depth END AS bay_from,
+        CASE WHEN on_roadway THEN b.border_end + o.axis_offset - d.depth END AS bay_from_end,
+        CASE WHEN on_roadway THEN b.border + least(o.axis_offset, 0) END AS bay_to,
+        CASE WHEN on_roadway THEN b.border_end + least(o.axis_offset, 0) END AS bay_to_end,
+        CASE WHEN o.axis_offset > 0.01 THEN o.axis_offset END AS bay_behind
     FROM street_object o JOIN parking_bay p USING (street_object_id)
         CROSS JOIN LATERAL (SELECT streetgen._bay_depth(p.length, p.width, p.angle) AS depth,
             streetgen._bay_run(p.length, p.width, p.angle) / 2 AS half) d
+        CROSS JOIN LATERAL (SELECT o.axis_offset < d.depth - 0.01 AS on_roadway) w
     WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND o.side = v.side AND p.surface IS NOT NULL
         AND b.middle BETWEEN o.abscissa - e.first - d.half AND o.abscissa - e.first + d.half
-        -- One behind the kerb takes nothing of the roadway.
-        AND o.axis_offset < d.depth
+        -- One away from its kerb is on other ground.
+        AND o.axis_offset < d.depth + 0.01
     ORDER BY d.depth - o.axis_offset DESC LIMIT 1) y ON true
 
 --{cross_section_bay_places

@@ -43,10 +43,10 @@ BEGIN
         SELECT kind, kerb, lane_id, CASE side WHEN 'left' THEN -ends ELSE offset_from END AS low,
             CASE side WHEN 'left' THEN -offset_from ELSE ends END AS high
         FROM streetgen._cross_section(model, axis_id, place), LATERAL coalesce(offset_to, offset_from + 1.5) ends),
-    -- A lane on both sides of the axis is drawn once.
+    -- A lane on both sides of the axis is drawn once, and one on both sides of a bay twice.
     whole AS (
         SELECT kind, kerb, lane_id, min(low) AS low, max(high) AS high FROM piece WHERE lane_id IS NOT NULL
-            GROUP BY kind, kerb, lane_id
+            GROUP BY kind, kerb, lane_id, CASE WHEN low <> 0 AND high <> 0 THEN low END
         UNION ALL SELECT kind, kerb, lane_id, low, high FROM piece WHERE lane_id IS NULL),
     border AS (
         SELECT coalesce(min(high) FILTER (WHERE kind = 'kerb' AND kerb = 'standing' AND first), '-Infinity') AS on_left,

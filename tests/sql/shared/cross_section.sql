@@ -28,7 +28,8 @@ BEGIN
     UNION ALL SELECT 'lanes and what they leave are as wide as the roadway', bool_and(abs(wide - streetgen._border_at(borders, start_abscissa - first, 'left') - streetgen._border_at(borders, start_abscissa - first, 'right')) < 1e-6
         AND abs(wide_end - streetgen._border_at(borders, end_abscissa - first, 'left') - streetgen._border_at(borders, end_abscissa - first, 'right')) < 1e-6)
       FROM (SELECT edge_id, start_abscissa, end_abscissa, sum(offset_to - offset_from) AS wide, sum(offset_to_end - offset_from_end) AS wide_end
-        FROM piece WHERE lane_id IS NOT NULL OR kind IN ('shoulder', 'bay', 'gutter') GROUP BY 1, 2, 3) s JOIN course USING (edge_id)
+        FROM piece p WHERE lane_id IS NOT NULL OR kind IN ('shoulder', 'bay', 'gutter') AND NOT EXISTS (SELECT FROM piece k WHERE (k.edge_id, k.start_abscissa, k.side, k.kind)
+          = (p.edge_id, p.start_abscissa, p.side, 'kerb') AND k."order" < p."order") GROUP BY 1, 2, 3) s JOIN course USING (edge_id)
     UNION ALL SELECT 'each lane lies on its ground', bool_and(abs(cut - most + least) < 5e-3)
       FROM (SELECT (SELECT ST_Length(d.geom) FROM ST_Dump(ST_Intersection(l.surface, ST_MakeLine(streetgen._place_on(line::bytea, middle, least - 1)::geometry,
           streetgen._place_on(line::bytea, middle, most + 1)::geometry))) d ORDER BY ST_Distance(d.geom, streetgen._place_on(line::bytea, middle, (least + most) / 2)::geometry) LIMIT 1) AS cut, least, most
