@@ -26,6 +26,14 @@ CREATE OR REPLACE FUNCTION streetgen._make_bay_room(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    CREATE OR REPLACE FUNCTION _edges_between_borders(edges bigint[])
+        RETURNS TABLE(edge_id bigint, axis_id bigint, start_abscissa float8, end_abscissa float8, roadway_offset float8,
+            borders float8[])
+        LANGUAGE sql STABLE ROWS 100 SET search_path FROM CURRENT SET jit = off
+        AS $body$
+        SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.roadway_offset, coalesce(s.borders,
+            streetgen._even_borders(e.width, e.width_end, e.end_abscissa - e.start_abscissa, e.roadway_offset))
+        FROM edge e JOIN section s USING (edge_id) WHERE edges IS NULL OR e.edge_id = ANY (edges) $body$;
     CREATE OR REPLACE FUNCTION _lanes_across(edges bigint[])
         RETURNS TABLE(edge_id bigint, kind text, along_axis boolean, width float8, axis_offset float8,
             borders float8[], start_abscissa float8, end_abscissa float8)
@@ -54,13 +62,12 @@ BEGIN
         WITH bay AS MATERIALIZED (
             SELECT * FROM unnest(bays) WITH ORDINALITY b(edge_id, side, low, high, axis_offset, depth, number)),
         street AS MATERIALIZED (
-            SELECT e.edge_id, e.start_abscissa, coalesce(s.borders, streetgen._even_borders(e.width, e.width_end,
-                    e.end_abscissa - e.start_abscissa, e.roadway_offset)) AS borders,
+            SELECT e.edge_id, b.start_abscissa, b.borders,
                 (SELECT value::float8 FROM setting WHERE name = CASE WHEN a.direction = 'both' OR e.lanes_both > 0
                     OR least(e.lanes_forward, e.lanes_backward) > 0 THEN 'bay_roadway_both' ELSE 'bay_roadway_one_way'
                     END) AS needed
-            FROM edge e JOIN axis a USING (axis_id) JOIN section s USING (edge_id)
-            WHERE e.edge_id IN (SELECT edge_id FROM bay)),
+            FROM _edges_between_borders(ARRAY(SELECT DISTINCT edge_id FROM bay)) b JOIN edge e USING (edge_id)
+                JOIN axis a ON a.axis_id = e.axis_id),
         lane AS MATERIALIZED (SELECT * FROM _lanes_across(ARRAY(SELECT edge_id FROM street))),
         -- Metres from the axis outwards on the side of the bay.
         cut AS MATERIALIZED (
@@ -99,11 +106,8 @@ BEGIN
             THEN o.axis_offset ELSE (CASE s.side WHEN 'left' THEN 1 ELSE -1 END) * o.axis_offset
                 - streetgen._border_at(borders, at, s.side) END,
             streetgen._bay_depth(b.length, b.width, b.angle))::streetgen.bay_place
-        FROM (SELECT e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.roadway_offset, coalesce(s.borders,
-                    streetgen._even_borders(e.width, e.width_end, e.end_abscissa - e.start_abscissa, e.roadway_offset))
-                    AS borders
-                FROM edge e JOIN section s USING (edge_id) WHERE edges IS NULL OR e.edge_id = ANY (edges)) e
-            JOIN street_object o USING (axis_id) JOIN parking_bay b USING (street_object_id),
+        FROM _edges_between_borders(edges) e JOIN street_object o USING (axis_id)
+            JOIN parking_bay b USING (street_object_id),
             LATERAL (SELECT streetgen._side_of_street(o.side, o.axis_offset, e.roadway_offset) AS side,
                 o.abscissa - e.start_abscissa AS at, streetgen._bay_reach(b.length, b.width, b.angle) AS reach) s
         WHERE (of_rules OR o.placed_by <> 'rule') AND o.method = 'relative' AND b.surface IS NOT NULL
@@ -122,7 +126,9 @@ BEGIN
                 WHERE (c.place).edge_id = (b.place).edge_id AND (c.place).side <> (b.place).side
                     AND (c.place).low < (b.place).high AND (b.place).low < (c.place).high), 0), needed
         FROM room b $body$;
-    PERFORM streetgen._own_function(model, '_lanes_across(bigint[])',
+    PERFORM streetgen._own_function(model, '_edges_between_borders(bigint[])',
+        'Edges (NULL: all) with the borders of their roadway, of even ones too'),
+        streetgen._own_function(model, '_lanes_across(bigint[])',
         'Lanes of edges with their borders; none in a model that computes no lanes'),
         streetgen._own_function(model, '_parking_lanes(bigint[])',
         'The outermost parking lane on each side of edges: its depth, whether its cars drive along the axis, and its '
