@@ -24,6 +24,15 @@ struct OsmLane {
   bool width_usual = false;       // no tag states the width: cars that stand so need it
 };
 
+// How cars stand on one side of a way, where they do so off its lanes; else how many stand on the
+// lane.
+struct OsmSideParking {
+  std::string place{};  // street_side, half_on_kerb, on_kerb, lane, no; empty: nothing is said
+  std::string orientation{};      // parallel, diagonal, perpendicular; empty: nothing is said
+  std::optional<double> depth{};  // metres across the street
+  std::optional<int> capacity{};  // cars
+};
+
 // What the reader takes from elsewhere.
 struct OsmLaneUse {
   DrivingSide driving_side = DrivingSide::right;
@@ -31,6 +40,8 @@ struct OsmLaneUse {
   double narrowest_of_several = 2.625;    // metres, where a width alone makes several lanes
   std::optional<double> roadway_width{};  // metres, stated
   int usual_lanes = 1;                    // of a way of its width of which no lanes are stated
+  // Metres from the kerb to the end of a car that stands askew or across.
+  double diagonal_depth = 4.5, perpendicular_depth = 5;
   double two_way_width = 4.5;  // metres; a street of both directions has one lane on less
 };
 
@@ -52,6 +63,7 @@ struct OsmLanes {
   std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
   // Metres from the way to the middle of all lanes, left positive.
   std::optional<double> roadway_offset{};
+  OsmSideParking parking_left{}, parking_right{};  // of the way as it is drawn
   std::vector<UnreadTag> unread{};
 };
 

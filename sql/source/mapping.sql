@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._axis_input()
     RETURNS TABLE(name text, type text, read_as text, low float8, high float8)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 28 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
     AS $$ VALUES ('width', 'float8', 'metres', 0::float8, 200::float8), ('width_end', 'float8', 'metres', 0, 200),
         ('roadway_offset', 'float8', 'metres', -100, 100), ('lane_count', 'integer', 'count', 0, 30),
         ('direction', 'text', 'direction', NULL, NULL), ('speed', 'float8', 'kmh', 0, 400),
@@ -16,7 +16,8 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input()
         ('change_forward', 'text', 'change', NULL, NULL), ('change_backward', 'text', 'change', NULL, NULL),
         ('sidewalk_left', 'float8', 'metres', 0, 50), ('sidewalk_right', 'float8', 'metres', 0, 50),
         ('flow', 'float8', 'number', 0, 1000000), ('roundabout_tag', 'text', 'text', NULL, NULL),
-        ('ref', 'text', 'text', NULL, NULL), ('access', 'text', 'text', NULL, NULL) $$;
+        ('ref', 'text', 'text', NULL, NULL), ('access', 'text', 'text', NULL, NULL),
+        ('parking_left', 'text', 'parking', NULL, NULL), ('parking_right', 'text', 'parking', NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._axis_input() IS
     'The columns of axis that a source may fill besides geom, how their texts are read, and the bounds of numbers.';
 
@@ -44,13 +45,14 @@ CREATE OR REPLACE FUNCTION streetgen._read_word(said text, read_as text, unit te
     RETURN CASE WHEN btrim(said) = '' THEN NULL
         WHEN read_as = 'text' THEN said
         WHEN read_as = 'width' THEN streetgen._metres_by_lane(said, coalesce(unit, 'm'))
+        WHEN read_as = 'parking' THEN substring(btrim(said) FROM streetgen._parking_pattern())
         WHEN read_as <> 'direction' THEN CASE WHEN streetgen.is_lane_list(btrim(said), read_as) THEN btrim(said) END
         WHEN lower(btrim(said)) IN ('both', '0') THEN 'both'
         WHEN lower(btrim(said)) IN ('direct', '1') THEN 'direct'
         WHEN lower(btrim(said)) IN ('reverse', '-1') THEN 'reverse' END;
 COMMENT ON FUNCTION streetgen._read_word(text, text, text) IS
-    'A text of a source as a column of axis holds it, read as text, direction or a list of lanes; NULL where it is '
-    'none.';
+    'A text of a source as a column of axis holds it, read as text, direction, parking or a list of lanes; NULL where '
+    'it is none.';
 
 CREATE OR REPLACE FUNCTION streetgen._expected(read_as text, low float8, high float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -59,6 +61,7 @@ CREATE OR REPLACE FUNCTION streetgen._expected(read_as text, low float8, high fl
         WHEN 'count' THEN format('a whole number from %s to %s', low, high)
         WHEN 'number' THEN format('a number from %s to %s', low, high)
         WHEN 'direction' THEN 'both, direct or reverse (0, 1 or -1)'
+        WHEN 'parking' THEN 'no, or a place such as on_kerb|parallel|2.2|8'
         WHEN 'kind' THEN 'a list such as general|bus, an entry a lane'
         WHEN 'width' THEN 'a list such as 3.5|3, an entry a lane'
         WHEN 'turn' THEN 'a list such as left;through|right, an entry a lane'

@@ -98,6 +98,8 @@ DECLARE
     lane_width constant float8 := streetgen._setting_number(model, 'lane_width');
     cycle_lane_width constant float8 := streetgen._setting_number(model, 'cycle_lane_width');
     parking_lane_width constant float8 := streetgen._setting_number(model, 'parking_lane_width');
+    diagonal_depth constant float8 := streetgen._setting_number(model, 'parking_depth_diagonal');
+    perpendicular_depth constant float8 := streetgen._setting_number(model, 'parking_depth_perpendicular');
     two_way_width constant float8 := streetgen._setting_number(model, 'two_way_width_minimal');
     width_default constant float8 := streetgen._setting_number(model, 'width_default');
 BEGIN
@@ -110,7 +112,7 @@ BEGIN
         streetgen._osm_level(tags) AS level,
         lanes.lanes_forward, lanes.lanes_backward, lanes.lanes_both, lanes.kind_forward, lanes.kind_backward,
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
-        lanes.change_forward, lanes.change_backward, lanes.access,
+        lanes.change_forward, lanes.change_backward, lanes.access, lanes.parking_left, lanes.parking_right,
         streetgen._osm_sidewalk(walk_left, tags ->> 'sidewalk', said_walk_left, 'left') AS sidewalk_left,
         streetgen._osm_sidewalk(walk_right, tags ->> 'sidewalk', said_walk_right, 'right') AS sidewalk_right,
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
@@ -134,7 +136,7 @@ BEGIN
         FROM jsonb_each_text(tags || jsonb_build_object('highway', coalesce(class, '')))) said,
     LATERAL streetgen._osm_lanes(keys, words, driving_side, lane_width, cycle_lane_width, parking_lane_width,
         coalesce(metres, 0), coalesce(usual_lanes, 1), two_way_width,
-        streetgen._narrowest_of_several(lane_width)) lanes,
+        streetgen._narrowest_of_several(lane_width), diagonal_depth, perpendicular_depth) lanes,
     LATERAL (SELECT tags ->> 'junction' IN ('roundabout', 'circular') AS ring, coalesce(tags ->> 'oneway'
         IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0'), false) AS stated) way,
     LATERAL (SELECT coalesce(tags ->> 'sidewalk:left', tags ->> 'sidewalk:both') AS walk_left,
@@ -171,7 +173,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lane_count integer, direction text, roundabout_tag text, speed float8, level integer, class text,
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
-        change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text)
+        change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
+        parking_left text, parking_right text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -179,7 +182,8 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_forward) ELSE m.kind_forward END,
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_backward) ELSE m.kind_backward END,
     m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward, m.change_backward,
-    m.sidewalk_left, m.sidewalk_right, m.unread, NULL, m.access
+    m.sidewalk_left, m.sidewalk_right, m.unread, NULL, m.access, m.parking_left,
+    m.parking_right
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id)
 $$;
@@ -215,6 +219,7 @@ CREATE OR REPLACE FUNCTION streetgen.import_osm(model name, prefix text DEFAULT 
 DECLARE
     source regclass := streetgen._osm_table('_line', prefix, schemas);
     driving_side text;
+    first boolean;
 BEGIN
     PERFORM streetgen._take_classes(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
     IF source IS NULL THEN
@@ -223,6 +228,7 @@ BEGIN
                 'stands before the prefix: ''gis.osm''.';
     END IF;
     driving_side := streetgen._driving_side(model);
+    first := NOT streetgen._knows_source(model, source::text);
     PERFORM streetgen._take_osm_lines(source);
     RETURN QUERY SELECT * FROM streetgen._leave_out_areas();
     PERFORM streetgen._read_osm_tags(model);
@@ -246,6 +252,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._tell_unread_lanes(model, source::text);
     RETURN QUERY SELECT * FROM streetgen._tell_osm_lines(model, source::text);
     DROP TABLE pg_temp._import_line, pg_temp._import_meaning, pg_temp._import_room, pg_temp._import_unread;
+    RETURN QUERY SELECT * FROM streetgen._tell_parking(model, source::text, first);
     RETURN QUERY SELECT * FROM streetgen._import_restrictions(model, source,
         streetgen._osm_table('_restriction', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model, streetgen._osm_table('_control', prefix, schemas));
@@ -255,8 +262,8 @@ END $$;
 COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'Imports the table PREFIX_line that osm2pgsql writes with data/osm2pgsql_flex.lua, found in the schemas of '
     'search_path or named with its schema (gis.osm): width, direction, who may drive, level, speed, name, number of '
-    'the route, class, sidewalks, and the lanes of each direction with their kinds, widths, turns and changes; and the '
-    'turn restrictions of PREFIX_restriction and the signals, signs and crossings of PREFIX_control and the routes of '
-    'PREFIX_route. A tag that means nothing is unknown, and reported by way; tags of lanes that were not made, and '
-    'the misspelt tags of PREFIX_misspelt, stand in table unread_tag, each with its reason. streetgen.tag_use() tells '
-    'what becomes of each.';
+    'the route, class, sidewalks, how cars stand beside the roadway, and the lanes of each direction with their kinds, '
+    'widths, turns and changes; and the turn restrictions of PREFIX_restriction and the signals, signs and crossings '
+    'of PREFIX_control and the routes of PREFIX_route. A tag that means nothing is unknown, and reported by way; tags of '
+    'lanes that were not made, and the misspelt tags of PREFIX_misspelt, stand in table unread_tag, each with its '
+    'reason. streetgen.tag_use() tells what becomes of each.';

@@ -77,7 +77,7 @@ INSERT INTO said VALUES ('{"motor_vehicle": "no", "bus:lanes": "designated|desig
   ('{"access": "no", "lanes:psv": "2", "lanes": "2"}', 'residential', 'bus'), ('{"access": "no", "busway:left": "lane", "oneway": "yes"}', 'residential', 'bus'), ('{"access": "foot"}', 'residential', 'no'), ('{"vehicle": "dismount", "bus": "yes"}', 'residential', 'bus');
 CREATE FUNCTION pg_temp.read_tags(tags jsonb, class text) RETURNS TABLE(access text, kinds text) LANGUAGE sql AS $$
   SELECT l.access, concat_ws('/', kind_forward, kind_backward) FROM (SELECT array_agg(key) AS keys, array_agg(value) AS words FROM jsonb_each_text(tags || jsonb_build_object('highway', class))) t,
-    streetgen._osm_lanes(keys, words, 'right', 3.5, 1.5, 2, 0, 1, 4.5, 2.625) l $$;
+    streetgen._osm_lanes(keys, words, 'right', 3.5, 1.5, 2, 0, 1, 4.5, 2.625, 4.5, 5) l $$;
 SELECT concat_ws(' ', tags, class), access IS NOT DISTINCT FROM means FROM said, pg_temp.read_tags(tags, class);
 SELECT 'lanes of a street for buses alone are those of buses', count(*) > 5 AND bool_and(kinds IN ('', 'bus', 'bus|bus', 'bus/bus')) FROM said, pg_temp.read_tags(tags, class) WHERE access = 'bus';
 SELECT 'words mean the same of a lane, of a way and of a table', bool_and(CASE streetgen._access_word(word) WHEN 'no' THEN kinds = 'closed' WHEN 'private' THEN kinds = 'closed' WHEN 'bus' THEN kinds = 'bus' WHEN 'carpool' THEN kinds = 'carpool' WHEN 'cycle' THEN kinds = 'cycle' ELSE kinds = '' END

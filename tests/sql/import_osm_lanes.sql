@@ -63,7 +63,7 @@ SELECT 'and told', array_agg(class || ' ' || source_refs[1] ORDER BY class) = '{
 UPDATE osm_line SET tags = tags - 'parking:lanes:forward' WHERE way_id = 19;
 SELECT 'what the next delivery mends is named no more', count(*) FILTER (WHERE what LIKE 'lanes not understood%') = 4 AND sum(count) FILTER (WHERE what = 'new or changed') = 0 FROM streetgen.import_osm('town', 'osm');
 SELECT 'where one drives on the left, the near kerb is the left one', string_agg(kind_forward, ' ' ORDER BY source_ref) = 'general|general|cycle cycle|general|general' FROM (SELECT '1' AS source_ref, kind_forward FROM left_hand.axis WHERE source_ref = '22'
-  UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1, 4.5, 2.625) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
+  UNION ALL SELECT '2', cycle FROM streetgen._osm_lanes('{oneway,lanes,cycleway}', '{yes,2,lane}', 'left', 3.5, 1.5, 2, 0, 1, 4.5, 2.625, 4.5, 5) l, LATERAL (SELECT l.kind_forward) k(cycle)) s;
 SELECT 'the streets are sound', bool_and(deleted = 0) FROM streetgen.generate('town');
 SELECT 'the one lane of a busway is for buses', array_agg(l.kind) = '{bus}' FROM town.lane l JOIN town.edge USING (edge_id) JOIN seen USING (axis_id) WHERE way = 29;
 SELECT 'a stated width of a cycle lane holds where the roadway is short, and what is short is shared by others: way ' || way, array_agg(round(l.width::numeric, 3) ORDER BY l.lane_position) = widths

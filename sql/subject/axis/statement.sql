@@ -43,6 +43,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            -- Carriageways of one street are told by its name.
            # CASE WHEN name <> '' AND direction_used <> 'both' THEN hashtextextended(lower(name), 8) ELSE 0 END
            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
+           # CASE WHEN coalesce(parking_left, parking_right) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(parking_left, parking_right), 9) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
            # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
@@ -53,8 +55,10 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    class_parking_right), 7) END)
            AS input_hash,
        setting_hash,
-       coalesce(sidewalk_left, sidewalk_usual) AS sidewalk_left,
-       coalesce(sidewalk_right, sidewalk_usual) AS sidewalk_right,
+       streetgen._with_parking(coalesce(sidewalk_left, sidewalk_usual), parking_left, along_depth, askew_depth,
+           across_depth) AS sidewalk_left,
+       streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, along_depth, askew_depth,
+           across_depth) AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,
        access,
@@ -79,6 +83,9 @@ LEFT JOIN (
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
                (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
            (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,
+           (max(value) FILTER (WHERE name = 'parking_depth_parallel'))::float8 AS along_depth,
+           (max(value) FILTER (WHERE name = 'parking_depth_diagonal'))::float8 AS askew_depth,
+           (max(value) FILTER (WHERE name = 'parking_depth_perpendicular'))::float8 AS across_depth,
                (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
            (max(value) FILTER (WHERE name = 'two_way_width_minimal'))::float8 AS two_way_width_minimal,
            streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds,

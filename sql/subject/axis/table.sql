@@ -1,4 +1,5 @@
--- The tables of axes and of their classes. The patterns are those of streetgen._lane_list_pattern.
+-- The tables of axes and of their classes. The patterns are those of streetgen._lane_list_pattern and
+-- streetgen._parking_pattern.
 
 CREATE TABLE :"model".axis_class (
     class text PRIMARY KEY,
@@ -128,6 +129,22 @@ COMMENT ON COLUMN :"model".axis.access IS
 COMMENT ON CONSTRAINT axis_access_check ON :"model".axis IS
     'no, bus, carpool, cycle, private, destination, customers or delivery, or two of these parted by |. Leave it '
     'empty where all may drive.';
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS parking_left text CONSTRAINT axis_parking_left_check
+        CHECK (parking_left ~ '^(no|(lane|street_side|half_on_kerb|on_kerb)'
+            '(\|(parallel|diagonal|perpendicular)?(\|([1-9](\.\d{1,6})?)?(\|\d{0,4})?)?)?)$'),
+    ADD COLUMN IF NOT EXISTS parking_right text CONSTRAINT axis_parking_right_check
+        CHECK (parking_right ~ '^(no|(lane|street_side|half_on_kerb|on_kerb)'
+            '(\|(parallel|diagonal|perpendicular)?(\|([1-9](\.\d{1,6})?)?(\|\d{0,4})?)?)?)$');
+COMMENT ON COLUMN :"model".axis.parking_left IS
+    'how cars stand on the left of geom: no, or street_side (between roadway and sidewalk), half_on_kerb or on_kerb, '
+    'with what is known parted by |: parallel, diagonal or perpendicular, depth in metres, number of cars, such as '
+    'on_kerb|parallel|2.2|8; lane|||8: of a parking lane; NULL: nothing is said';
+COMMENT ON CONSTRAINT axis_parking_left_check ON :"model".axis IS
+    'no, or street_side, half_on_kerb, on_kerb or lane, with orientation, depth and number of cars parted by |. Leave '
+    'it empty where nothing is said.';
+COMMENT ON COLUMN :"model".axis.parking_right IS 'the same on the right of geom';
+COMMENT ON CONSTRAINT axis_parking_right_check ON :"model".axis IS
+    'as parking_left. Leave it empty where nothing is said.';
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;

@@ -59,7 +59,8 @@ BEGIN
     COMMENT ON COLUMN axis_used.input_hash IS 'hash of the axis and the values used';
     COMMENT ON COLUMN axis_used.setting_hash IS 'hash of the settings';
     COMMENT ON COLUMN axis_used.sidewalk_left IS
-        'width of the sidewalk on the left, metres; 0: none; an estimate holds where the city lies beside';
+        'width of the sidewalk on the left, with the bays between it and the roadway, metres; 0: none; an estimate '
+        'holds where the city lies beside';
     COMMENT ON COLUMN axis_used.sidewalk_right IS 'the same on its right';
     COMMENT ON COLUMN axis_used.roadway_offset IS 'metres from the axis to the middle of the roadway, left positive';
 END $$;

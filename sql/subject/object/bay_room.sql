@@ -5,21 +5,22 @@ CREATE OR REPLACE FUNCTION streetgen._least_bay_depth() RETURNS float8
     RETURN 1.6::float8;
 COMMENT ON FUNCTION streetgen._least_bay_depth() IS 'On a parking lane narrower than this no car stands, metres.';
 
-CREATE OR REPLACE FUNCTION streetgen._bay_on_lane(lane_width float8, with_axis boolean,
+CREATE OR REPLACE FUNCTION streetgen._bay_so_deep(depth float8, orientation text, with_axis boolean,
     OUT length float8, OUT width float8, OUT angle float8)
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT CASE WHEN across THEN deep ELSE usual.length END, CASE WHEN along THEN deep ELSE usual.width END,
         CASE WHEN along THEN 0 WHEN across THEN 90 WHEN with_axis THEN lean ELSE 180 - lean END
     FROM streetgen._usual_bay() usual,
         -- Between the depths of cars along the kerb, askew and across.
-        LATERAL (SELECT round(least(lane_width, 10)::numeric, 6)::float8 AS deep, lane_width < 3.25 AS along,
-            lane_width >= 4.75 AS across) d,
+        LATERAL (SELECT round(least(depth, 10)::numeric, 6)::float8 AS deep,
+            coalesce(orientation = 'parallel', depth < 3.25) AS along,
+            coalesce(orientation = 'perpendicular', depth >= 4.75) AS across) d,
         LATERAL (SELECT asind(least(1, deep / usual.length)) AS lean) l $$;
-COMMENT ON FUNCTION streetgen._bay_on_lane(float8, boolean) IS
-    'Length, width (m) and angle (degrees) of a bay that fills a parking lane of a width (m): along the kerb below '
-    '3.25 m, across from 4.75 m on, and between these askew, for cars that pass the kerb of its side along the axis or '
-    'against it.';
+COMMENT ON FUNCTION streetgen._bay_so_deep(float8, text, boolean) IS
+    'Length, width (m) and angle (degrees) of a bay of a depth (m), for cars that stand parallel, diagonal or '
+    'perpendicular; NULL: along the kerb below 3.25 m, across from 4.75 m on, and between these askew. They pass the '
+    'kerb of its side along the axis or against it.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_bay_room(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -122,7 +123,9 @@ BEGIN
             SELECT l.street_object_id, l.place, r.*
             FROM _bay_room((SELECT array_agg(place ORDER BY number) FROM laid)) r
                 JOIN laid l USING (number))
-        SELECT street_object_id, on_lane, narrowest, remains - coalesce((SELECT max(c.taken) FROM room c
+        -- One that lies beside the roadway takes none of it.
+        SELECT street_object_id, on_lane, narrowest, CASE WHEN (place).axis_offset < (place).depth - 0.01
+            THEN remains END - coalesce((SELECT max(c.taken) FROM room c
                 WHERE (c.place).edge_id = (b.place).edge_id AND (c.place).side <> (b.place).side
                     AND (c.place).low < (b.place).high AND (b.place).low < (c.place).high), 0), needed
         FROM room b $body$;

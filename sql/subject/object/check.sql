@@ -110,6 +110,14 @@ BEGIN
         FROM _parking_lanes(CASE WHEN EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane')
             THEN ARRAY(SELECT edge_id FROM edge) ELSE '{}' END) p JOIN edge e USING (edge_id)
         WHERE p.depth < streetgen._least_bay_depth()
+    UNION ALL
+    SELECT 'notice', 'fewer parking bays than the source says', 'axis', a.axis_id, p.cars - b.bays, a.geom
+        FROM axis a, LATERAL (VALUES ('left', parking_left), ('right', parking_right)) v(side, said), LATERAL (
+            SELECT streetgen._parking_capacity(said)::float8 AS cars, split_part(said, '|', 1) AS place) p, LATERAL (
+            SELECT count(*) AS bays FROM street_object o JOIN parking_bay b USING (street_object_id)
+            WHERE o.axis_id = a.axis_id AND o.side = v.side AND o.method = 'relative' AND b.surface IS NOT NULL) b
+        WHERE EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane')
+            AND CASE WHEN p.cars IS NULL THEN p.place NOT IN ('no', 'lane') AND b.bays = 0 ELSE b.bays < p.cars END
     UNION ALL SELECT 'error', 'object on an axis that is not there', 'street_object', o.street_object_id, NULL::float8,
         o.geom
         FROM street_object o WHERE o.method = 'relative' AND NOT EXISTS (SELECT FROM axis a
@@ -121,6 +129,15 @@ BEGIN
     LOOP
         RETURN NEXT finding;
     END LOOP;
+    IF to_regclass(format('%I.sidewalk', model)) IS NOT NULL THEN
+        RETURN QUERY SELECT 'notice', 'parking bay that leaves a narrow sidewalk, m', 'parking_bay',
+            b.street_object_id, w.width - o.axis_offset, b.surface
+        FROM parking_bay b JOIN street_object o USING (street_object_id) JOIN object_edge USING (street_object_id)
+            JOIN sidewalk w USING (edge_id)
+        WHERE b.surface IS NOT NULL AND o.axis_offset > 0 AND o.side = w.side AND w.node_id IS NULL
+            AND w.surface && b.surface AND ST_Intersects(w.surface, b.surface)
+            AND w.width - o.axis_offset < streetgen._walking_width() - 1e-6;
+    END IF;
     IF to_regclass(format('%I.marking', model)) IS NOT NULL THEN
         rings := streetgen._edges_on_rings(model, NULL);
         RETURN QUERY SELECT 'warning', CASE m.kind WHEN 'arrow' THEN 'arrow on a crossing'
@@ -158,6 +175,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'drag it to a street in `pedestrian_crossing_editing`, or delete it'),
     ('line on a crossing', 'a stop or yield line lies where people walk', '`generate`'),
     ('arrow on a crossing', 'an arrow of a lane lies where people walk', '`generate`'),
+    ('fewer parking bays than the source says',
+        'so many cars that `parking_left` or `parking_right` counts have no bay for want of room; NULL: no car has one',
+        'correct the axis or its column'),
     ('placement rule for a kind that no street has',
         '`kind` names what is neither a class nor the kind of an axis; the rule places nothing there',
         'write a kind of `axis_class`, or none'),
@@ -199,5 +219,7 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
         'bays, parking lanes and cycle lanes leave less for driving than settings `bay_roadway_one_way` or '
         '`bay_roadway_both` ask; a rule places such bays on parking lanes alone, as the source says',
         'correct width or lanes, or delete the bay', true),
+    ('parking bay that leaves a narrow sidewalk, m', 'it lies on the sidewalk and leaves less than 1.5 m of it',
+        'correct `parking_left` or `parking_right`, or the width of the sidewalk', true),
     ('parking lane too narrow for bays, m', 'no car stands on a lane under 1.6 m, and rules place no bays there',
         'correct width or lanes', true);

@@ -92,6 +92,8 @@ BEGIN
         least_lane constant float8 := (SELECT value::float8 FROM setting WHERE name = 'lane_width_minimal');
         bay_rules constant bigint := (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
             + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
+        depths constant float8[] := ARRAY(SELECT streetgen._setting_number(current_schema(), 'parking_depth_' || word)
+            FROM unnest('{parallel,diagonal,perpendicular}'::text[]) WITH ORDINALITY w(word, n) ORDER BY n);
         on_lanes constant boolean := lying AND EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane');
         apart constant float8 := streetgen._object_reach(current_schema());
         -- An object gives way to one of an axis beside, which is looked at and not written.
@@ -124,6 +126,7 @@ BEGIN
         street AS MATERIALIZED (
             SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa,
                 e.importance, a.kind, coalesce(c.crossed_on_foot, true) AS crossed, a.turn_forward, a.turn_backward,
+                a.direction, a.parking_left, a.parking_right,
                 e.edge_id IN (SELECT unnest(rings)) AS on_ring,
                 ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
                 e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high,
@@ -135,11 +138,19 @@ BEGIN
                 JOIN section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'
             WHERE axes IS NULL OR a.axis_id = ANY (computed) AND u.axis_id = ANY (computed)
                 AND (e.axis_id = ANY (axes) OR e.edge_id = ANY (looked_at))),
-        parking_lane AS MATERIALIZED (
-            SELECT p.edge_id, p.side, p.depth, p.borders, b.*, streetgen._bay_run(b.length, b.width, b.angle) AS run
-            FROM _parking_lanes(ARRAY(SELECT edge_id FROM street)) p,
-                LATERAL streetgen._bay_on_lane(p.depth, (p.side = 'right') = p.along_axis) b
-            WHERE on_lanes AND p.depth >= streetgen._least_bay_depth()),
+        -- Lanes on which cars stand, and places for them beside the roadway: behind is how far these reach there.
+        parking AS MATERIALIZED (
+            SELECT p.edge_id, p.side, p.depth, p.borders, p.behind, b.*,
+                streetgen._bay_run(b.length, b.width, b.angle) AS run
+            FROM (SELECT edge_id, side, depth, borders, NULL::float8 AS behind, NULL AS orientation,
+                    along_axis
+                FROM _parking_lanes(ARRAY(SELECT edge_id FROM street)) WHERE depth >= streetgen._least_bay_depth()
+                UNION ALL SELECT s.edge_id, p.side, p.depth, NULL, p.behind, p.orientation,
+                    CASE s.direction WHEN 'both' THEN p.side = near_side ELSE s.direction = 'direct' END
+                FROM street s, LATERAL streetgen._parking_beside(s.parking_left, s.parking_right, depths) p
+                WHERE num_nonnulls(s.parking_left, s.parking_right) > 0) p,
+                LATERAL streetgen._bay_so_deep(p.depth, p.orientation, (p.side = 'right') = p.along_axis) b
+            WHERE on_lanes),
         meeting AS MATERIALIZED (
             SELECT node, (SELECT count(*) FROM edge WHERE from_node = node)
                 + (SELECT count(*) FROM edge WHERE to_node = node) AS arms
@@ -166,7 +177,11 @@ BEGIN
                     greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
                     floor((high - distance_from_limit - phase) / every)::bigint) k,
                 LATERAL (VALUES ('left'), ('right')) v(side)
-            WHERE r.along IN ('axis', 'border') AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
+            WHERE r.along IN ('axis', 'border')
+                -- Where a source says how cars stand, or that none does, no other bays lie.
+                AND (r.along = 'axis' OR r.type <> ALL (bays)
+                    OR CASE v.side WHEN 'left' THEN r.parking_left ELSE r.parking_right END IS NULL)
+                AND CASE WHEN r.along = 'axis' THEN v.side = 'left'
                 WHEN r.side = 'alternating' THEN v.side = CASE k % 2 WHEN 0 THEN 'left' ELSE 'right' END
                 ELSE r.side IN (v.side, 'both') END
             UNION ALL
@@ -218,11 +233,12 @@ BEGIN
                     (ST_Y(c.centre) - ST_Y(foot)) / c.radius * r.axis_offset)::bytea) AS at OFFSET 0) l
             WHERE (share > 0.5) = (c.half = 1)
             UNION ALL
-            -- Side by side in the middle of what a parking lane has between both limits, numbered by decimetres along
-            -- the axis.
-            SELECT r.*, l.side, c.at, (2 * round(10 * c.at) + (l.side = 'right')::integer)::integer, l.angle,
-                round((b.outer_end - to_border)::numeric, 6)::float8, NULL, l.length, l.width
-            FROM ruled r JOIN parking_lane l ON l.edge_id = r.edge_id,
+            -- Side by side in the middle of what a parking lane has between both limits, or its kerb, numbered by
+            -- decimetres along the axis.
+            SELECT r.*, l.side, c.at, (2 * round(10 * c.at) + (l.side = 'right')::integer
+                    + CASE WHEN l.behind IS NULL THEN 0 ELSE 1000000000 END)::integer, l.angle,
+                coalesce(l.behind, round((b.outer_end - to_border)::numeric, 6)::float8), NULL, l.length, l.width
+            FROM ruled r JOIN parking l ON l.edge_id = r.edge_id,
                 LATERAL (SELECT high - low - 2 * distance_from_limit AS long) g,
                 LATERAL (SELECT floor(long / run + 1e-9)::integer AS fit) f, LATERAL generate_series(0, fit - 1) k,
                 LATERAL (SELECT low + distance_from_limit + (long - fit * run) / 2 + (k + 0.5) * run AS at) c,
@@ -232,9 +248,10 @@ BEGIN
             -- A false constant takes its places out of what is planned.
             WHERE on_lanes AND r.along = 'lane' AND r.side IN (l.side, 'both', 'alternating')
                 -- A lane may begin or end between both limits.
-                AND l.depth - 0.05 <= (SELECT min(streetgen._border_at(l.borders, at - start_abscissa, 'left')
-                    + streetgen._border_at(l.borders, at - start_abscissa, 'right'))
-                    FROM unnest(ARRAY[c.at - run / 2, c.at + run / 2]) at)
+                AND (l.behind IS NOT NULL OR l.depth - 0.05 <= (
+                    SELECT min(streetgen._border_at(l.borders, at - start_abscissa, 'left')
+                        + streetgen._border_at(l.borders, at - start_abscissa, 'right'))
+                    FROM unnest(ARRAY[c.at - run / 2, c.at + run / 2]) at))
             UNION ALL
             -- By a function of the user, as rule 0, numbered by what it places and where.
             SELECT (own.rule).*, t.distance_least, true, s.*, p.side, p.abscissa, hashtext(concat_ws(' ', p.type,
@@ -329,6 +346,15 @@ BEGIN
                 WHERE o.type = ANY (bus_stops) AND o.placed_by <> 'rule' AND o.method = 'relative'
                     AND b.at_side = streetgen._side_of_street(o.side, o.axis_offset, s.roadway_offset)
                     AND abs(o.abscissa - b.abscissa) < b.reach + 15
+            -- Behind the kerb it leaves room for who comes to a crossing that others placed.
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN street_object o USING (axis_id)
+                JOIN pedestrian_crossing c USING (street_object_id)
+                WHERE (b.place).axis_offset > 0 AND o.placed_by <> 'rule' AND o.method = 'relative'
+                    AND abs(o.abscissa - b.abscissa) < b.reach + 3
+            -- And other streets their roadway.
+            UNION SELECT rule_id, b.axis_id, rule_place FROM bay b JOIN section s ON s.surface && b.ground
+                    AND s.edge_id <> b.edge_id JOIN edge e ON e.edge_id = s.edge_id AND e.level = b.level
+                WHERE (b.place).axis_offset > 0 AND streetgen._takes_ground(s.surface, b.ground)
             -- By difference, since a hash join of a whole level would pass over the spatial index.
             UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
                 AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
@@ -359,6 +385,14 @@ BEGIN
         free AS MATERIALIZED (
             SELECT * FROM clear WHERE NOT beside AND number NOT IN (SELECT number FROM near
                 WHERE earlier IN (SELECT c.number FROM clear c))),
+        -- No more bays than a source counts cars, along all of the side.
+        counted AS (
+            SELECT f.number FROM (SELECT number, edge_id, at_side, row_number() OVER side_of_axis AS nth,
+                    count(*) OVER (PARTITION BY rule_id, axis_id, at_side) AS many FROM free WHERE along = 'lane'
+                WINDOW side_of_axis AS (PARTITION BY rule_id, axis_id, at_side ORDER BY abscissa)) f
+                JOIN street s USING (edge_id), LATERAL (SELECT streetgen._parking_capacity(CASE at_side
+                    WHEN 'left' THEN parking_left ELSE parking_right END) AS cars) c
+            WHERE many > cars AND (2 * nth * cars + many) / (2 * many) = (2 * (nth - 1) * cars + many) / (2 * many)),
         held AS MATERIALIZED (
             SELECT street_object_id, type, geom, angle, axis_id, abscissa, side, axis_offset, orientation, rule_id,
                 rule_place, method
@@ -371,7 +405,8 @@ BEGIN
                 (f.type, f.geom::bytea, f.angle, f.abscissa, f.at_side, f.aside, f.turned, 'relative')
                     IS DISTINCT FROM (h.type, h.geom::bytea, h.angle, h.abscissa, h.side, h.axis_offset, h.orientation,
                     h.method) AS differs, f.bay_length, f.bay_width
-            FROM free f FULL JOIN held h USING (rule_id, axis_id, rule_place)),
+            FROM (SELECT * FROM free WHERE along <> 'lane' OR number NOT IN (SELECT number FROM counted)) f
+                FULL JOIN held h USING (rule_id, axis_id, rule_place)),
         gone AS (
             DELETE FROM street_object o USING compared c
             WHERE c.type IS NULL AND o.street_object_id = c.held),

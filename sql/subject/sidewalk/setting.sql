@@ -1,5 +1,10 @@
 -- The settings of sidewalks.
 
+CREATE OR REPLACE FUNCTION streetgen._walking_width() RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog AS $$ SELECT 1.5::float8 $$;
+COMMENT ON FUNCTION streetgen._walking_width() IS
+    'Metres of a sidewalk that stay free beside a furnishing strip or a bay: two people pass.';
+
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog

@@ -1,15 +1,10 @@
 #include "osm/kerb_lanes.hpp"
 
-#include <algorithm>
-
 #include "osm/lane_list.hpp"
 
 namespace streetgen {
 
 namespace {
-
-// Metres from the kerb to the end of a car that stands so.
-constexpr double depth_of_diagonal = 4.5, depth_of_perpendicular = 5;
 
 // Words of which several may stand in one value: those that make a lane.
 constexpr std::initializer_list<const char*> cycle_words = {"lane", "soft_lane", "opposite_lane"};
@@ -19,10 +14,6 @@ constexpr std::initializer_list<const char*> parking_words = {"perpendicular", "
                                                               "parallel", "marked"};
 constexpr std::initializer_list<const char*> on_lane_words = {"on_street", "lane",
                                                               "painted_area_only"};
-
-bool is_among(const std::string& word, std::initializer_list<const char*> words) {
-  return std::find(words.begin(), words.end(), word) != words.end();
-}
 
 // In what way cars stand: of several that which needs most room; else all that is said.
 std::string deepest_of(const std::string& key, WayTags& tags) {
@@ -143,7 +134,8 @@ void name_parking_without_place(RoadSide kerb, WayTags& tags) {
 }
 
 // Without a width where cars stand along the kerb and no tag states one.
-OsmLane parking_lane_at(RoadSide kerb, const std::string& stands, WayTags& tags) {
+OsmLane parking_lane_at(RoadSide kerb, const std::string& stands, const OsmLaneUse& use,
+                        WayTags& tags) {
   OsmLane lane{LaneKind::parking, false};
   for (const std::string& key : {tags.key_of("parking", kerb), std::string("parking:both")})
     if (const std::string said = tags.value(key + ":width"); !said.empty()) {
@@ -153,8 +145,8 @@ OsmLane parking_lane_at(RoadSide kerb, const std::string& stands, WayTags& tags)
   std::string turned = deepest_of(tags.key_of("parking", kerb) + ":orientation", tags);
   if (turned.empty()) turned = deepest_of("parking:both:orientation", tags);
   if (turned.empty()) turned = stands;
-  if (turned == "diagonal") lane.width = depth_of_diagonal;
-  if (turned == "perpendicular") lane.width = depth_of_perpendicular;
+  if (turned == "diagonal") lane.width = use.diagonal_depth;
+  if (turned == "perpendicular") lane.width = use.perpendicular_depth;
   lane.width_usual = lane.width.has_value();
   return lane;
 }
@@ -195,7 +187,7 @@ void name_shared_bus_lanes(const WayLanes& lanes, WayTags& tags) {
   }
 }
 
-void lay_parking_lanes(WayLanes& lanes, WayTags& tags) {
+void lay_parking_lanes(WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
   for (const RoadSide kerb : {RoadSide::near, RoadSide::far}) {
     const std::string stands = deepest_of(tags.said_of("parking:lane", kerb), tags);
     if (!cars_stand_on_lane(kerb, stands, tags)) {
@@ -204,7 +196,7 @@ void lay_parking_lanes(WayLanes& lanes, WayTags& tags) {
     }
     const bool beyond = kerb == RoadSide::far &&
                         (!tags.one_way() || tags.takes_turns() || !lanes.against.lanes.empty());
-    put_at(beyond ? RoadSide::near : kerb, lanes.side, parking_lane_at(kerb, stands, tags),
+    put_at(beyond ? RoadSide::near : kerb, lanes.side, parking_lane_at(kerb, stands, use, tags),
            beyond ? lanes.against.lanes : lanes.along.lanes);
   }
 }

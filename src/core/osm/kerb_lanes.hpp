@@ -19,6 +19,6 @@ CycleWishes wanted_cycle_lanes(WayTags& tags);
 void lay_cycle_lanes(const CycleWishes& wishes, WayLanes& lanes, WayTags& tags);
 // Bicycles share a bus lane that no tag tells of.
 void name_shared_bus_lanes(const WayLanes& lanes, WayTags& tags);
-void lay_parking_lanes(WayLanes& lanes, WayTags& tags);
+void lay_parking_lanes(WayLanes& lanes, const OsmLaneUse& use, WayTags& tags);
 
 }  // namespace streetgen

@@ -8,6 +8,7 @@
 #include "osm/lane_count.hpp"
 #include "osm/lane_list.hpp"
 #include "osm/placement.hpp"
+#include "osm/side_parking.hpp"
 #include "osm/way_access.hpp"
 #include "osm/way_tags.hpp"
 
@@ -235,7 +236,7 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   const CycleWishes cycles = wanted_cycle_lanes(tags);
   WayLanes lanes = counted_lanes(along, against, cycles, use, tags);
   lay_cycle_lanes(cycles, lanes, tags);
-  lay_parking_lanes(lanes, tags);
+  lay_parking_lanes(lanes, use, tags);
   fill_width(lanes, use, tags);
   leave_lanes(lanes, use, tags);
   for (HeadingLanes* of_heading : {&lanes.along, &lanes.against})
@@ -253,6 +254,8 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
 
   OsmLanes read;
   read.direction = tags.direction();
+  read.parking_left = side_parking("left", tags);
+  read.parking_right = side_parking("right", tags);
   const Access along_access = way_access(Heading::along, tags),
                against_access = tags.one_way() && lanes.against.lanes.empty()
                                     ? along_access

@@ -98,22 +98,30 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "Nothing: an advisory lane is a cycle lane as an exclusive one is. Without a cycle lane "
        "the way is named.",
        "advisory exclusive mandatory pictogram soft_lane"},
-      {"parking[:left|:right|:both]", "Value lane: a parking lane at the kerb.",
+      {"parking[:left|:right|:both]",
+       "Value lane: a parking lane at the kerb. street_side, half_on_kerb and on_kerb: column "
+       "parking_left or parking_right, of which bays are made beside the roadway. no: rules place "
+       "no "
+       "bays there.",
        "lane street_side on_kerb half_on_kerb shoulder separate yes no none"},
       {"parking:lane[:left|:right|:both]",
-       "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb, so deep.",
+       "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb, so deep. "
+       "no, none, no_parking, no_stopping, no_standing and fire_lane: rules place no bays there.",
        "parallel diagonal perpendicular marked yes no none no_parking no_stopping no_standing "
        "separate fire_lane"},
       {"parking:lane[:left|:right|:both]:[parallel|diagonal|perpendicular|marked]",
        "Where cars that stand so do: on_street, lane and painted_area_only, also among others, are "
-       "on a parking lane, others off the roadway.",
+       "on a parking lane; half_on_kerb, on_kerb, street_side and lay_by are as of parking.",
        "on_street lane painted_area_only on_kerb half_on_kerb shoulder street_side lay_by"},
       {"parking[:left|:right|:both]:width",
-       "The width of the parking lane, 1 to 7 m. Where no tag says where cars stand, it is named."},
+       "The width of the parking lane or the depth of the bays, 1 to 7 m. Where no tag says where "
+       "cars stand, it is named."},
+      {"parking[:left|:right|:both]:capacity",
+       "At most so many bays lie on the side, up to 1000; of both sides each has so many."},
       {"parking[:left|:right|:both]:orientation",
-       "The depth of a parking lane without a width: diagonal 4.5 m, perpendicular 5 m; less where "
-       "the stated width of the street is too small for the lanes beside it, and that is named. Of "
-       "several values the deepest counts, and is named.",
+       "How bays lie, and the depth of a parking lane without a width: by settings diagonal 4.5 m, "
+       "perpendicular 5 m; less where the stated width of the street is too small for the lanes "
+       "beside it, and that is named. Of several values the deepest counts, and is named.",
        "parallel diagonal perpendicular"},
       {"lane_markings", "Nothing: all lanes are drawn, marked or not."},
       {"placement[|:forward|:backward]",

@@ -68,6 +68,10 @@ std::vector<std::string> parted_list(const std::string& list) {
   }
 }
 
+bool is_among(const std::string& word, std::initializer_list<const char*> words) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 std::string word_among(const std::string& said, std::initializer_list<const char*> wanted) {
   for (std::size_t from = 0; from <= said.size();) {
     const std::size_t to = std::min(said.find(';', from), said.size());

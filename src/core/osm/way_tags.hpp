@@ -21,6 +21,7 @@ std::string means_nothing(const std::string& word);
 // The words of a list, parted by |.
 std::vector<std::string> parted_list(const std::string& list);
 
+bool is_among(const std::string& word, std::initializer_list<const char*> words);
 // The first of several words, parted by ;, that is one of these; where none is: all that is said.
 std::string word_among(const std::string& said, std::initializer_list<const char*> wanted);
 

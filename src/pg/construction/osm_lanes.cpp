@@ -88,6 +88,23 @@ std::string access_text(const OsmLanes& lanes) {
   return lanes.access_forward + "|" + lanes.access_backward;
 }
 
+// As columns parking_left and parking_right of axis: what is not said at the end is left out.
+std::string parking_text(const OsmSideParking& parking) {
+  std::string text = parking.place, between;
+  const auto add = [&](const std::string& word) {
+    between += "|";
+    if (word.empty()) return;
+    text += between + word;
+    between.clear();
+  };
+  add(parking.orientation);
+  std::string depth;
+  if (parking.depth) append_short_decimal(depth, *parking.depth, 3);
+  add(depth);
+  add(parking.capacity ? std::to_string(*parking.capacity) : "");
+  return text;
+}
+
 struct FoundOsmLanes {
   OsmLanes lanes;
   int driving[2] = {0, 0};
@@ -126,7 +143,7 @@ void put_into_words(FoundOsmLanes& found) {
 
 void give(const FoundOsmLanes& found, ReturnSetInfo* result) {
   const OsmLanes& lanes = found.lanes;
-  constexpr int count = 17;
+  constexpr int count = 19;
   Datum values[count];
   bool nulls[count] = {false};
   int next = 0;
@@ -151,6 +168,8 @@ void give(const FoundOsmLanes& found, ReturnSetInfo* result) {
   nulls[next] = !lanes.roadway_offset;
   values[next++] = Float8GetDatum(lanes.roadway_offset.value_or(0));
   text(access_text(lanes));
+  text(parking_text(lanes.parking_left));
+  text(parking_text(lanes.parking_right));
   values[next++] = texts_datum(found.keys);
   values[next++] = texts_datum(found.reasons);
   tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
@@ -172,6 +191,8 @@ STREETGEN_FUNCTION(streetgen_osm_lanes) {
   const int usual_lanes = PG_GETARG_INT32(7);
   use.two_way_width = PG_GETARG_FLOAT8(8);
   use.narrowest_of_several = PG_GETARG_FLOAT8(9);
+  use.diagonal_depth = PG_GETARG_FLOAT8(10);
+  use.perpendicular_depth = PG_GETARG_FLOAT8(11);
   InitMaterializedSRF(fcinfo, 0);
   Slot<FoundOsmLanes>* slot = make_slot<FoundOsmLanes>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
