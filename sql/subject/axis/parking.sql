@@ -7,21 +7,20 @@ CREATE OR REPLACE FUNCTION streetgen._parking_pattern() RETURNS text
 COMMENT ON FUNCTION streetgen._parking_pattern() IS
     'What columns parking_left and parking_right of axis may hold: of a text that does, all is the first group.';
 
-CREATE OR REPLACE FUNCTION streetgen._parking_depth(said text, along float8, askew float8, across float8)
-    RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._parking_depth(said text, settings jsonb) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN coalesce(nullif(split_part(said, '|', 3), '')::float8, CASE split_part(said, '|', 2)
-        WHEN 'diagonal' THEN askew WHEN 'perpendicular' THEN across ELSE along END);
-COMMENT ON FUNCTION streetgen._parking_depth(text, float8, float8, float8) IS
-    'How deep the bays are that parking_left or parking_right says, metres; else as cars stand that say no depth: '
-    'along the kerb, askew or across.';
+    RETURN coalesce(nullif(split_part(said, '|', 3), ''), settings ->> ('parking_depth_' || coalesce(nullif(
+        split_part(said, '|', 2), ''), 'parallel')))::float8;
+COMMENT ON FUNCTION streetgen._parking_depth(text, jsonb) IS
+    'How deep the bays are that parking_left or parking_right says, metres; else as settings say of cars that stand '
+    'so, along the street where it says nothing.';
 
-CREATE OR REPLACE FUNCTION streetgen._with_parking(sidewalk float8, said text, along float8, askew float8,
-    across float8) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN said IS NULL OR said NOT LIKE 'street\_side%' OR sidewalk = 0 THEN sidewalk
-        ELSE sidewalk + streetgen._parking_depth(said, along, askew, across) END;
-COMMENT ON FUNCTION streetgen._with_parking(float8, text, float8, float8, float8) IS
+-- Not inlined: few axes say that, and each edit plans what the view of axes names.
+CREATE OR REPLACE FUNCTION streetgen._with_parking(sidewalk float8, said text, settings jsonb) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN said NOT LIKE 'street\_side%' OR sidewalk = 0 THEN sidewalk
+        ELSE sidewalk + streetgen._parking_depth(said, settings) END $$;
+COMMENT ON FUNCTION streetgen._with_parking(float8, text, jsonb) IS
     'Width of a sidewalk and of the bays between it and the roadway, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._parking_capacity(said text) RETURNS bigint
@@ -30,16 +29,15 @@ CREATE OR REPLACE FUNCTION streetgen._parking_capacity(said text) RETURNS bigint
 COMMENT ON FUNCTION streetgen._parking_capacity(text) IS
     'How many cars stand on a side, of what parking_left or parking_right says; NULL: that is not said.';
 
-CREATE OR REPLACE FUNCTION streetgen._parking_beside(on_left text, on_right text, depths float8[])
+CREATE OR REPLACE FUNCTION streetgen._parking_beside(on_left text, on_right text, settings jsonb)
     RETURNS TABLE(side text, depth float8, behind float8, orientation text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$
     SELECT side, deep, deep / CASE split_part(said, '|', 1) WHEN 'half_on_kerb' THEN 2 ELSE 1 END,
         coalesce(nullif(split_part(said, '|', 2), ''), CASE WHEN split_part(said, '|', 3) = '' THEN 'parallel' END)
     FROM (VALUES ('left', on_left), ('right', on_right)) v(side, said),
-        LATERAL (SELECT streetgen._parking_depth(said, depths[1], depths[2], depths[3]) AS deep) d
+        LATERAL (SELECT streetgen._parking_depth(said, settings) AS deep) d
     WHERE said ~ '^(street_side|half_on_kerb|on_kerb)' $$;
-COMMENT ON FUNCTION streetgen._parking_beside(text, text, float8[]) IS
+COMMENT ON FUNCTION streetgen._parking_beside(text, text, jsonb) IS
     'The sides of an axis on which cars stand beside the roadway, by its parking_left and parking_right: how deep (m), '
-    'how far behind the border of the roadway, and how they lie (NULL: by the depth). depths: of cars along the kerb, '
-    'askew and across.';
+    'how far behind the border of the roadway, and how they lie (NULL: by the depth).';

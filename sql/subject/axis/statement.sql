@@ -55,10 +55,12 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    class_parking_right), 7) END)
            AS input_hash,
        setting_hash,
-       streetgen._with_parking(coalesce(sidewalk_left, sidewalk_usual), parking_left, along_depth, askew_depth,
-           across_depth) AS sidewalk_left,
-       streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, along_depth, askew_depth,
-           across_depth) AS sidewalk_right,
+       CASE WHEN parking_left IS NULL THEN coalesce(sidewalk_left, sidewalk_usual)
+           ELSE streetgen._with_parking(coalesce(sidewalk_left, sidewalk_usual), parking_left, settings) END
+           AS sidewalk_left,
+       CASE WHEN parking_right IS NULL THEN coalesce(sidewalk_right, sidewalk_usual)
+           ELSE streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, settings) END
+           AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,
        access,
@@ -83,9 +85,6 @@ LEFT JOIN (
            (max(value) FILTER (WHERE name = 'width_default'))::float8 AS width_default,
                (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle_lane_width,
            (max(value) FILTER (WHERE name = 'parking_lane_width'))::float8 AS parking_lane_width,
-           (max(value) FILTER (WHERE name = 'parking_depth_parallel'))::float8 AS along_depth,
-           (max(value) FILTER (WHERE name = 'parking_depth_diagonal'))::float8 AS askew_depth,
-           (max(value) FILTER (WHERE name = 'parking_depth_perpendicular'))::float8 AS across_depth,
                (max(value) FILTER (WHERE name = 'importance_default'))::integer AS importance_default,
            (max(value) FILTER (WHERE name = 'two_way_width_minimal'))::float8 AS two_way_width_minimal,
            streetgen._by_importance((max(value) FILTER (WHERE name = 'speed_by_importance'))::jsonb) AS speeds,

@@ -92,8 +92,6 @@ BEGIN
         least_lane constant float8 := (SELECT value::float8 FROM setting WHERE name = 'lane_width_minimal');
         bay_rules constant bigint := (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
             + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
-        depths constant float8[] := ARRAY(SELECT streetgen._setting_number(current_schema(), 'parking_depth_' || word)
-            FROM unnest('{parallel,diagonal,perpendicular}'::text[]) WITH ORDINALITY w(word, n) ORDER BY n);
         on_lanes constant boolean := lying AND EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane');
         apart constant float8 := streetgen._object_reach(current_schema());
         -- An object gives way to one of an axis beside, which is looked at and not written.
@@ -147,7 +145,8 @@ BEGIN
                 FROM _parking_lanes(ARRAY(SELECT edge_id FROM street)) WHERE depth >= streetgen._least_bay_depth()
                 UNION ALL SELECT s.edge_id, p.side, p.depth, NULL, p.behind, p.orientation,
                     CASE s.direction WHEN 'both' THEN p.side = near_side ELSE s.direction = 'direct' END
-                FROM street s, LATERAL streetgen._parking_beside(s.parking_left, s.parking_right, depths) p
+                FROM street s, LATERAL streetgen._parking_beside(s.parking_left, s.parking_right,
+                    (SELECT settings FROM setting_used)) p
                 WHERE num_nonnulls(s.parking_left, s.parking_right) > 0) p,
                 LATERAL streetgen._bay_so_deep(p.depth, p.orientation, (p.side = 'right') = p.along_axis) b
             WHERE on_lanes),
