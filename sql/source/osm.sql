@@ -264,6 +264,6 @@ COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'search_path or named with its schema (gis.osm): width, direction, who may drive, level, speed, name, number of '
     'the route, class, sidewalks, how cars stand beside the roadway, and the lanes of each direction with their kinds, '
     'widths, turns and changes; and the turn restrictions of PREFIX_restriction and the signals, signs and crossings '
-    'of PREFIX_control and the routes of PREFIX_route. A tag that means nothing is unknown, and reported by way; tags of '
-    'lanes that were not made, and the misspelt tags of PREFIX_misspelt, stand in table unread_tag, each with its '
+    'of PREFIX_control and the routes of PREFIX_route. A tag that means nothing is unknown, and reported by way; tags '
+    'of lanes that were not made, and the misspelt tags of PREFIX_misspelt, stand in table unread_tag, each with its '
     'reason. streetgen.tag_use() tells what becomes of each.';
