@@ -112,7 +112,7 @@ BEGIN
         WHERE p.depth < streetgen._least_bay_depth()
     UNION ALL
     SELECT 'notice', 'fewer parking bays than the source says', 'axis', a.axis_id, p.cars - b.bays, a.geom
-        FROM axis a, LATERAL (VALUES ('left', parking_left), ('right', parking_right)) v(side, said), LATERAL (
+        FROM axis a, LATERAL (VALUES ('left', a.parking_left), ('right', a.parking_right)) v(side, said), LATERAL (
             SELECT streetgen._parking_capacity(said)::float8 AS cars, split_part(said, '|', 1) AS place) p, LATERAL (
             SELECT count(*) AS bays FROM street_object o JOIN parking_bay b USING (street_object_id)
             WHERE o.axis_id = a.axis_id AND o.side = v.side AND o.method = 'relative' AND b.surface IS NOT NULL) b
