@@ -122,13 +122,15 @@ BEGIN
         room AS MATERIALIZED (
             SELECT l.street_object_id, l.place, r.*
             FROM _bay_room((SELECT array_agg(place ORDER BY number) FROM laid)) r
-                JOIN laid l USING (number))
+                JOIN laid l USING (number)),
+        beside AS (
+            SELECT b.street_object_id, max(c.taken) AS taken FROM room b JOIN room c
+                ON (c.place).edge_id = (b.place).edge_id AND (c.place).side <> (b.place).side
+                    AND (c.place).low < (b.place).high AND (b.place).low < (c.place).high GROUP BY 1)
         -- One that lies beside the roadway takes none of it.
-        SELECT street_object_id, on_lane, narrowest, CASE WHEN (place).axis_offset < (place).depth - 0.01
-            THEN remains END - coalesce((SELECT max(c.taken) FROM room c
-                WHERE (c.place).edge_id = (b.place).edge_id AND (c.place).side <> (b.place).side
-                    AND (c.place).low < (b.place).high AND (b.place).low < (c.place).high), 0), needed
-        FROM room b $body$;
+        SELECT b.street_object_id, b.on_lane, b.narrowest, CASE WHEN (b.place).axis_offset < (b.place).depth - 0.01
+            THEN b.remains END - coalesce(o.taken, 0), b.needed
+        FROM room b LEFT JOIN beside o USING (street_object_id) $body$;
     PERFORM streetgen._own_function(model, '_edges_between_borders(bigint[])',
         'Edges (NULL: all) with the borders of their roadway, of even ones too'),
         streetgen._own_function(model, '_lanes_across(bigint[])',
