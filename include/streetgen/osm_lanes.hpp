@@ -24,8 +24,7 @@ struct OsmLane {
   bool width_usual = false;       // no tag states the width: cars that stand so need it
 };
 
-// How cars stand on one side of a way, where they do so off its lanes; else how many stand on the
-// lane.
+// Cars that stand on one side of a way off its lanes, or the number of those on its lane.
 struct OsmSideParking {
   std::string place{};  // street_side, half_on_kerb, on_kerb, lane, no; empty: nothing is said
   std::string orientation{};      // parallel, diagonal, perpendicular; empty: nothing is said

@@ -1,4 +1,4 @@
--- How cars stand at streets of a source, and the rule that makes bays of that.
+-- Cars that stand at streets of a source, and the rule that makes bays of that.
 
 CREATE OR REPLACE FUNCTION streetgen._knows_source(model name, source text) RETURNS boolean
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog

@@ -69,7 +69,7 @@ SELECT 'widths of edges are those from the kerb', (SELECT (sidewalk_left, sidewa
 SELECT 'surfaces part the ground', bool_and(NOT ST_Intersects(a.surface, b.surface) OR ST_Area(ST_Intersection(a.surface, b.surface)) < 0.01) FROM (SELECT surface FROM town.sidewalk) a, (SELECT surface FROM town.section
   UNION ALL SELECT surface FROM town.intersection) b;
 
--- What is told.
+-- Told by check_model.
 SELECT 'told: what leaves 5 m to both directions', pg_temp.told('parking bay that leaves a narrow roadway, m') = '{3}';
 SELECT 'told: what leaves half a metre of sidewalk', pg_temp.told('parking bay that leaves a narrow sidewalk, m') = '{5,8}';
 SELECT 'told: cars without a bay', pg_temp.told('fewer parking bays than the source says') = '{6,8}' AND (SELECT measure FROM streetgen.check_model('town') WHERE rule = 'fewer parking bays than the source says' AND id = 8) = 81;

@@ -1,4 +1,4 @@
--- How cars stand on a side of an axis, of what columns parking_left and parking_right say.
+-- Cars that stand on a side of an axis, of what columns parking_left and parking_right say.
 
 CREATE OR REPLACE FUNCTION streetgen._parking_pattern() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog

@@ -177,7 +177,7 @@ BEGIN
                     floor((high - distance_from_limit - phase) / every)::bigint) k,
                 LATERAL (VALUES ('left'), ('right')) v(side)
             WHERE r.along IN ('axis', 'border')
-                -- Where a source says how cars stand, or that none does, no other bays lie.
+                -- No other bays lie where a source says how cars stand, or that none does.
                 AND (r.along = 'axis' OR r.type <> ALL (bays)
                     OR CASE v.side WHEN 'left' THEN r.parking_left ELSE r.parking_right END IS NULL)
                 AND CASE WHEN r.along = 'axis' THEN v.side = 'left'

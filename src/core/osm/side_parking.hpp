@@ -1,4 +1,4 @@
-// How cars stand on each side of a way: in bays beside the roadway, on the kerb, or not at all.
+// Cars on each side of a way: in bays beside the roadway, on the kerb, or nowhere.
 #pragma once
 
 #include "osm/way_tags.hpp"
