@@ -44,6 +44,7 @@ struct SolvedCorner {
   double limit_a = 0;  // what the corner asks of the two arms' limits, metres
   double limit_b = 0;
   ArcEnds ends{};
+  double ground = infinite;  // square metres that it may close beside the others of its node
   bool too_short = false;  // an axis is too short for the radius that is wanted and may be
 };
 

@@ -14,6 +14,7 @@
 #include "roadway/island.hpp"
 #include "roadway/near_limits.hpp"
 #include "roadway/nose.hpp"
+#include "roadway/shared_ground.hpp"
 #include "roadway/shared_kerb.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
@@ -36,18 +37,19 @@ double wanted_radius(const StreetAxis& a, const StreetAxis& b, RadiusRule rule) 
   return std::min(a.radius, b.radius);
 }
 
-// Between ends[i] and the next.
+// Between ends[i] and the next; it closes no more than `ground` square metres.
 SolvedCorner solve(const Layout& layout, Junction& junction, std::size_t i, double radius,
-                   bool by_hand, const ArcEnds& ends = {}) {
+                   bool by_hand, const ArcEnds& ends = {}, double ground = infinite) {
   const StreetSettings& settings = layout.settings;
   std::vector<const Arm*> arms;
   arms.reserve(junction.ends.size());
   for (const EdgeEnd& end : junction.ends) arms.push_back(&layout.arm(end));
   const CornerWish wish{radius,  settings.max_arc_distance, settings.radius_minimal,
-                        by_hand, settings.corner_length,    settings.corner_area,
+                        by_hand, settings.corner_length,    std::min(settings.corner_area, ground),
                         ends};
   SolvedCorner solved = solve_corner(arms, i, wish);
   solved.ends = ends;
+  solved.ground = ground;
   const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
   const Arm &arm_a = layout.arm(a), &arm_b = layout.arm(b);
   // By hand, a corner is as it is wanted.
@@ -76,6 +78,18 @@ double wanted_at(const Layout& layout, const CornerPlace& at) {
              : wanted;
 }
 
+// Sharp corners of one node would make a square of it.
+void share_ground(Layout& layout, int node, std::vector<SolvedCorner>& corners) {
+  std::vector<CornerGround> grounds;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    grounds.push_back(corner_ground(corners[i], wanted_at(layout, {node, i})));
+  const std::vector<double> shares = shared_ground(grounds, layout.settings.corner_area);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (shares[i] < infinite)
+      corners[i] = solve(layout, layout.junctions[node], i, wanted_at(layout, {node, i}), false, {},
+                         shares[i]);
+}
+
 // As the axes want them.
 SolvedCorners solve_all(Layout& layout) {
   SolvedCorners solved(layout.junctions.size());
@@ -86,6 +100,7 @@ SolvedCorners solve_all(Layout& layout) {
     tell_progress("corners", n, layout.junctions.size());
     for (std::size_t i = 0; i < junction.ends.size(); ++i)
       solved[n].push_back(solve(layout, junction, i, wanted_at(layout, {n, i}), false));
+    share_ground(layout, n, solved[n]);
   }
   return solved;
 }
@@ -97,8 +112,8 @@ void part_arcs(Layout& layout, SolvedCorners& solved) {
     for (std::size_t i = 0; i < solved[n].size(); ++i) {
       const ArcEnds ends = solved[n][i].ends;
       if (ends.bound())
-        solved[n][i] =
-            solve(layout, layout.junctions[n], i, wanted_at(layout, {n, i}), false, ends);
+        solved[n][i] = solve(layout, layout.junctions[n], i, wanted_at(layout, {n, i}), false, ends,
+                             solved[n][i].ground);
     }
 }
 
