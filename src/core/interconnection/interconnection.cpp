@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <tuple>
 #include <unordered_map>
 
@@ -10,6 +9,7 @@
 #include "interconnection/kerb_clear_path.hpp"
 #include "interconnection/movement_angle.hpp"
 #include "interconnection/next_junction.hpp"
+#include "interconnection/node_restrictions.hpp"
 #include "interconnection/path_choice.hpp"
 #include "interconnection/plausibility.hpp"
 #include "interconnection/taut_path.hpp"
@@ -57,13 +57,16 @@ struct NodeLeg {
 class InterconnectionBuilder {
  public:
   InterconnectionBuilder(const Streets& streets, const std::vector<StreetAxis>& axes,
-                         const std::vector<Lane>& lanes, const InterconnectionSettings& settings,
+                         const std::vector<Lane>& lanes,
+                         const std::vector<TurnRestriction>& restrictions,
+                         const InterconnectionSettings& settings,
                          const std::vector<Circulation>& circulations, const WishedLanes& wished)
       : streets_(streets),
         lanes_(lanes),
         settings_(settings),
         circulations_(circulations),
-        wished_(wished) {
+        wished_(wished),
+        restrictions_(streets.network, restrictions, settings.node_tolerance) {
     for (const StreetAxis& axis : axes) axes_.emplace(axis.axis_id, &axis);
     for (const Ramp& ramp : streets.ramps) ramps_.emplace(ramp.node, &ramp);
     const auto& edges = streets.network.edges;
@@ -79,8 +82,7 @@ class InterconnectionBuilder {
     }
   }
 
-  std::vector<Interconnection> run(const std::vector<TurnRestriction>& restrictions) {
-    restrict(restrictions);
+  std::vector<Interconnection> run() {
     for (int n = 0; n < static_cast<int>(legs_.size()); ++n) {
       if (!streets_.affected_nodes[n]) continue;
       poll_cancel();
@@ -188,47 +190,6 @@ class InterconnectionBuilder {
     return ends;
   }
 
-  void restrict(const std::vector<TurnRestriction>& restrictions) {
-    std::unordered_map<std::int64_t, std::vector<int>> nodes_of;
-    for (const TurnRestriction& r : restrictions) {
-      nodes_of[r.from_axis];
-      nodes_of[r.to_axis];
-    }
-    for (const Edge& edge : streets_.network.edges) {
-      const auto found = nodes_of.find(edge.axis_id);
-      if (found == nodes_of.end()) continue;
-      for (const int node : {edge.from_node, edge.to_node})
-        if (std::find(found->second.begin(), found->second.end(), node) == found->second.end())
-          found->second.push_back(node);
-    }
-    for (const TurnRestriction& r : restrictions) {
-      const std::vector<int>&from = nodes_of[r.from_axis], &to = nodes_of[r.to_axis];
-      int best = -1;
-      double least = 3 * settings_.node_tolerance;
-      for (const int node : from) {
-        const double away = distance(streets_.network.nodes[node].point, r.via);
-        if (away > least || (away == least && best >= 0) ||
-            std::find(to.begin(), to.end(), node) == to.end())
-          continue;
-        best = node;
-        least = away;
-      }
-      if (best >= 0) restrictions_[best].push_back(&r);
-    }
-  }
-
-  // Whether a restriction speaks of the movement, whatever it says of it.
-  bool concerns(const TurnRestriction& r, const NodeLeg& from, const NodeLeg& to,
-                const std::vector<NodeLeg>& legs, Turn turn) const {
-    if (axis_of(from) != r.from_axis || axis_of(to) != r.to_axis) return false;
-    const auto ends = [&](std::int64_t axis) {
-      return std::count_if(legs.begin(), legs.end(),
-                           [&](const NodeLeg& leg) { return axis_of(leg) == axis; });
-    };
-    const bool certain = ends(r.from_axis) == 1 && ends(r.to_axis) == 1;
-    return certain || !r.turn || *r.turn == turn;
-  }
-
   std::size_t pairs_at(const std::vector<NodeLeg>& legs) const {
     std::size_t in = 0, out = 0, on_one_edge = 0;
     std::unordered_map<int, EdgeEnds> of_edge;
@@ -259,7 +220,7 @@ class InterconnectionBuilder {
     const Kerbs kerbs = kerbs_of(node);
     std::vector<std::vector<Interconnection>> pairs;
     for (Movement& movement : movements) pairs.push_back(draw(node, ends, kerbs, movement));
-    mark_restricted(node, legs, ends, movements);
+    restrictions_.mark(node, axes_of(legs), ends, movements);
     for (std::size_t leg = 0; leg < legs.size(); ++leg) foresee(legs[leg], ends[leg].out);
     choose_lanes(ends, movements, settings_.driving_side);
     const std::size_t first = out_.size();
@@ -306,7 +267,7 @@ class InterconnectionBuilder {
       in[i].middle = out[i].middle;
     }
     std::vector<Movement> movements = foreseen_movements(legs, from);
-    mark_restricted(next, there, legs, movements);
+    restrictions_.mark(next, axes_of(there), legs, movements);
     const std::vector<unsigned> served =
         served_ahead(legs, from, movements, settings_.driving_side);
     for (std::size_t i = 0; i < out.size(); ++i) out[i].ahead = served[i];
@@ -405,29 +366,10 @@ class InterconnectionBuilder {
     return pairs;
   }
 
-  void mark_restricted(int node, const std::vector<NodeLeg>& legs, const std::vector<Leg>& ends,
-                       std::vector<Movement>& movements) const {
-    const auto found = restrictions_.find(node);
-    if (found == restrictions_.end()) return;
-    std::vector<LaneKinds> only(legs.size()), allowed(movements.size());
-    for (const TurnRestriction* r : found->second) {
-      LaneKinds bound = LaneKinds().set();
-      for (const LaneKind kind : r->except) bound.reset(index_of(kind));
-      for (std::size_t m = 0; m < movements.size(); ++m) {
-        Movement& movement = movements[m];
-        const double angle = movement_angle(ends[movement.from], ends[movement.to]);
-        const Turn turn = turn_called(movement.turns_back, angle, angle);
-        if (!concerns(*r, legs[movement.from], legs[movement.to], legs, turn)) continue;
-        if (r->only) {
-          only[movement.from] |= bound;
-          allowed[m] |= bound;
-        } else {
-          movement.restricted |= bound;
-        }
-      }
-    }
-    for (std::size_t m = 0; m < movements.size(); ++m)
-      movements[m].restricted |= only[movements[m].from] & ~allowed[m];
+  std::vector<std::int64_t> axes_of(const std::vector<NodeLeg>& legs) const {
+    std::vector<std::int64_t> axes;
+    for (const NodeLeg& leg : legs) axes.push_back(axis_of(leg));
+    return axes;
   }
 
   const Streets& streets_;
@@ -439,7 +381,7 @@ class InterconnectionBuilder {
   std::unordered_map<int, const Ramp*> ramps_;  // by node
   std::vector<LaneRange> of_edge_;
   std::vector<std::vector<NodeLeg>> legs_;  // by node, in the order of edges
-  std::map<int, std::vector<const TurnRestriction*>> restrictions_;
+  const NodeRestrictions restrictions_;
   std::vector<Interconnection> out_;
 };
 
@@ -491,8 +433,8 @@ std::vector<Interconnection> interconnections(
     const Streets& streets, const std::vector<StreetAxis>& axes, const std::vector<Lane>& lanes,
     const std::vector<TurnRestriction>& restrictions, const InterconnectionSettings& settings,
     const std::vector<Circulation>& circulations, const WishedLanes& wished) {
-  return InterconnectionBuilder(streets, axes, lanes, settings, circulations, wished)
-      .run(restrictions);
+  return InterconnectionBuilder(streets, axes, lanes, restrictions, settings, circulations, wished)
+      .run();
 }
 
 }  // namespace streetgen

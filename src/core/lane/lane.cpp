@@ -288,8 +288,9 @@ class LaneBuilder {
         carried_(streets.network, streets.roadways, wishes_, settings) {}
 
   Lanes run() {
-    const std::vector<NodeRank> ranks = ranks_of(streets_, ends_that_traffic_comes_by());
     const WaitingPlaces waiting(streets_, wishes_, settings_.line_before_kerb);
+    const SlipLaneEnds slip_lanes(streets_, wishes_);
+    const std::vector<NodeRank> ranks = ranks_of(streets_, ends_that_go_first(slip_lanes));
     Lanes out;
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
       if (!meets_affected(e)) continue;
@@ -313,9 +314,9 @@ class LaneBuilder {
       }
       for (LaneSeparator& separator : made.separators) separator.edge = e;
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
-      append_end_markings(streets_, ranks, controls_, waiting, strip, crossed, made.lanes,
-                          settings_.driving_side, out.markings);
-      if (!crossed) append_arrows(geos_, streets_, ranks, made.lanes, out.markings);
+      append_end_markings(streets_, ranks, controls_, waiting, slip_lanes, strip, crossed,
+                          made.lanes, settings_.driving_side, out.markings);
+      if (!crossed) append_arrows(arrow_paint_, streets_, ranks, made.lanes, out.markings);
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
       std::move(made.separators.begin(), made.separators.end(), std::back_inserter(out.separators));
     }
@@ -328,16 +329,20 @@ class LaneBuilder {
     return streets_.affected_nodes[edge.from_node] || streets_.affected_nodes[edge.to_node];
   }
 
-  std::vector<bool> ends_that_traffic_comes_by() const {
-    std::vector<bool> comes;
-    for (const Edge& edge : streets_.network.edges) {
-      const std::vector<LaneWish> lanes = wishes_.of(edge).lanes;
-      for (const bool at_start : {true, false})
-        comes.push_back(std::any_of(lanes.begin(), lanes.end(), [&](const LaneWish& lane) {
+  // Those by which traffic comes to its node, and is not that of a slip lane, which waits anyway.
+  std::vector<bool> ends_that_go_first(const SlipLaneEnds& slip_lanes) const {
+    std::vector<bool> first;
+    const std::vector<Edge>& edges = streets_.network.edges;
+    for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+      const std::vector<LaneWish> lanes = wishes_.of(edges[e]).lanes;
+      for (const bool at_start : {true, false}) {
+        const bool comes = std::any_of(lanes.begin(), lanes.end(), [&](const LaneWish& lane) {
           return carries_traffic(lane.kind) && (lane.both_ways || lane.along_axis != at_start);
-        }));
+        });
+        first.push_back(comes && !slip_lanes.waits(e, at_start));
+      }
     }
-    return comes;
+    return first;
   }
 
   TaperedLanes tapered_lanes(const WidthProfile& profile,
@@ -361,6 +366,7 @@ class LaneBuilder {
   LaneWishes wishes_;
   CarriedMarks carried_;
   Geos geos_;
+  ArrowPaint arrow_paint_;
 };
 
 }  // namespace

@@ -17,9 +17,7 @@ namespace {
 constexpr double stripe = 0.1, dash = 1.5, gap = 5;
 constexpr double longest_dashed = 1e5;             // beyond it dashes would be without number
 constexpr double yield_dash = 0.5, stop_room = 1;  // of a section, for the line
-constexpr double arrow_length = 4, arrow_shaft = 0.15, arrow_head = 1.2, arrow_head_half = 0.4;
-constexpr double arrow_lane = 2.5;      // the lane width that an arrow of full size asks for
-constexpr double arrow_before_end = 5;  // a crossing before the line has its room
+constexpr double arrow_before_end = 5;             // a crossing before the line has its room
 constexpr double shortest_band = 1e-9;
 constexpr double least_paint = 0.5;  // lanes narrower than this bear none
 
@@ -116,62 +114,10 @@ bool goes_on(const Line& line) {
   return most - least < 2 * M_PI / 3 - same_angle;
 }
 
-// Arrows are drawn towards x, from the origin, at full size.
-MultiPolygon straight_arrow() {
-  const double neck = arrow_length - arrow_head, s = arrow_shaft / 2, h = arrow_head_half;
-  return {{{{0, -s},
-            {neck, -s},
-            {neck, -h},
-            {arrow_length, 0},
-            {neck, h},
-            {neck, s},
-            {0, s},
-            {0, -s}}}};
-}
-
-constexpr double degree = M_PI / 180;
-
-// A branch from the bend of the arrow, turned by `angle` to the left.
-void append_branch(double angle, std::vector<MultiPolygon>& parts) {
-  const double bend = angle == 0 ? arrow_length - arrow_head : 1.8;
-  const Point from{bend, 0};
-  if (angle == 0) {
-    parts.push_back(straight_arrow());
-    return;
-  }
-  const Point direction{std::cos(angle), std::sin(angle)}, side = left_normal(direction);
-  const Point neck = from + direction * (std::abs(angle) > M_PI_2 + same_angle ? 1.0 : 0.6);
-  parts.push_back({{quad({0, 0}, from, {0, arrow_shaft / 2})}});
-  parts.push_back({{quad(from - direction * (arrow_shaft / 2), neck, side * (arrow_shaft / 2))}});
-  const Point tip = neck + direction * (arrow_head * 0.7);
-  parts.push_back({{{neck - side * arrow_head_half, tip, neck + side * arrow_head_half,
-                     neck - side * arrow_head_half}}});
-}
-
-// From `foot`, `direction` for a full size of one metre.
-MultiPolygon arrow(Geos& geos, unsigned turns, const Point& foot, const Point& direction) {
-  constexpr std::pair<unsigned, double> branches[] = {
-      {turn::reverse, 165 * degree},     {turn::sharp_left, 135 * degree},
-      {turn::left, 90 * degree},         {turn::slight_left, 45 * degree},
-      {turn::merge_left, 30 * degree},   {turn::through, 0},
-      {turn::merge_right, -30 * degree}, {turn::slight_right, -45 * degree},
-      {turn::right, -90 * degree},       {turn::sharp_right, -135 * degree}};
-  std::vector<MultiPolygon> parts;
-  for (const auto& [bit, angle] : branches)
-    if (turns & bit) append_branch(angle, parts);
-  if (parts.empty()) parts.push_back(straight_arrow());
-  const Point side = left_normal(direction);
-  for (MultiPolygon& part : parts)
-    for (Polygon& polygon : part)
-      for (Ring& ring : polygon)
-        for (Point& p : ring) p = foot + direction * p.x + side * p.y;
-  return parts.size() == 1 ? std::move(parts.front()) : geos.polygons(geos.unite(parts).get());
-}
-
 // The line across the lanes that come by an end: `lower` is its importance less than that of the
 // most important edge at the node.
 std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank& rank, int lower,
-                                       bool goes_first) {
+                                       bool goes_first, bool slips_in) {
   const std::optional<JunctionKind> by_hand = control.decided;
   const bool waits_by_hand = by_hand == JunctionKind::stop || by_hand == JunctionKind::priority;
   if (by_hand == JunctionKind::right_before_left) return std::nullopt;
@@ -186,7 +132,7 @@ std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank
     return all || lower > 0 ? std::optional(MarkingKind::stop) : std::nullopt;
   }
   if (lower > 1 && by_hand != JunctionKind::priority) return MarkingKind::stop;
-  return lower > 0 ? std::optional(MarkingKind::yield) : std::nullopt;
+  return lower > 0 || slips_in ? std::optional(MarkingKind::yield) : std::nullopt;
 }
 
 // Across a lane where it ends, or so many metres before that.
@@ -260,9 +206,9 @@ MultiPolygon paint_of(const LaneSeparator& separator) {
 
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const WaitingPlaces& waiting,
-                         const LaneStrip& strip, bool limits_crossed,
-                         const std::vector<Lane>& lanes, DrivingSide driving_side,
-                         std::vector<Marking>& out) {
+                         const SlipLaneEnds& slip_lanes, const LaneStrip& strip,
+                         bool limits_crossed, const std::vector<Lane>& lanes,
+                         DrivingSide driving_side, std::vector<Marking>& out) {
   if (lanes.empty()) return;
   const int e = lanes.front().edge;
   const Edge& edge = streets.network.edges[e];
@@ -270,10 +216,10 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
   for (const bool at_start : {true, false}) {
     const int node = at_start ? edge.from_node : edge.to_node;
     if (ranks[node].degree < 3) continue;
-    const std::optional<MarkingKind> kind =
-        end_marking(controls[2 * e + (at_start ? 0 : 1)], ranks[node],
-                    streets.roadways[e].importance - ranks[node].importance,
-                    waiting.on_ring(e) || ranks[node].merging_link == e);
+    const std::optional<MarkingKind> kind = end_marking(
+        controls[2 * e + (at_start ? 0 : 1)], ranks[node],
+        streets.roadways[e].importance - ranks[node].importance,
+        waiting.on_ring(e) || ranks[node].merging_link == e, slip_lanes.waits(e, at_start));
     if (!kind) continue;
     const bool at_ring = waiting.enters_ring(e, at_start);
     const bool has_room = room >= (at_ring ? 1 : 2) * stop_room;
@@ -313,11 +259,11 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
   }
 }
 
-void append_arrows(Geos& geos, const Streets& streets, const std::vector<NodeRank>& ranks,
+void append_arrows(ArrowPaint& paint, const Streets& streets, const std::vector<NodeRank>& ranks,
                    const std::vector<Lane>& lanes, std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
     if (lane.both_ways || !lane.reaches(!lane.along_axis) || !painted(lane)) continue;
-    const double size = std::min(1.0, lane.width / arrow_lane), reach = size * arrow_length;
+    const double reach = ArrowPaint::length_on(lane);
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const Edge& edge = streets.network.edges[lane.edge];
     const int node = lane.along_axis ? edge.to_node : edge.from_node;
@@ -338,7 +284,7 @@ void append_arrows(Geos& geos, const Streets& streets, const std::vector<NodeRan
     const Point foot = position_at(way, tip - reach).point, head = position_at(way, tip).point;
     if (distance(foot, head) < 0.9 * reach) continue;
     marking.line = {foot, head};
-    marking.surface = arrow(geos, lane.turns, foot, unit(head - foot) * size);
+    marking.surface = paint.on(lane, lane.turns, marking.line);
     out.push_back(std::move(marking));
   }
 }

@@ -4,9 +4,10 @@
 
 #include <vector>
 
-#include "geometry/geos.hpp"
+#include "lane/arrow_paint.hpp"
 #include "lane/end_control.hpp"
 #include "lane/lane_layout.hpp"
+#include "lane/slip_lane_end.hpp"
 #include "lane/waiting_place.hpp"
 #include "streetgen/lane.hpp"
 
@@ -19,30 +20,31 @@ struct NodeRank {
   int lowest = 1;         // of the least important one
   int merging_link = -1;  // a link whose lanes all have lanes of their own behind the node
 };
-// `comes` by slot: whether traffic comes to the node by that end.
+// `comes` by slot: whether traffic comes to the node by that end, and others may wait for it.
 std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& comes);
 
 // Across each lane that comes to a node of three and more edges: what its control point says, a
 // stop line for signals; a stop line where another end of the node has signals.  Without a control
-// point a yield line where another edge is more important, a stop line where it is so by two;
-// no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A kind by hand
-// goes before signals and classes, and leaves signs: signals, stop lines; stop, one where another
-// edge is more important, and on all where none is and no end has a stop sign; priority, a yield
-// line there; right_before_left, no line at all.  None on parking and very narrow lanes.  Of a lane
-// for both directions, across the half on which one comes.  The line lies as WaitingPlaces
-// says; else where the lane ends, or where its section shares ground before that.  Only lines of
-// roundabouts lie where limits crossed.  `controls` by slot, as end_controls gives them.
+// point a yield line where another edge is more important, or a slip lane ends; a stop line where
+// it is so by two; no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A
+// kind by hand goes before signals and classes, and leaves signs: signals, stop lines; stop, one
+// where another edge is more important, and on all where none is and no end has a stop sign;
+// priority, a yield line there; right_before_left, no line at all.  None on parking and very narrow
+// lanes.  Of a lane for both directions, across the half on which one comes.  The line lies as
+// WaitingPlaces says; else where the lane ends, or where its section shares ground before that.
+// Only lines of roundabouts lie where limits crossed.  `controls` by slot, as end_controls gives
+// them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const WaitingPlaces& waiting,
-                         const LaneStrip& strip, bool limits_crossed,
-                         const std::vector<Lane>& lanes, DrivingSide driving_side,
-                         std::vector<Marking>& out);
+                         const SlipLaneEnds& slip_lanes, const LaneStrip& strip,
+                         bool limits_crossed, const std::vector<Lane>& lanes,
+                         DrivingSide driving_side, std::vector<Marking>& out);
 
 // The way that each lane runs, and the turns that it allows: before its line in `out` and its end,
 // or in the middle of a short lane; none where the lane is too short or narrow for an arrow, nor on
 // parking lanes, nor on lanes for both directions, nor before a node where two edges go straight on
 // and the lane allows no turn.
-void append_arrows(Geos& geos, const Streets& streets, const std::vector<NodeRank>& ranks,
+void append_arrows(ArrowPaint& paint, const Streets& streets, const std::vector<NodeRank>& ranks,
                    const std::vector<Lane>& lanes, std::vector<Marking>& out);
 
 }  // namespace streetgen

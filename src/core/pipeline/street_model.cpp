@@ -4,6 +4,7 @@
 
 #include "geometry/polyline.hpp"
 #include "interconnection/check_interconnections.hpp"
+#include "interconnection/point_arrows.hpp"
 #include "lane/carried_marks.hpp"
 #include "lane/check_lanes.hpp"
 #include "lane/lane_wishes.hpp"
@@ -77,19 +78,21 @@ StreetModel street_model(const StreetModelInput& input) {
                      input.lane_settings);
   const LaneWishes wishes(input.lanes, input.lane_overrides, input.circulations,
                           input.lane_settings);
+  const WishedLanes wished = [&](const Edge& edge) { return wishes.of(edge).lanes; };
   model.streets = streets(
       input.axes, input.settings, input.overrides, input.former, wanted("kerb"), ramps,
       wanted("lane") ? changes_lead_on(input, wishes, wanted("interconnection")) : LeadsOn{});
   if (wanted("lane")) {
     model.lanes = lanes(model.streets, input.lanes, input.lane_overrides, input.lane_settings,
                         input.controls, input.circulations, input.paint);
+    point_arrows(model.streets, input.restrictions, input.circulations, wished,
+                 input.lane_settings.driving_side, input.settings.tolerance, model.lanes);
     check_lanes(model.streets, model.lanes);
   }
   if (wanted("interconnection")) {
     model.interconnections =
         interconnections(model.streets, input.axes, model.lanes.lanes, input.restrictions,
-                         input.interconnection_settings, input.circulations,
-                         [&](const Edge& edge) { return wishes.of(edge).lanes; });
+                         input.interconnection_settings, input.circulations, wished);
     forbid_against_rings(model.streets, model.lanes.lanes, input.circulations,
                          model.interconnections);
     check_interconnections(model.streets, model.lanes.lanes, model.interconnections);

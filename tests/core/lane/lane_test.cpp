@@ -10,6 +10,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "lane/arrow_paint.hpp"
 #include "random_town.hpp"
 #include "streetgen/streets.hpp"
 
@@ -412,6 +413,19 @@ TEST(Lanes, MarkingsAreValidSurfaces) {
   }
   for (const LaneSeparator& separator : made.lanes.separators)
     EXPECT_TRUE(geos.valid(geos.surface(paint_of(separator)).get()));
+}
+
+TEST(Lanes, ArrowsOfAnyTurnsAreValidSurfaces) {
+  Geos geos;
+  ArrowPaint paint;
+  Lane lane;
+  lane.width = 3;
+  for (unsigned turns = 0; turns < 2 * turn::merge_right; ++turns)
+    for (int k = 0; k < 7; ++k) {
+      const double angle = 0.3 + 0.9 * k;
+      const Line line{{100, 200, 0}, {100 + 4 * std::cos(angle), 200 + 4 * std::sin(angle), 0}};
+      EXPECT_TRUE(geos.valid(geos.surface(paint.on(lane, turns, line)).get())) << turns;
+    }
 }
 
 // East, west and south of the origin; the street south is the less important one.
