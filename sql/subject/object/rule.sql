@@ -352,7 +352,7 @@ BEGIN
                     AND abs(o.abscissa - b.abscissa) < b.reach + 3
             -- And other streets their roadway.
             UNION SELECT rule_id, b.axis_id, rule_place FROM bay b JOIN section s ON s.surface && b.ground
-                    AND s.edge_id <> b.edge_id JOIN edge e ON e.edge_id = s.edge_id AND e.level = b.level
+                    AND s.edge_id <> b.edge_id JOIN edge e ON e.edge_id = s.edge_id AND e.level - b.level = 0
                 WHERE (b.place).axis_offset > 0 AND streetgen._takes_ground(s.surface, b.ground)
             -- By difference, since a hash join of a whole level would pass over the spatial index.
             UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
