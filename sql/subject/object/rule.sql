@@ -351,9 +351,10 @@ BEGIN
                 WHERE (b.place).axis_offset > 0 AND o.placed_by <> 'rule' AND o.method = 'relative'
                     AND abs(o.abscissa - b.abscissa) < b.reach + 3
             -- And other streets their roadway.
-            UNION SELECT rule_id, b.axis_id, rule_place FROM bay b JOIN section s ON s.surface && b.ground
-                    AND s.edge_id <> b.edge_id JOIN edge e ON e.edge_id = s.edge_id AND e.level - b.level = 0
-                WHERE (b.place).axis_offset > 0 AND streetgen._takes_ground(s.surface, b.ground)
+            UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b, LATERAL (
+                    SELECT s.edge_id FROM section s WHERE (b.place).axis_offset > 0 AND s.surface && b.ground
+                        AND s.edge_id <> b.edge_id AND streetgen._takes_ground(s.surface, b.ground) OFFSET 0) s
+                JOIN edge e USING (edge_id) WHERE e.level = b.level
             -- By difference, since a hash join of a whole level would pass over the spatial index.
             UNION SELECT rule_id, axis_id, rule_place FROM bay b JOIN intersection i ON i.surface && b.ground
                 AND i.level - b.level = 0 AND streetgen._takes_ground(i.surface, b.ground)
