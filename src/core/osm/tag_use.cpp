@@ -101,8 +101,7 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"parking[:left|:right|:both]",
        "Value lane: a parking lane at the kerb. street_side, half_on_kerb and on_kerb: column "
        "parking_left or parking_right, of which bays are made beside the roadway. no: rules place "
-       "no "
-       "bays there.",
+       "no bays there.",
        "lane street_side on_kerb half_on_kerb shoulder separate yes no none"},
       {"parking:lane[:left|:right|:both]",
        "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb, so deep. "
