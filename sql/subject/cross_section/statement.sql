@@ -7,6 +7,7 @@ SELECT e.edge_id, e.axis_id, e.first + s.low AS start_abscissa, e.first + s.high
     nullif(r.offset_to_end, 'Infinity') AS offset_to_end
 FROM (
     SELECT e.edge_id, e.axis_id, e.start_abscissa AS first, ST_Force2D(e.geom) AS line, e.beside_left, e.beside_right,
+        e.median_left, e.median_right,
         a.abscissa AS low, b.abscissa AS high, coalesce(s.borders, streetgen._even_borders(e.width, e.width_end,
             e.end_abscissa - e.start_abscissa, e.roadway_offset)) AS borders
     FROM edge e JOIN section s USING (edge_id)
@@ -129,14 +130,16 @@ SELECT CASE WHEN k.kerb_id IS NULL THEN 'none' {flush} ELSE 'standing' END AS ke
     CASE WHEN k.kerb_id IS NULL THEN 0 ELSE (SELECT value::float8 FROM setting WHERE name = 'kerb_stone_width') END
         AS stone, {sidewalk} AS sidewalk, coalesce(k.beside, 'roadway') AS beside
 FROM (VALUES (1)) one LEFT JOIN LATERAL (
-    SELECT k.* FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low, e.high) x
+    SELECT k.* FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low, e.high,
+        CASE k.side WHEN 'left' THEN e.median_left ELSE e.median_right END) x
     WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side = v.side AND b.middle BETWEEN x.low AND x.high
         -- There the roadway goes on.
         AND k.method <> 'level_change' LIMIT 1) k ON true
 
 --{cross_section_kerb_places
-UNION ALL SELECT p.place FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low,
-    e.high) x CROSS JOIN LATERAL (VALUES (x.low), (x.high)) p(place)
+UNION ALL SELECT p.place FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low, e.high,
+    CASE k.side WHEN 'left' THEN e.median_left ELSE e.median_right END) x
+    CROSS JOIN LATERAL (VALUES (x.low), (x.high)) p(place)
 WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side IN ('left', 'right')
 
 --{cross_section_sidewalk

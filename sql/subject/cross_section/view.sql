@@ -12,17 +12,19 @@ COMMENT ON FUNCTION streetgen._border_places(float8[]) IS
     'Metres along an edge at which borders of its section or of a lane bend, or cross the axis.';
 
 CREATE OR REPLACE FUNCTION streetgen._kerb_extent(method text, kerb geometry, edge geometry, from_limit float8,
-    to_limit float8, OUT low float8, OUT high float8)
+    to_limit float8, medians float8[], OUT low float8, OUT high float8)
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT CASE WHEN whole THEN from_limit ELSE greatest(from_limit, least(a, b)) END,
-        CASE WHEN whole THEN to_limit ELSE least(to_limit, greatest(a, b)) END
+    SELECT CASE WHEN whole THEN greatest(from_limit, (SELECT max(m) FROM unnest(medians) m WHERE m <= (a + b) / 2))
+            ELSE greatest(from_limit, least(a, b)) END,
+        CASE WHEN whole THEN least(to_limit, (SELECT min(m) FROM unnest(medians) m WHERE m > (a + b) / 2))
+            ELSE least(to_limit, greatest(a, b)) END
     FROM (SELECT method NOT IN ('contested', 'level_change') AS whole) m, ST_Length(edge) length, LATERAL (
         SELECT length * ST_LineLocatePoint(edge, ST_StartPoint(kerb)) AS a,
             length * ST_LineLocatePoint(edge, ST_EndPoint(kerb)) AS b) ends $$;
-COMMENT ON FUNCTION streetgen._kerb_extent(text, geometry, geometry, float8, float8) IS
+COMMENT ON FUNCTION streetgen._kerb_extent(text, geometry, geometry, float8, float8, float8[]) IS
     'Where the kerb of a section begins and ends, metres along its edge: from limit to limit, but for what other '
-    'surfaces take of it.';
+    'surfaces take of it, and cut at medians, as columns median_left and median_right of edge say for its side.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_mouth(abscissa float8, width float8, angle float8, border float8,
     OUT low float8, OUT high float8)

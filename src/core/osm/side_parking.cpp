@@ -55,11 +55,12 @@ OsmSideParking side_parking(const std::string& side, WayTags& tags) {
     parking.place = place_of_older(older + ":" + stands, tags);
   else
     parking.place = said;
+  const std::optional<int> cars = capacity_of(first_of("parking", ":capacity"), tags);
   if (!is_among(parking.place, {"lane", "street_side", "half_on_kerb", "on_kerb"})) {
     if (parking.place != "no") parking.place.clear();
     return parking;
   }
-  parking.capacity = capacity_of(first_of("parking", ":capacity"), tags);
+  parking.capacity = cars;
   if (parking.place == "lane") {
     // The lane says the rest.
     if (!parking.capacity) parking.place.clear();
