@@ -11,7 +11,7 @@ CREATE FUNCTION test.streets(given jsonb) RETURNS text LANGUAGE sql AS $$
         ('lanes', 'street_lane', '{"axis_id": "{7}", "abscissa": "{1}", "ordinality": "{1}", "along_axis": "{t}", "both_ways": "{NULL}", "width": "{3}", "line": ["LINESTRING(0 1,50 1)"]}'),
         ('restrictions', 'street_restriction', '{"from_axis": "{7}", "to_axis": "{8}", "x": "{0}", "y": "{0}", "kind": "{only}", "turn": "{NULL}", "except_kinds": "{bus|cycle}"}'),
         ('former_edges', 'former_edge', '{"axis_id": "{7}", "start_abscissa": "{0}", "end_abscissa": "{50}", "geom": ["LINESTRING(0 0,50 0)"], "wanted_start": "{0}", "start": "{0}", "border_start": ["LINESTRING(0 3,0 -3)"],
-            "wanted_end": "{50}", "end": "{50}", "border_end": ["LINESTRING(50 3,50 -3)"], "surface": ["MULTIPOLYGON(((0 3,0 -3,50 -3,50 3,0 3)))"], "contested": "{f}", "level": "{0}", "borders": "{\"\"}", "beside_left": "{outer}", "beside_right": "{median}"}'),
+            "wanted_end": "{50}", "end": "{50}", "border_end": ["LINESTRING(50 3,50 -3)"], "surface": ["MULTIPOLYGON(((0 3,0 -3,50 -3,50 3,0 3)))"], "contested": "{f}", "level": "{0}", "borders": "{\"\"}", "beside_left": "{outer}", "beside_right": "{median}", "median_left": "{\"\"}", "median_right": "{\"\"}"}'),
         ('former_nodes', 'former_node', '{"x": "{1}", "y": "{2}", "surface": ["MULTIPOLYGON EMPTY"], "contested": "{f}", "level": "{0}"}'),
         ('neighbours', 'street_neighbour', '{"x": "{9}", "y": "{9}", "x_end": "{NULL}", "y_end": "{NULL}", "surface": ["MULTIPOLYGON(((9 9,9 11,11 9,9 9)))"], "level": "{0}"}')),
     given_list AS (
