@@ -17,7 +17,7 @@ SELECT 'subject ' || subject || ' has ' || format(called, subject), to_regproced
   FROM streetgen._subject(), (VALUES ('_check_%s(name)'), ('_%s_summary()')) v(called);
 SELECT 'subject ' || subject || ' has a template of its tables', array_agg(t.relation ORDER BY t.relation) = (SELECT array_agg(relation ORDER BY relation) FROM streetgen.template WHERE (room, part) = (subject, 'table'))
   FROM streetgen._subject() JOIN streetgen._computed_table() t USING (subject) GROUP BY subject ORDER BY subject;
-SELECT 'subject ' || subject || ' is computed', to_regprocedure(format('streetgen._upsert_%s(jsonb)', computed_by)) IS NOT NULL OR to_regprocedure(format('streetgen._update_%s(name, bigint[], bigint[], bigint[])', computed_by)) IS NOT NULL
+SELECT 'subject ' || subject || ' is computed', to_regprocedure(format('streetgen._upsert_%s(jsonb)', computed_by)) IS NOT NULL OR to_regprocedure(format('streetgen._update_%s(name, bigint[], streetgen.moved_row[], bigint[])', computed_by)) IS NOT NULL
   FROM streetgen._subject(), LATERAL (SELECT CASE subject WHEN 'signal' THEN 'junction' ELSE subject END AS computed_by) c;
 SELECT 'every list is that of a room', array_agg(proname ORDER BY proname) = '{_default_setting,_subject_view}' FROM pg_proc, LATERAL (SELECT '_(setting|setting_beside|summary|drawn|drawn_instead|legend|edit_view|decision|marked_by_hand|view|chain|edited)$' AS list) l
   WHERE pronamespace = 'streetgen'::regnamespace AND pronargs = 0 AND proname ~ ('^_[a-z]+' || list) AND regexp_replace(substr(proname, 2), list, '') <> ALL (streetgen._rooms());

@@ -59,7 +59,7 @@ COMMENT ON FUNCTION streetgen._upsert_statement(jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._upsert_set(model name, written bigint[], gathered bigint[], changed bigint[],
     run text, edit boolean DEFAULT false)
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint,
-        moved bigint[])
+        moved streetgen.moved_row[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public SET jit = off
     -- Nothing is known of rows just computed, and tables just filled have no statistics: joins are on equal keys, by
     -- hash.
@@ -94,7 +94,7 @@ BEGIN
     PERFORM streetgen._compose_function(model,
         format('%s(written bigint[], gathered bigint[], changed bigint[])', name),
         'TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint, '
-            'moved bigint[])',
+            'moved streetgen.moved_row[])',
         format(E'\n#variable_conflict use_column\nBEGIN\n    FOR relation, inserted, updated, deleted, unchanged, '
             'fallbacks, moved IN %s LOOP\n        RETURN NEXT;\n    END LOOP;\nEND ',
             streetgen._upsert_statement(streetgen._upsert_places(model, 'part', edit))),
@@ -130,8 +130,8 @@ DECLARE
     most_planned constant integer := 400;
     spreads_to bigint[];
     locked record;
-    moved bigint[];
-    all_moved bigint[] := '{}';
+    moved streetgen.moved_row[];
+    all_moved streetgen.moved_row[] := '{}';
     noted bigint[] := '{}';
 BEGIN
     PERFORM streetgen._use_model(model);

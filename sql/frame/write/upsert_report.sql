@@ -6,13 +6,32 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_report(places jsonb) RETURNS text
 COMMENT ON FUNCTION streetgen._upsert_report(jsonb) IS
     'Part of the one statement: the reports that name a requested axis.';
 
+CREATE OR REPLACE FUNCTION streetgen._moved_rows(places jsonb) RETURNS text
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    queries text[] := '{}';
+    room text;
+BEGIN
+    FOREACH room IN ARRAY streetgen._rooms() LOOP
+        IF streetgen._parts_of_rooms(format('_moved_%s', room), places) <> '{}' THEN
+            queries := queries || format('SELECT ROW (%L, id, ground)::streetgen.moved_row FROM moved_%s', room, room);
+        END IF;
+    END LOOP;
+    RETURN CASE queries WHEN '{}' THEN 'ARRAY[]::streetgen.moved_row[]'
+        ELSE format('ARRAY(%s)', array_to_string(queries, ' UNION ALL ')) END;
+END $$;
+COMMENT ON FUNCTION streetgen._moved_rows(jsonb) IS
+    'The array of all that rooms say to have moved: each by id and ground of moved_ROOM, a part that it gives by its '
+    'function _moved_ROOM.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_counts(places jsonb) RETURNS text
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT string_agg(format('SELECT %1$L, inserted, updated, (SELECT %2$s * count(*) FROM gone_%3$s), unchanged, '
         'fallbacks, %4$s FROM count_%1$s', relation, gone_each, gone_with, CASE
-            WHEN place = 1 AND streetgen._parts_of_rooms('_moved_%s', places) <> '{}' THEN 'ARRAY(SELECT id FROM moved)'
-            ELSE 'NULL::bigint[]' END), E' UNION ALL\n' ORDER BY place)
+            WHEN place = 1 THEN streetgen._moved_rows(places) ELSE 'NULL::streetgen.moved_row[]' END),
+            E' UNION ALL\n' ORDER BY place)
         || $part$ UNION ALL
 SELECT 'report', (SELECT count(*) FROM set_report), 0::bigint, (SELECT count(*) FROM gone_report),
     (SELECT count(*) FROM new_report) - (SELECT count(*) FROM set_report), 0::bigint, NULL$part$
@@ -26,8 +45,7 @@ COMMENT ON FUNCTION streetgen._upsert_counts(jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._upsert_moved(places jsonb) RETURNS text
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT 'SELECT NULL::text, NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint, '
-        || CASE streetgen._parts_of_rooms('_moved_%s', places) WHEN '{}' THEN 'ARRAY[]::bigint[]'
-            ELSE 'ARRAY(SELECT id FROM moved)' END $$;
+        || streetgen._moved_rows(places) $$;
 COMMENT ON FUNCTION streetgen._upsert_moved(jsonb) IS
     'End of the one statement where nobody asks for counts: what moved, for groups.';
 

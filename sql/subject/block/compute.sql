@@ -148,7 +148,8 @@ COMMENT ON FUNCTION streetgen._make_block_functions(name) IS
     'Makes the functions of a model that tell which blocks lie about an axis, and renew blocks; in a model without '
     'blocks they do nothing.';
 
-CREATE OR REPLACE FUNCTION streetgen._update_block(model name, axes bigint[], moved bigint[], noted bigint[])
+CREATE OR REPLACE FUNCTION streetgen._update_block(model name, axes bigint[], moved streetgen.moved_row[],
+    noted bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path = pg_catalog, public
     AS $$
@@ -157,9 +158,10 @@ BEGIN
     IF axes IS NULL THEN
         RETURN QUERY SELECT * FROM streetgen._renew_all_blocks(model);
     ELSE
-        RETURN QUERY SELECT * FROM _renew_blocks(moved, axes);
+        RETURN QUERY SELECT * FROM _renew_blocks(ARRAY(SELECT id FROM unnest(moved)
+            WHERE room = 'block'), axes);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._update_block(name, bigint[], bigint[], bigint[]) IS
+COMMENT ON FUNCTION streetgen._update_block(name, bigint[], streetgen.moved_row[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings blocks up to date. moved: those that the '
     'statement changed, 0 for what lies in no block.';

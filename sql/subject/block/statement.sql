@@ -191,11 +191,11 @@ block_beside AS MATERIALIZED (
         WHERE b.method = 'level_change'
     -- A kind by hand is asked for by an axis beside its block.
     UNION SELECT edge_id, false FROM old_edge WHERE axis_id IN (SELECT unnest($3))),
-moved AS MATERIALIZED (
-    SELECT coalesce(b.block_id, 0) AS id FROM block_beside s, LATERAL (
+moved_block AS MATERIALIZED (
+    SELECT coalesce(b.block_id, 0) AS id, NULL::geometry AS ground FROM block_beside s, LATERAL (
         SELECT block_id FROM {model}.block_edge b WHERE b.edge_id = s.edge_id OFFSET 0) b
     WHERE s.moved OR b.block_id IS NOT NULL
-    UNION SELECT 0 FROM loose_edge WHERE NOT EXISTS (SELECT FROM near_edge WHERE moved))
+    UNION SELECT 0, NULL FROM loose_edge WHERE NOT EXISTS (SELECT FROM near_edge WHERE moved))
 
 --{block_interior
 CREATE OR REPLACE VIEW block_interior WITH (security_invoker = true) AS

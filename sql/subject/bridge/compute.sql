@@ -144,7 +144,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._note_bridge(name, bigint[]) IS
     'The edges whose bridges a run for axes may change, as the model is now.';
 
-CREATE OR REPLACE FUNCTION streetgen._update_bridge(model name, axes bigint[], moved bigint[], noted bigint[])
+CREATE OR REPLACE FUNCTION streetgen._update_bridge(model name, axes bigint[], moved streetgen.moved_row[],
+    noted bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 2 SET search_path = pg_catalog, public
     AS $$
@@ -153,6 +154,6 @@ BEGIN
     RETURN QUERY SELECT * FROM _renew_bridges(CASE WHEN axes IS NOT NULL
         THEN noted || streetgen._note_bridge(model, axes) END);
 END $$;
-COMMENT ON FUNCTION streetgen._update_bridge(name, bigint[], bigint[], bigint[]) IS
+COMMENT ON FUNCTION streetgen._update_bridge(name, bigint[], streetgen.moved_row[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings bridges and tunnels up to date; noted: the '
     'edges at the axes before.';

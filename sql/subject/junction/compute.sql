@@ -235,7 +235,8 @@ CREATE OR REPLACE FUNCTION streetgen._junction_arguments(places jsonb) RETURNS t
 COMMENT ON FUNCTION streetgen._junction_arguments(jsonb) IS
     'Part of the one statement: what the core gets of junctions.';
 
-CREATE OR REPLACE FUNCTION streetgen._update_junction(model name, axes bigint[], moved bigint[], noted bigint[])
+CREATE OR REPLACE FUNCTION streetgen._update_junction(model name, axes bigint[], moved streetgen.moved_row[],
+    noted bigint[])
     RETURNS TABLE(relation text, inserted bigint, updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 5 SET search_path = pg_catalog, public
     AS $$
@@ -249,5 +250,5 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM _update_junctions(touched);
 END $$;
-COMMENT ON FUNCTION streetgen._update_junction(name, bigint[], bigint[], bigint[]) IS
+COMMENT ON FUNCTION streetgen._update_junction(name, bigint[], streetgen.moved_row[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings junctions up to date, and signals with them.';

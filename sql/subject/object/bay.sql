@@ -82,11 +82,15 @@ CREATE OR REPLACE FUNCTION streetgen._make_bay_functions(model name) RETURNS voi
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    CREATE OR REPLACE FUNCTION _renew_bays(objects bigint[]) RETURNS void
-        LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+    CREATE OR REPLACE FUNCTION _renew_bays(objects bigint[], told boolean DEFAULT false, OUT moved geometry[])
+        LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
         AS $body$
-        WITH new AS (
-            SELECT b.street_object_id, streetgen._bay_ground(a.line,
+    BEGIN
+        IF objects = '{}' THEN
+            RETURN;
+        END IF;
+        WITH new AS MATERIALIZED (
+            SELECT b.street_object_id, b.surface AS was, streetgen._bay_ground(a.line,
                 streetgen._border_offset(streetgen._to_border(a.width,
                     a.width_end, ST_Length2D(a.line), a.roadway_offset, a.borders, o.abscissa, o.side), o.axis_offset,
                     o.side),
@@ -94,10 +98,15 @@ BEGIN
                 b.length, b.width, b.angle) AS ground
             FROM parking_bay b JOIN street_object o USING (street_object_id)
                 LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
-            WHERE b.street_object_id = ANY (objects))
-        UPDATE parking_bay b SET surface = n.ground FROM new n
-        WHERE n.street_object_id = b.street_object_id AND b.surface::bytea IS DISTINCT FROM n.ground::bytea $body$;
-    PERFORM streetgen._own_function(model, '_renew_bays(bigint[])', 'Draws the ground of parking bays anew');
+            WHERE b.street_object_id = ANY (objects)),
+        drawn AS (
+            UPDATE parking_bay b SET surface = n.ground FROM new n
+            WHERE n.street_object_id = b.street_object_id AND n.was::bytea IS DISTINCT FROM n.ground::bytea
+            RETURNING n.was, n.ground)
+        SELECT array_agg(was) FILTER (WHERE told) || array_agg(ground) FILTER (WHERE told) FROM drawn INTO moved;
+    END $body$;
+    PERFORM streetgen._own_function(model, '_renew_bays(bigint[], boolean)',
+        'Draws the ground of parking bays anew; moved, where it is to be told: what changed, as it was and as it is');
 END $$;
 COMMENT ON FUNCTION streetgen._make_bay_functions(name) IS
     'Makes the function of a model by which parking bays follow their objects.';

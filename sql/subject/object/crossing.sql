@@ -30,11 +30,16 @@ CREATE OR REPLACE FUNCTION streetgen._make_crossing_functions(model name) RETURN
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    CREATE OR REPLACE FUNCTION _renew_crossings(objects bigint[]) RETURNS void
-        LANGUAGE sql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
+    CREATE OR REPLACE FUNCTION _renew_crossings(objects bigint[], told boolean DEFAULT false, OUT moved geometry[])
+        LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT SET jit = off SET streetgen.computes = 'on'
         AS $body$
+    BEGIN
+        IF objects = '{}' THEN
+            RETURN;
+        END IF;
         WITH drawn AS MATERIALIZED (
-            SELECT c.street_object_id, a.level, g.ground, CASE WHEN g.ground IS NOT NULL
+            SELECT c.street_object_id, c.surface AS was, c.stripes AS stripes_were, a.level, g.ground,
+                CASE WHEN g.ground IS NOT NULL
                 THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle)::geometry
                 END AS stripes
             FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
@@ -45,22 +50,28 @@ BEGIN
                     c.angle)::geometry AS ground OFFSET 0) g ON true
             WHERE c.street_object_id = ANY (objects)),
         -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
-        clipped AS (
+        clipped AS MATERIALIZED (
             SELECT d.*, k.kept FROM drawn d LEFT JOIN LATERAL (
                 SELECT streetgen._on_roadway(d.ground, ARRAY(
                     SELECT surface FROM section WHERE surface && d.ground
                         AND (SELECT e.level FROM edge e WHERE e.edge_id = section.edge_id) = d.level
                     UNION ALL SELECT surface FROM intersection WHERE surface && d.ground AND level = d.level))
                     AS kept) k ON d.ground IS NOT NULL),
-        new AS (
+        new AS MATERIALIZED (
             -- Stripe by stripe, since they may touch in a bend.
-            SELECT street_object_id, kept AS ground, CASE WHEN kept = ground THEN stripes ELSE (
+            SELECT street_object_id, was, stripes_were, kept AS ground, CASE WHEN kept = ground THEN stripes ELSE (
                 SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
-                FROM ST_Dump(stripes) s) END AS stripes FROM clipped)
-        UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
-        WHERE n.street_object_id = c.street_object_id
-            AND (c.surface::bytea, c.stripes::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea) $body$;
-    PERFORM streetgen._own_function(model, '_renew_crossings(bigint[])', 'Draws ground and stripes of crossings anew');
+                FROM ST_Dump(stripes) s) END AS stripes FROM clipped),
+        drawn_anew AS (
+            UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
+            WHERE n.street_object_id = c.street_object_id
+                AND (n.was::bytea, n.stripes_were::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea)
+            RETURNING n.was, n.ground)
+        SELECT array_agg(was) FILTER (WHERE told) || array_agg(ground) FILTER (WHERE told) FROM drawn_anew INTO moved;
+    END $body$;
+    PERFORM streetgen._own_function(model, '_renew_crossings(bigint[], boolean)',
+        'Draws ground and stripes of crossings anew; moved, where it is to be told: what changed, as it was and as it '
+        'is');
 END $$;
 COMMENT ON FUNCTION streetgen._make_crossing_functions(name) IS
     'Makes the function of a model by which crossings follow their objects.';

@@ -34,8 +34,32 @@ BEGIN
         SELECT type, other, max(metres) FROM (
             SELECT type, other, metres FROM said UNION ALL SELECT other, type, metres FROM said
             -- Things of one kind never stand on each other. Bays have ground that tells.
-            UNION ALL SELECT t.type, t.type, 1 FROM object_type t WHERE t.type <> ALL (_types_below('parking_bay'))) d
+            UNION ALL SELECT t.type, t.type, 1 FROM object_type t
+                WHERE t.type NOT IN (SELECT b.type FROM below b WHERE b.above = 'parking_bay')) d
         WHERE metres > 0 GROUP BY type, other $body$;
+    CREATE OR REPLACE FUNCTION _object_spread() RETURNS TABLE(type text, reach float8, farthest float8)
+        LANGUAGE plpgsql STABLE ROWS 10 SET search_path FROM CURRENT
+        AS $body$
+    #variable_conflict use_column
+    BEGIN
+        RETURN QUERY
+        WITH spacing AS MATERIALIZED (SELECT * FROM _object_spacing()),
+        ruled AS MATERIALIZED (
+            SELECT type, max(abs(axis_offset)) AS aside FROM placement_rule WHERE active GROUP BY type),
+        -- So far away at most lies all that keeps an object from a place, other objects aside.
+        hindered AS MATERIALIZED (
+            SELECT greatest(4, max(value::float8) FILTER (WHERE name = 'line_sight'),
+                max(value::float8) FILTER (WHERE name = 'median_tree_width') + 0.3 + (SELECT max(aside) FROM ruled),
+                (SELECT max(distance_least) FROM object_type), (SELECT max(metres) FROM spacing
+                    WHERE other = ANY (_types_below('crossing')))) AS metres
+            FROM setting WHERE name IN ('line_sight', 'median_tree_width')),
+        reached AS MATERIALIZED (
+            SELECT type, aside, coalesce((SELECT max(s.metres) FROM spacing s WHERE s.type = r.type), 0) + h.metres
+                AS reach
+            FROM ruled r, hindered h)
+        SELECT type, reach, aside + greatest(reach, (SELECT max(q.reach + s.metres)
+            FROM reached q JOIN spacing s ON s.type = q.type WHERE s.other = r.type)) FROM reached r;
+    END $body$;
     CREATE OR REPLACE FUNCTION _hindrances(places streetgen.standing_place[])
         RETURNS TABLE(number bigint, hindrance text)
         LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10 SET search_path FROM CURRENT SET jit = off
@@ -123,16 +147,16 @@ BEGIN
         END IF;
     END $body$;
     CREATE OR REPLACE FUNCTION _near_earlier(numbers bigint[], places streetgen.standing_place[], rules bigint[],
-        axes bigint[], every float8[]) RETURNS TABLE(number bigint, earlier bigint)
+        axes bigint[], every float8[], asked boolean[]) RETURNS TABLE(number bigint, earlier bigint)
         LANGUAGE sql STABLE ROWS 10 SET search_path FROM CURRENT SET jit = off
         -- An object gives way also where the earlier one gives way itself: what stands depends on what is near
         -- alone. Places of the same cell of a grid are joined by hash, however few are expected.
         SET enable_nestloop = off SET enable_mergejoin = off
         AS $body$
         WITH place AS MATERIALIZED (
-            SELECT number, type, level, rule, axis, every, ST_X(geom) AS x, ST_Y(geom) AS y
-            FROM ROWS FROM (unnest(numbers), unnest(places), unnest(rules), unnest(axes), unnest(every))
-                p(number, type, geom, level, away, by_kerb, self, rule, axis, every)),
+            SELECT number, type, level, rule, axis, every, asked, ST_X(geom) AS x, ST_Y(geom) AS y
+            FROM ROWS FROM (unnest(numbers), unnest(places), unnest(rules), unnest(axes), unnest(every), unnest(asked))
+                p(number, type, geom, level, away, by_kerb, self, rule, axis, every, asked)),
         spaced AS MATERIALIZED (SELECT *, 2 * metres AS cell FROM _object_spacing()),
         offered AS MATERIALIZED (
             SELECT p.*, s.metres, floor(x / cell) AS cell_x, floor(y / cell) AS cell_y
@@ -140,16 +164,20 @@ BEGIN
         wanted AS MATERIALIZED (
             SELECT p.*, s.other, s.metres, cell_x, cell_y FROM place p JOIN spaced s USING (type),
                 LATERAL unnest(ARRAY[floor((x - metres) / cell), floor((x + metres) / cell)]) cell_x,
-                LATERAL unnest(ARRAY[floor((y - metres) / cell), floor((y + metres) / cell)]) cell_y)
+                LATERAL unnest(ARRAY[floor((y - metres) / cell), floor((y + metres) / cell)]) cell_y
+            WHERE p.asked)
         SELECT DISTINCT w.number, o.number FROM wanted w JOIN offered o ON (o.type, o.metres, o.cell_x, o.cell_y)
             = (w.other, w.metres, w.cell_x, w.cell_y)
         WHERE o.number < w.number AND o.level = w.level AND (o.rule, o.axis) <> (w.rule, w.axis)
             AND (o.x - w.x) ^ 2 + (o.y - w.y) ^ 2
                 < least(w.metres, CASE WHEN o.rule = w.rule THEN 0.9 * w.every END) ^ 2 $body$;
+    PERFORM streetgen._own_function(model, '_object_spread()',
+        'How far from ground that changed another object may stand, by types of rules (reach, m), and how far from it '
+        'a street lies whose objects these may give way to (farthest, m)');
     PERFORM streetgen._own_function(model,
-        '_near_earlier(bigint[], streetgen.standing_place[], bigint[], bigint[], float8[])',
-        'Which places of rules are too near to earlier ones, in the order of the rules; those of one rule along one '
-        'axis are as far apart as the rule says'),
+        '_near_earlier(bigint[], streetgen.standing_place[], bigint[], bigint[], float8[], boolean[])',
+        'Which places of rules, of those that are asked for, are too near to earlier ones, in the order of '
+        'the rules; those of one rule along one axis are as far apart as the rule says'),
         streetgen._own_function(model, '_types_on_roadway()', 'The types of objects that lie on the roadway'),
         streetgen._own_function(model, '_object_spacing()',
         'How far objects of a type keep from those of another one, both ways, metres'),

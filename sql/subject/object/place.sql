@@ -52,6 +52,23 @@ BEGIN
             FROM axis_used u LEFT JOIN streetgen._axis_borders(current_schema(), touched) b USING (axis_id)
             WHERE u.axis_id = ANY (touched);
     END $body$;
+    CREATE OR REPLACE FUNCTION _edges_near(ground geometry[], metres float8) RETURNS SETOF streetgen.edge_near
+        LANGUAGE plpgsql STABLE ROWS 20 SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        cornered constant boolean := EXISTS (SELECT FROM placement_rule WHERE active AND along = 'corner');
+    BEGIN
+        RETURN QUERY SELECT e.edge_id, e.axis_id, min(n.away) FROM (
+                SELECT s.edge_id, ST_Distance(s.surface, g) AS away FROM unnest(ground) g, section s
+                WHERE s.surface && ST_Expand(g, metres) AND ST_DWithin(s.surface, g, metres)
+                -- Corners lie beyond sections, and where limits cross there is none.
+                UNION ALL SELECT x.edge_id, ST_Distance(i.surface, g) FROM unnest(ground) g, intersection i,
+                    LATERAL (SELECT edge_id FROM edge WHERE from_node = i.node_id
+                        UNION ALL SELECT edge_id FROM edge WHERE to_node = i.node_id) x JOIN section s USING (edge_id)
+                WHERE i.surface && ST_Expand(g, metres) AND ST_DWithin(i.surface, g, metres)
+                    AND (ST_IsEmpty(s.surface) OR cornered)) n
+            JOIN edge e ON e.edge_id = n.edge_id GROUP BY e.edge_id;
+    END $body$;
     CREATE OR REPLACE FUNCTION _hold_borders(axes bigint[], wait boolean) RETURNS void
         LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
         AS $body$
@@ -66,6 +83,8 @@ BEGIN
     END $body$;
     PERFORM streetgen._own_function(model, '_street_of_objects(bigint[])',
         'The axes by which objects stand, with their lines, widths and borders'),
+        streetgen._own_function(model, '_edges_near(geometry[], float8)',
+        'Edges whose roadway or corners lie so near ground, metres'),
         streetgen._own_function(model, '_hold_borders(bigint[], boolean)',
         'Keeps others from moving the borders of axes until the transaction ends; without wait 55P03 where one does');
 END $$;

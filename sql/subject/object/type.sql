@@ -31,3 +31,10 @@ COMMENT ON COLUMN streetgen.bay_place.low IS 'where it begins, m along the edge'
 COMMENT ON COLUMN streetgen.bay_place.high IS 'where it ends, m along the edge';
 COMMENT ON COLUMN streetgen.bay_place.axis_offset IS 'm from the border of the roadway outwards to its outer end';
 COMMENT ON COLUMN streetgen.bay_place.depth IS 'm from its outer end to its inner one';
+
+-- An edge beside ground that changed.
+CREATE TYPE streetgen.edge_near AS (edge_id bigint, axis_id bigint, away float8);
+COMMENT ON TYPE streetgen.edge_near IS 'An edge near ground of which something changed.';
+COMMENT ON COLUMN streetgen.edge_near.edge_id IS 'the edge';
+COMMENT ON COLUMN streetgen.edge_near.axis_id IS 'its axis';
+COMMENT ON COLUMN streetgen.edge_near.away IS 'm from the ground to its roadway';
