@@ -16,8 +16,8 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         'the arc of a corner ends no farther than this from the crossing of its kerbs, whatever radius is wanted, '
         'and two arcs on one kerb share it; NULL: however far, as the paper has it', 1, 1000, NULL),
     ('corner_area', '50', 'm2',
-        'nor does it close more ground than this between the kerbs, nor do all corners of a node together, right '
-        'angles apart; NULL: however much', 0.1, 100000, NULL),
+        'nor does it close more ground than this between the kerbs, nor do all corners of a node together, those of '
+        '75 degrees and more apart; NULL: however much', 0.1, 100000, NULL),
     ('limit_distance', '25', 'm',
         'where kerbs part slowly, and farther than this from a node, both sections begin about here, parted by one '
         'line; NULL: where the corner ends, as the paper has it', 1, 1000, NULL),

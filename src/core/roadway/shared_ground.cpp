@@ -10,6 +10,8 @@ namespace streetgen {
 
 namespace {
 
+const double ordinary_angle = 75 * M_PI / 180;  // of a corner that keeps its radius
+
 // Between an arc of so many radians and the tangents at its ends.
 double ground_of(double radius, double sweep) {
   return radius * radius * (std::tan(sweep / 2) - sweep / 2);
@@ -23,7 +25,7 @@ double within(const CornerGround& corner, double share) {
 
 CornerGround corner_ground(const SolvedCorner& corner, double radius_wanted) {
   const CornerArc& arc = corner.gap.corner;
-  CornerGround ground{0, ground_of(radius_wanted, M_PI_2)};
+  CornerGround ground{0, ground_of(radius_wanted, M_PI - ordinary_angle)};
   if (arc.radius <= 0) return ground;
   const double half_chord = distance(arc.arc.start, arc.arc.end) / 2;
   ground.closed = ground_of(arc.radius, 2 * std::asin(std::min(1.0, half_chord / arc.radius)));

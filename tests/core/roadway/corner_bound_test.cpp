@@ -58,18 +58,12 @@ Streets fork(double degrees, const StreetSettings& settings) {
                  settings);
 }
 
-// An arc leaves so much between it and kerbs that part by an angle.
-double ground(double angle, double radius) {
-  return radius * radius * (1 / std::tan(angle / 2) - (M_PI - angle) / 2);
-}
-
-// An arc touches kerbs radius / tan(angle / 2) beyond their crossing.  The corner beside it takes
-// its part of the ground first, and what a right-angled corner closes is left to it.
+// An arc touches kerbs radius / tan(angle / 2) beyond their crossing, and leaves
+// radius^2 (1 / tan(angle / 2) - (pi - angle) / 2) between it and them.
 TEST(CornerBound, HoldsTheLengthAndTheGroundOfASharpCorner) {
   for (const double degrees : {25.0, 30.0, 45.0, 60.0, 90.0, 120.0}) {
     const double angle = degrees * M_PI / 180, along = 1 / std::tan(angle / 2);
-    const double left = std::max(20 - ground(M_PI - angle, 8), ground(M_PI / 2, 8));
-    const double by_area = std::sqrt(left / ground(angle, 1)), by_length = 15 / along;
+    const double by_area = std::sqrt(20 / (along - (M_PI - angle) / 2)), by_length = 15 / along;
     StreetSettings settings, by_length_alone;
     settings.corner_area = 20;
     EXPECT_NEAR(radius_between(fork(degrees, settings), 1, 2), std::min({8.0, by_area, by_length}),

@@ -21,7 +21,7 @@ TEST(SharedGround, IsTakenFromTheLargestCorners) {
   EXPECT_NEAR(shares[2], 20, 1e-5);
 }
 
-TEST(SharedGround, LeavesRightAnglesTheirRadius) {
+TEST(SharedGround, LeavesOrdinaryCornersTheirRadius) {
   const std::vector<double> shares = shared_ground({{30, 30}, {30, 30}, {40, 30}}, 50);
   EXPECT_EQ(shares[0], any);
   EXPECT_EQ(shares[1], any);
@@ -48,13 +48,14 @@ double ground(double degrees, double radius) {
 
 TEST(SharedGround, BoundsSharpCornersOfOneNode) {
   double closed = 0;
-  const std::vector<double> found = radii(45, 8);
+  const std::vector<double> found = radii(45, 7);
   ASSERT_EQ(found.size(), 4u);
   for (const double radius : found)
-    if (radius < 8) closed += ground(45, radius);
-  closed += 2 * ground(135, 8);
+    if (radius < 7) closed += ground(45, radius);
+  closed += 2 * ground(135, 7);
   EXPECT_NEAR(closed, 50, 1e-3);
-  for (const double radius : radii(90, 10)) EXPECT_EQ(radius, 10);
+  for (const double degrees : {76.0, 90.0, 100.0})
+    for (const double radius : radii(degrees, 10)) EXPECT_EQ(radius, 10) << degrees;
 }
 
 }  // namespace shared_ground_test
