@@ -117,6 +117,22 @@ DO $$ BEGIN
 END $$;
 SELECT 'tables of a subject that is switched on have statistics, those that it needs too', count(DISTINCT tablename) = 2 FROM pg_stats WHERE schemaname = 'planned' AND tablename IN ('kerb', 'sidewalk');
 -- What the server says while subjects go and come.
+-- Each subject is switched off when no other one needs it any more.
+DO $$ DECLARE one text; left_on integer := -1; before integer; BEGIN
+  PERFORM streetgen.create_model('peeled', 2154, subjects => '{all}'), streetgen.create_model('never', 2154, subjects => '{}');
+  WHILE left_on IS DISTINCT FROM before LOOP
+    before := left_on;
+    FOR one IN SELECT unnest(streetgen._subjects('peeled')) INTERSECT SELECT subject FROM streetgen._subject() WHERE NOT always LOOP
+      BEGIN PERFORM streetgen.switch_subject('peeled', one, false); EXCEPTION WHEN dependent_objects_still_exist THEN NULL; END;
+    END LOOP;
+    left_on := cardinality(streetgen._subjects('peeled'));
+  END LOOP;
+END $$;
+SELECT 'all subjects can be switched off again', streetgen._subjects('peeled') = streetgen._subjects('never');
+SELECT 'and leave no function behind' || coalesce(': ' || string_agg(name, ' '), ''), count(*) = 0
+  FROM (SELECT replace(oid::regprocedure::text, 'peeled.', '') AS name FROM pg_proc WHERE pronamespace = 'peeled'::regnamespace
+    EXCEPT SELECT replace(oid::regprocedure::text, 'never.', '') FROM pg_proc WHERE pronamespace = 'never'::regnamespace) f;
+
 \setenv PGDATABASE :DBNAME
 \setenv PGOPTIONS '-c client_min_messages=notice'
 SELECT streetgen.create_model('quiet', 2154, subjects => '{all}') \g /dev/null
