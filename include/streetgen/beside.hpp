@@ -18,8 +18,8 @@ struct BesideEdges {
   // The ground on the left, seen from that end: of 2 * edge on the edge's left side.
   std::vector<Beside> sides;
   std::vector<Beside> corners;  // the ground counter-clockwise from that end
-  // Where a median lies along a part of that side: from, to, from, to …, ascending, in metres along
-  // the edge. Empty where the side is of one kind all along.
+  // The stretches of that side along which a median lies: from, to, from, to …, ascending, in
+  // metres along the edge. Empty where the side is of one kind all along.
   std::vector<std::vector<double>> medians;
 };
 

@@ -46,7 +46,7 @@ BEGIN
         WITH spacing AS MATERIALIZED (SELECT * FROM _object_spacing()),
         ruled AS MATERIALIZED (
             SELECT type, max(abs(axis_offset)) AS aside FROM placement_rule WHERE active GROUP BY type),
-        -- So far away at most lies all that keeps an object from a place, other objects aside.
+        -- All that keeps an object from a place, other objects aside, lies no farther away.
         hindered AS MATERIALIZED (
             SELECT greatest(4, max(value::float8) FILTER (WHERE name = 'line_sight'),
                 max(value::float8) FILTER (WHERE name = 'median_tree_width') + 0.3 + (SELECT max(aside) FROM ruled),

@@ -29,7 +29,7 @@ unsigned mark_of(double angle) {
   return best->bit;
 }
 
-// What traffic that comes by one end of an edge finds at the node.
+// A node, as traffic finds it that comes by one end of an edge.
 struct Outlook {
   bool goes_on = true;  // a way answers to a mark straight on
   std::vector<const Lane*> lanes;

@@ -102,8 +102,8 @@ class SectionSides {
   const Line &line_, &start_, &end_;
 };
 
-// Where the line across the edge at a place meets a piece of the border, on that side of the edge
-// and inside of the piece: a share of its length.
+// A line across the edge meets a piece of the border inside of it, and on that side of the edge, at
+// this share of its length.
 std::optional<double> share_across(const BorderPiece& piece, const LinePosition& place,
                                    bool on_left) {
   const double from = dot(piece.from - place.point, place.direction),
@@ -115,7 +115,7 @@ std::optional<double> share_across(const BorderPiece& piece, const LinePosition&
   return left == on_left ? std::optional(share) : std::nullopt;
 }
 
-// Of a place on the left or the right border of a section.
+// The ground beside a place on the left or the right border of a section.
 Beside beside_at(const Layout& layout, int edge, KerbSide side, const Point& place) {
   if (side != KerbSide::left && side != KerbSide::right) return Beside::outer;
   const EdgeEnd end{edge, side == KerbSide::left};

@@ -80,14 +80,16 @@ double wanted_at(const Layout& layout, const CornerPlace& at) {
 
 // Sharp corners of one node would make a square of it.
 void share_ground(Layout& layout, int node, std::vector<SolvedCorner>& corners) {
+  std::vector<double> wanted;
   std::vector<CornerGround> grounds;
-  for (std::size_t i = 0; i < corners.size(); ++i)
-    grounds.push_back(corner_ground(corners[i], wanted_at(layout, {node, i})));
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    wanted.push_back(wanted_at(layout, {node, i}));
+    grounds.push_back(corner_ground(corners[i], wanted[i]));
+  }
   const std::vector<double> shares = shared_ground(grounds, layout.settings.corner_area);
   for (std::size_t i = 0; i < corners.size(); ++i)
     if (shares[i] < infinite)
-      corners[i] = solve(layout, layout.junctions[node], i, wanted_at(layout, {node, i}), false, {},
-                         shares[i]);
+      corners[i] = solve(layout, layout.junctions[node], i, wanted[i], false, {}, shares[i]);
 }
 
 // As the axes want them.

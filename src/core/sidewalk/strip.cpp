@@ -176,13 +176,10 @@ class Strips {
 
   // Beside it, the sidewalk ends square.
   void make_end(const SidewalkEnd& end) {
-    Strip& strip = strips_[end.on.front()];
-    strip.width = strip.widest = end.width;
-    strip.reach = spread * end.width;
-    strip.plain = false;
-    Ring ring = straight_end(kerbs_, end, strip.reach);
+    const double reach = spread * end.width;
+    Ring ring = straight_end(kerbs_, end, reach);
     if (ring.empty()) return;
-    strip.surface = {{std::move(ring)}};
+    strips_[end.on.front()] = {{{std::move(ring)}}, end.width, end.width, reach, false};
     (end.ahead ? ends_ahead_ : ends_behind_)[end.beside] = true;
   }
 
