@@ -6,9 +6,8 @@ former_edge AS MATERIALIZED (
     SELECT e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, ST_Force2D(e.geom)::bytea AS geom,
            s.wanted_abscissa AS wanted_start, s.abscissa AS start, s.border_line::bytea AS border_start,
            t.wanted_abscissa AS wanted_end, t.abscissa AS "end", t.border_line::bytea AS border_end, c.surface::bytea,
-               c.contested_area > 0 AS contested, c.level, coalesce((
-               SELECT string_agg(float8send(number), '' ORDER BY place) FROM unnest(c.borders) WITH ORDINALITY
-                   b(number, place)), '') AS borders, e.beside_left, e.beside_right,
+               c.contested_area > 0 AS contested, c.level,
+           coalesce(streetgen._numbers_sent(c.borders), '') AS borders, e.beside_left, e.beside_right,
            CASE cardinality(e.median_left) WHEN 0 THEN '' ELSE streetgen._numbers_sent(e.median_left) END
                AS median_left,
            CASE cardinality(e.median_right) WHEN 0 THEN '' ELSE streetgen._numbers_sent(e.median_right) END
