@@ -122,6 +122,7 @@ struct PaintRules {
   std::vector<JunctionDecision> junctions;
   std::vector<LaneChange> changes;
   std::vector<LeavingOfAxis> leaving{};  // by axis_id, each at most once
+  std::vector<std::int64_t> bare{};      // axes of streets on whose lanes nothing is painted
 };
 
 struct LaneSettings {
@@ -177,7 +178,7 @@ struct LaneSeparator {
   bool leftwards = false, rightwards = false;
   double axis_offset = 0;  // metres to the left of the axis, at the start limit
   Line line;               // in the point order of the axis
-  bool painted = false;    // not where the limits crossed
+  bool painted = false;    // not where the limits crossed, nor on a street without paint
 };
 
 // Its paint, dash by dash; solid on more than 100 km; empty where it is not painted.  A city has
@@ -195,7 +196,7 @@ struct Marking {
   bool along_axis = true;  // the traffic that it speaks to
   int node = 0;            // where that traffic goes
   Line line;               // stop and yield lines: across the lane; arrows: from foot to tip
-  MultiPolygon surface;
+  MultiPolygon surface;    // empty on a street without paint
 };
 
 struct Lanes {
@@ -223,6 +224,7 @@ struct Circulation {
 // in what it says; one of a lane that is not there does nothing.  Lanes come out for the edges that
 // meet at affected nodes.  Control points decide the lines painted across the ends of lanes, kinds
 // of junctions by hand before them.  The line between two lanes is painted as it may be crossed.
+// Arrows lie on lanes with turn marks, and on those without that come to signals beside others.
 Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls = {},

@@ -138,8 +138,11 @@ CREATE OR REPLACE FUNCTION streetgen._lines_between(model name)
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT s.edge_id, s.lane_position, s.leftwards, s.rightwards, CASE WHEN NOT s.dashed THEN 'solid'
-        WHEN s.leftwards = s.rightwards THEN 'dashed' ELSE 'mixed' END FROM lane_separator s;
+    RETURN QUERY SELECT s.edge_id, s.lane_position, s.leftwards, s.rightwards,
+        CASE WHEN a.lane_markings = 'no' THEN NULL WHEN NOT s.dashed THEN 'solid'
+            WHEN s.leftwards = s.rightwards THEN 'dashed' ELSE 'mixed' END
+        FROM lane_separator s JOIN edge e USING (edge_id) JOIN axis a USING (axis_id);
 END $$;
 COMMENT ON FUNCTION streetgen._lines_between(name) IS
-    'The lines between lanes, and who may cross them, seen along the axis: solid, dashed or mixed.';
+    'The lines between lanes, and who may cross them, seen along the axis: solid, dashed or mixed; NULL on streets '
+    'without lane markings.';

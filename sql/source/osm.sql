@@ -113,10 +113,12 @@ BEGIN
         lanes.lanes_forward, lanes.lanes_backward, lanes.lanes_both, lanes.kind_forward, lanes.kind_backward,
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
         lanes.change_forward, lanes.change_backward, lanes.access, lanes.parking_left, lanes.parking_right,
+        CASE WHEN tags ->> 'lane_markings' IN ('yes', 'no') THEN tags ->> 'lane_markings' END AS lane_markings,
         streetgen._osm_sidewalk(walk_left, tags ->> 'sidewalk', said_walk_left, 'left') AS sidewalk_left,
         streetgen._osm_sidewalk(walk_right, tags ->> 'sidewalk', said_walk_right, 'right') AS sidewalk_right,
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
             CASE WHEN tags ? 'layer' AND streetgen._osm_layer(tags) IS NULL THEN 'level' END,
+            CASE WHEN tags ->> 'lane_markings' NOT IN ('yes', 'no') THEN 'lane_markings' END,
             CASE WHEN NOT streetgen._means_sidewalk(tags ->> 'sidewalk', walk_left, walk_right) THEN 'sidewalk' END,
             CASE WHEN said_walk_left IS NOT NULL
                 AND streetgen._within(streetgen._metres(said_walk_left), 0, 50) IS NULL
@@ -174,7 +176,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
-        parking_left text, parking_right text)
+        parking_left text, parking_right text, lane_markings text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -183,7 +185,7 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_backward) ELSE m.kind_backward END,
     m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward, m.change_backward,
     m.sidewalk_left, m.sidewalk_right, m.unread, NULL, m.access, m.parking_left,
-    m.parking_right
+    m.parking_right, m.lane_markings
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id)
 $$;

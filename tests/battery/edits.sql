@@ -53,6 +53,7 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'change_backward' THEN quote_nullable(edits.one_of('no|no', 'only_left|', 'yes|only_right|no', NULL))
     WHEN 'kind_forward' THEN quote_nullable(edits.one_of('general', 'general|cycle', 'bus|general|parking', NULL))
     WHEN 'access' THEN quote_nullable(edits.one_of('bus', 'no', '|cycle', 'private', NULL, NULL))
+    WHEN 'lane_markings' THEN edits.one_of('NULL', $q$'no'$q$, $q$'yes'$q$)
     WHEN 'parking_right' THEN quote_nullable(edits.one_of('street_side', 'on_kerb|diagonal', 'half_on_kerb||2.4|5', 'no', NULL))
     WHEN 'turn_forward' THEN quote_nullable(edits.one_of('left|through', 'through;right', NULL))
     WHEN 'roundabout_tag' THEN edits.one_of('NULL', 'NULL', $q$'roundabout'$q$, $q$'circular'$q$)
@@ -61,7 +62,7 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'parking_right', 'turn_forward', 'change_forward', 'change_backward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'parking_right', 'lane_markings', 'turn_forward', 'change_forward', 'change_backward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;

@@ -329,8 +329,8 @@ SELECT 'they are taken', count(*) = 3 FROM told.edge WHERE width = 80;
 SELECT streetgen.drop_model('told'), streetgen.drop_model('told_beside') \g /dev/null
 -- Single lanes, by the view as by the table.
 SELECT streetgen.create_model('lanes', 2154, subjects => '{lane}'), streetgen.create_model('lanes_beside', 2154, subjects => '{lane}') \g /dev/null
-\set of_lanes 'geom, width, direction, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, change_forward, change_backward'
-\set lanes 'pg_temp.line(''LINESTRING(0 0, 100 0)''), 20, ''both'', 2, 1, 1, ''general|general|cycle'', ''general|parking'', ''3.5||1.5'', ''3|2'', ''left|through|'', ''through|'', ''not_left|yes|'', ''no|'''
+\set of_lanes 'geom, width, direction, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, lane_markings'
+\set lanes 'pg_temp.line(''LINESTRING(0 0, 100 0)''), 20, ''both'', 2, 1, 1, ''general|general|cycle'', ''general|parking'', ''3.5||1.5'', ''3|2'', ''left|through|'', ''through|'', ''not_left|yes|'', ''no|'', ''no'''
 INSERT INTO lanes.axis_editing (:of_lanes) VALUES (:lanes);
 INSERT INTO lanes_beside.axis (:of_lanes) VALUES (:lanes);
 SELECT 'lanes that a row of axis_editing states are made', (SELECT array_agg((l.kind, l.width, l.along_axis)::text ORDER BY l.ordinality) FROM lanes.lane l) = (SELECT array_agg((l.kind, l.width, l.along_axis)::text ORDER BY l.ordinality) FROM lanes_beside.lane l)

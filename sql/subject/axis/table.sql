@@ -145,6 +145,13 @@ COMMENT ON CONSTRAINT axis_parking_left_check ON :"model".axis IS
 COMMENT ON COLUMN :"model".axis.parking_right IS 'the same on the right of geom';
 COMMENT ON CONSTRAINT axis_parking_right_check ON :"model".axis IS
     'as parking_left. Leave it empty where nothing is said.';
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS lane_markings text CONSTRAINT axis_lane_markings_check
+    CHECK (lane_markings IN ('yes', 'no'));
+COMMENT ON COLUMN :"model".axis.lane_markings IS
+    'yes or no: is anything painted on its lanes; no: neither lines between lanes nor lines to wait at nor arrows; '
+    'NULL: as yes';
+COMMENT ON CONSTRAINT axis_lane_markings_check ON :"model".axis IS
+    'yes or no. Leave it empty where nothing is said: lanes are painted then.';
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;

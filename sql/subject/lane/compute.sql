@@ -75,10 +75,10 @@ CREATE OR REPLACE FUNCTION streetgen._lane_arguments(places jsonb) RETURNS text
                 ORDER BY lane_adjacency_override_id)
             FROM {model}.lane_adjacency_override WHERE {whole} OR axis_id = ANY ($2))$part$,
         $part$leaving => (
-            SELECT array_agg(ROW (axis_id, change_forward, change_backward)::streetgen.street_leaving
-                ORDER BY axis_id)
+            SELECT array_agg(ROW (axis_id, change_forward, change_backward,
+                coalesce(lane_markings = 'no', false))::streetgen.street_leaving ORDER BY axis_id)
             FROM {model}.axis WHERE ({whole} OR axis_id = ANY ($2))
-                AND coalesce(change_forward, change_backward) IS NOT NULL)$part$,
+                AND (coalesce(change_forward, change_backward) IS NOT NULL OR lane_markings = 'no'))$part$,
         CASE WHEN places -> 'subjects' ? 'lane' THEN streetgen._part('marked_before') END), places) $$;
 COMMENT ON FUNCTION streetgen._lane_arguments(jsonb) IS
     'Part of the one statement: what the core gets of lanes.';

@@ -21,11 +21,12 @@ COMMENT ON COLUMN streetgen.street_lane_change.lane_from IS 'ordinality of the l
 COMMENT ON COLUMN streetgen.street_lane_change.lane_to IS 'ordinality of the lane beside it';
 COMMENT ON COLUMN streetgen.street_lane_change.change IS 'allowed or forbidden';
 
-CREATE TYPE streetgen.street_leaving AS (axis_id bigint, forward text, backward text);
-COMMENT ON TYPE streetgen.street_leaving IS 'What a source says of leaving the lanes of an axis.';
+CREATE TYPE streetgen.street_leaving AS (axis_id bigint, forward text, backward text, bare boolean);
+COMMENT ON TYPE streetgen.street_leaving IS 'What a source says of leaving the lanes of an axis, and of their paint.';
 COMMENT ON COLUMN streetgen.street_leaving.axis_id IS 'the axis';
 COMMENT ON COLUMN streetgen.street_leaving.forward IS 'axis.change_forward';
 COMMENT ON COLUMN streetgen.street_leaving.backward IS 'axis.change_backward';
+COMMENT ON COLUMN streetgen.street_leaving.bare IS 'is axis.lane_markings no? Then nothing is painted on the lanes';
 
 CREATE TYPE streetgen.street_marked AS (axis_id bigint);
 COMMENT ON TYPE streetgen.street_marked IS 'An axis on whose lanes lay turn marks of another before the change.';

@@ -31,7 +31,8 @@ unsigned mark_of(double angle) {
 
 // A node, as traffic finds it that comes by one end of an edge.
 struct Outlook {
-  bool goes_on = true;  // a way answers to a mark straight on
+  bool goes_on = true;       // a way answers to a mark straight on
+  bool leads_apart = false;  // two general lanes have no way in common
   std::vector<const Lane*> lanes;
   std::vector<unsigned> ways;  // by lane: what it takes, as marks
 };
@@ -59,12 +60,18 @@ class ArrowPointer {
   }
 
   void run() {
-    for (Marking& marking : lanes_.markings)
-      if (marking.kind == MarkingKind::arrow && ends_[marking.node].size() > 2) point(marking);
+    auto& markings = lanes_.markings;
+    markings.erase(std::remove_if(markings.begin(), markings.end(),
+                                  [this](Marking& marking) {
+                                    return marking.kind == MarkingKind::arrow &&
+                                           ends_[marking.node].size() > 2 && !stands(marking);
+                                  }),
+                   markings.end());
   }
 
  private:
-  void point(Marking& marking) {
+  // Whether an arrow has something to show, which it does then.
+  bool stands(Marking& marking) {
     const EdgeEnd end{marking.edge, !marking.along_axis};
     if (!seen_ || slot(seen_from_) != slot(end)) {
       seen_ = outlook(end, marking.node);
@@ -73,11 +80,11 @@ class ArrowPointer {
     const Lane& lane = lanes_.lanes[first_[marking.edge] + marking.position - 1];
     unsigned turns = lane.turns;
     if (turns == 0)
-      turns = ways_of(lane, *seen_);
+      turns = seen_->leads_apart && drives(lane.kind) ? ways_of(lane, *seen_) : 0;
     else if (!seen_->goes_on && turns != turn::through)
       turns &= ~turn::through;
-    if (turns != lane.turns && !(lane.turns == 0 && turns & turn::through))
-      marking.surface = paint_.on(lane, turns, marking.line);
+    if (turns != lane.turns) marking.surface = paint_.on(lane, turns, marking.line);
+    return turns != 0;
   }
 
   // The lanes that come by an end, as the edge wants them: merging lanes apart, from left to right
@@ -92,6 +99,16 @@ class ArrowPointer {
     }
     if (end.at_start) std::reverse(found.begin(), found.end());
     return found;
+  }
+
+  static bool lead_apart(const Outlook& outlook) {
+    const auto leads = [&](std::size_t i) {
+      return outlook.ways[i] != 0 && outlook.lanes[i]->kind == LaneKind::general;
+    };
+    for (std::size_t i = 0; i < outlook.ways.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (leads(i) && leads(j) && (outlook.ways[i] & outlook.ways[j]) == 0) return true;
+    return false;
   }
 
   static unsigned ways_of(const Lane& lane, const Outlook& outlook) {
@@ -120,16 +137,14 @@ class ArrowPointer {
     for (std::size_t i = 0; i < in.size(); ++i) in[i].turns = found.lanes[i]->turns;
     std::vector<Movement> movements = foreseen_movements(legs, from);
     restrictions_.mark(node, axes, legs, movements);
-    bool straight = false;
     found.goes_on = false;
     for (const Movement& movement : movements) {
       const double angle = movement_angle(legs[from], legs[movement.to]);
       if (movement.turns_back || movement.forbidden(LaneKind::general)) continue;
       found.goes_on = found.goes_on || answers(angle, 0);
-      straight = straight || turn_of(angle) == Turn::through;
     }
     found.ways.assign(in.size(), 0);
-    if (straight && in.size() == 1) return found;
+    if (in.size() == 1) return found;
     choose_lanes(legs, movements, driving_side_);
     for (const Movement& movement : movements) {
       if (movement.turns_back) continue;
@@ -138,6 +153,7 @@ class ArrowPointer {
       for (std::size_t p = 0; p < movement.verdicts.size(); ++p)
         if (movement.verdicts[p].plausible) found.ways[p / goals] |= mark;
     }
+    found.leads_apart = lead_apart(found);
     return found;
   }
 

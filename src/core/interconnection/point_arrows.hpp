@@ -1,4 +1,4 @@
-// Arrows on lanes that do not lead straight on.
+// Arrows on lanes show where these lead.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace streetgen {
 
-// An arrow on a lane without marks shows the turns that the lane takes at a node of three edges and
-// more, unless it leads straight on too; marks lose the way straight on where there is none. The
+// An arrow on a lane without marks shows the ways that the lane takes, and stands only where two
+// lanes of its arm have no way in common; marks lose the way straight on where there is none. The
 // ways are those of the lines and wishes, so that an arrow at the far end of an edge is known
 // before its paths are.
 void point_arrows(const Streets& streets, const std::vector<TurnRestriction>& restrictions,

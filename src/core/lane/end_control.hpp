@@ -15,6 +15,13 @@ struct EndControl {
   std::optional<ControlKind> own;         // of its control points, that of the highest rank
   std::optional<ControlKind> at_node;     // the highest of all ends at the node
   std::optional<JunctionKind> decided{};  // what the node is by hand
+
+  // Whether traffic waits for signals: who decides that it waits by a rule leaves none.
+  bool at_signals() const {
+    const bool by_rule = decided == JunctionKind::stop || decided == JunctionKind::priority ||
+                         decided == JunctionKind::right_before_left;
+    return decided == JunctionKind::signals || (at_node == ControlKind::signals && !by_rule);
+  }
 };
 
 // Each control point belongs to the next node of three and more edges ahead of it on its edge, as

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "geometry/geos.hpp"
 #include "geometry/offset.hpp"
@@ -272,6 +273,13 @@ void draw(Lane& lane, const LaneStrip& strip, const Line& by_hand, bool with_sur
         variable_buffer(lane.line, std::vector<double>(lane.line.size(), lane.width / 2));
 }
 
+// Without paint; where traffic waits is known all the same.
+void leave_bare(int edge, std::vector<LaneSeparator>& separators, std::vector<Marking>& markings) {
+  for (LaneSeparator& separator : separators) separator.painted = false;
+  for (auto line = markings.rbegin(); line != markings.rend() && line->edge == edge; ++line)
+    line->surface.clear();
+}
+
 class LaneBuilder {
  public:
   LaneBuilder(const Streets& streets, std::vector<LanesOfAxis> axes,
@@ -284,6 +292,7 @@ class LaneBuilder {
                                with_ring_entries(streets.network, axes, controls),
                                settings.control_distance, paint.junctions)),
         changes_(paint.changes, paint.leaving),
+        bare_(paint.bare.begin(), paint.bare.end()),
         wishes_(std::move(axes), std::move(overrides), circulations, settings),
         carried_(streets.network, streets.roadways, wishes_, settings) {}
 
@@ -316,7 +325,10 @@ class LaneBuilder {
       changes_.settle(streets_.network.edges[e], made.lanes, made.separators);
       append_end_markings(streets_, ranks, controls_, waiting, slip_lanes, strip, crossed,
                           made.lanes, settings_.driving_side, out.markings);
-      if (!crossed) append_arrows(arrow_paint_, streets_, ranks, made.lanes, out.markings);
+      if (bare_.count(streets_.network.edges[e].axis_id) > 0)
+        leave_bare(e, made.separators, out.markings);
+      else if (!crossed)
+        append_arrows(arrow_paint_, streets_, ranks, controls_, made.lanes, out.markings);
       std::move(made.lanes.begin(), made.lanes.end(), std::back_inserter(out.lanes));
       std::move(made.separators.begin(), made.separators.end(), std::back_inserter(out.separators));
     }
@@ -363,6 +375,7 @@ class LaneBuilder {
   const LaneSettings& settings_;
   std::vector<EndControl> controls_;  // by slot
   LaneChanges changes_;
+  std::set<std::int64_t> bare_;  // axes
   LaneWishes wishes_;
   CarriedMarks carried_;
   Geos geos_;

@@ -119,13 +119,11 @@ bool goes_on(const Line& line) {
 std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank& rank, int lower,
                                        bool goes_first, bool slips_in) {
   const std::optional<JunctionKind> by_hand = control.decided;
-  const bool waits_by_hand = by_hand == JunctionKind::stop || by_hand == JunctionKind::priority;
   if (by_hand == JunctionKind::right_before_left) return std::nullopt;
   if (control.own == ControlKind::stop) return MarkingKind::stop;
   if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
     return MarkingKind::yield;
-  if (by_hand == JunctionKind::signals) return MarkingKind::stop;
-  if (control.at_node == ControlKind::signals && !waits_by_hand) return MarkingKind::stop;
+  if (control.at_signals()) return MarkingKind::stop;
   if (goes_first) return std::nullopt;
   if (by_hand == JunctionKind::stop) {
     const bool all = rank.lowest == rank.importance && control.at_node != ControlKind::stop;
@@ -157,13 +155,6 @@ std::optional<double> waits_at(const std::vector<Marking>& lines, const Lane& la
         line->kind != MarkingKind::arrow)
       return nearest_abscissa((line->line.front() + line->line.back()) * 0.5, way);
   return std::nullopt;
-}
-
-// Whether nothing lies between the end of a lane and the node that it leads to.
-bool limit_at_node(const Streets& streets, const Lane& lane) {
-  const SectionLimit& limit = streets.limits[2 * lane.edge + (lane.along_axis ? 1 : 0)];
-  const double at_node = lane.along_axis ? length(streets.network.edges[lane.edge].line) : 0;
-  return std::abs(limit.abscissa - at_node) <= same_place;
 }
 
 }  // namespace
@@ -260,18 +251,18 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
 }
 
 void append_arrows(ArrowPaint& paint, const Streets& streets, const std::vector<NodeRank>& ranks,
-                   const std::vector<Lane>& lanes, std::vector<Marking>& out) {
+                   const std::vector<EndControl>& controls, const std::vector<Lane>& lanes,
+                   std::vector<Marking>& out) {
   for (const Lane& lane : lanes) {
     if (lane.both_ways || !lane.reaches(!lane.along_axis) || !painted(lane)) continue;
+    const int slot = 2 * lane.edge + (lane.along_axis ? 1 : 0);
     const double reach = ArrowPaint::length_on(lane);
     const Line way = lane.along_axis ? lane.line : reversed(lane.line);
     const Edge& edge = streets.network.edges[lane.edge];
     const int node = lane.along_axis ? edge.to_node : edge.from_node;
-    if (lane.turns == 0 && ranks[node].degree == 2 && limit_at_node(streets, lane)) continue;
+    if (lane.turns == 0 && (ranks[node].degree < 3 || !controls[slot].at_signals())) continue;
     const double total =
-        waits_at(out, lane, way)
-            .value_or(length(way) -
-                      streets.limits[2 * lane.edge + (lane.along_axis ? 1 : 0)].shared);
+        waits_at(out, lane, way).value_or(length(way) - streets.limits[slot].shared);
     if (total < reach) continue;
     const double tip =
         total > 2 * (reach + arrow_before_end) ? total - arrow_before_end : (total + reach) / 2;

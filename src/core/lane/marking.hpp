@@ -40,11 +40,12 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
                          bool limits_crossed, const std::vector<Lane>& lanes,
                          DrivingSide driving_side, std::vector<Marking>& out);
 
-// The way that each lane runs, and the turns that it allows: before its line in `out` and its end,
-// or in the middle of a short lane; none where the lane is too short or narrow for an arrow, nor on
-// parking lanes, nor on lanes for both directions, nor before a node where two edges go straight on
-// and the lane allows no turn.
+// The turns that a lane is marked for: before its line in `out` and its end, or in the middle of a
+// short lane; none where the lane is too short or narrow for an arrow, nor on parking lanes, nor on
+// lanes for both directions.  A lane without marks has one before signals alone, where
+// point_arrows says whether its arm leads apart.
 void append_arrows(ArrowPaint& paint, const Streets& streets, const std::vector<NodeRank>& ranks,
-                   const std::vector<Lane>& lanes, std::vector<Marking>& out);
+                   const std::vector<EndControl>& controls, const std::vector<Lane>& lanes,
+                   std::vector<Marking>& out);
 
 }  // namespace streetgen

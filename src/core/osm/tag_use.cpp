@@ -122,7 +122,7 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "perpendicular 5 m; less where the stated width of the street is too small for the lanes "
        "beside it, and that is named. Of several values the deepest counts, and is named.",
        "parallel diagonal perpendicular"},
-      {"lane_markings", "Nothing: all lanes are drawn, marked or not."},
+      {"lane_markings", "Value no: nothing is painted on the lanes, column lane_markings."},
       {"placement[|:forward|:backward]",
        "The distance from the way to the middle of the roadway, by the lane that the way marks."},
       {"[destination|destination:ref|destination:symbol|destination:colour|destination:street|"

@@ -13,14 +13,15 @@ namespace streetgen::pg {
 PaintRows take_paint(FunctionCallInfo fcinfo, int junctions, int changes, int leaving) {
   const Rows kinds = rows(fcinfo, junctions, "junction overrides");
   const Rows beside = rows(fcinfo, changes, "lane adjacency overrides");
-  const Rows words = rows(fcinfo, leaving, "words of lane changes");
-  return {{kinds.count, column(kinds, "axis_id", INT8OID), column(kinds, "x", FLOAT8OID),
-           column(kinds, "y", FLOAT8OID), column(kinds, "kind", TEXTOID)},
-          {beside.count, column(beside, "axis_id", INT8OID), column(beside, "abscissa", FLOAT8OID),
-           column(beside, "lane_from", INT4OID), column(beside, "lane_to", INT4OID),
-           column(beside, "change", TEXTOID)},
-          {words.count, column(words, "axis_id", INT8OID),
-           column_or_null(words, "forward", TEXTOID), column_or_null(words, "backward", TEXTOID)}};
+  const Rows words = rows(fcinfo, leaving, "words about paint");
+  return {
+      {kinds.count, column(kinds, "axis_id", INT8OID), column(kinds, "x", FLOAT8OID),
+       column(kinds, "y", FLOAT8OID), column(kinds, "kind", TEXTOID)},
+      {beside.count, column(beside, "axis_id", INT8OID), column(beside, "abscissa", FLOAT8OID),
+       column(beside, "lane_from", INT4OID), column(beside, "lane_to", INT4OID),
+       column(beside, "change", TEXTOID)},
+      {words.count, column(words, "axis_id", INT8OID), column_or_null(words, "forward", TEXTOID),
+       column_or_null(words, "backward", TEXTOID), column(words, "bare", BOOLOID)}};
 }
 
 namespace {
@@ -73,10 +74,12 @@ PaintRules read_paint(const PaintRows& rows) {
          DatumGetInt32(changes.lane_from.values[i]), DatumGetInt32(changes.lane_to.values[i]),
          word_of<bool>(text_of(changes.change.values[i]), "change of a lane adjacency override",
                        {{"allowed", true}, {"forbidden", false}})});
-  for (int i = 0; i < rows.leaving.count; ++i)
-    rules.leaving.push_back({DatumGetInt64(rows.leaving.axis_id.values[i]),
-                             leaving_of(rows.leaving.forward, i),
-                             leaving_of(rows.leaving.backward, i)});
+  for (int i = 0; i < rows.leaving.count; ++i) {
+    const std::int64_t axis_id = DatumGetInt64(rows.leaving.axis_id.values[i]);
+    rules.leaving.push_back(
+        {axis_id, leaving_of(rows.leaving.forward, i), leaving_of(rows.leaving.backward, i)});
+    if (DatumGetBool(rows.leaving.bare.values[i])) rules.bare.push_back(axis_id);
+  }
   return rules;
 }
 

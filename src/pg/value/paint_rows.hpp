@@ -18,7 +18,7 @@ struct PaintRows {
   } changes;
   struct {
     int count;
-    Column axis_id, forward, backward;
+    Column axis_id, forward, backward, bare;
   } leaving;
 };
 

@@ -1,4 +1,4 @@
-// Arrows show the ways that lanes take where they do not lead straight on.
+// Arrows lie on lanes with marks, and at signals where the lanes of an arm lead apart.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,14 +13,22 @@ namespace streetgen {
 namespace point_arrows_test {
 
 StreetModel model_of(const std::vector<LanedAxis>& roads,
-                     const std::vector<TurnRestriction>& restrictions = {}) {
+                     const std::vector<TurnRestriction>& restrictions = {},
+                     const std::vector<ControlPoint>& controls = {}) {
   StreetModelInput input;
   for (const LanedAxis& r : roads) {
     input.axes.push_back({r.id, r.line, 0, r.width, r.width, 8, 5, r.speed});
     input.lanes.push_back({r.id, {r.forward, r.backward, general(r.both_ways)}});
   }
   input.restrictions = restrictions;
+  input.controls = controls;
   return street_model(input);
+}
+
+// With signals at the node, which is where the lines that leave it begin.
+StreetModel signalled(const std::vector<LanedAxis>& roads,
+                      const std::vector<TurnRestriction>& restrictions = {}) {
+  return model_of(roads, restrictions, {{3, 0, ControlKind::signals}});
 }
 
 bool same(const MultiPolygon& a, const MultiPolygon& b) {
@@ -42,6 +50,7 @@ std::vector<unsigned> shown(const StreetModel& model, std::int64_t axis_id) {
                           turn::left | turn::right,
                           turn::slight_left,
                           turn::slight_right,
+                          turn::through,
                           turn::through | turn::right};
   ArrowPaint paint;
   std::map<int, unsigned> by_position;
@@ -72,29 +81,39 @@ std::vector<LanedAxis> stem(const std::vector<LaneWish>& lanes) {
           road(3, to_east, 1, 1)};
 }
 
-TEST(PointArrows, ShowTheTurnsOfAStem) {
-  const StreetModel one = model_of(stem(general(1)));
-  EXPECT_EQ(shown(one, 2), (Turns{turn::left | turn::right}));
-  EXPECT_EQ(shown(model_of(stem(general(2))), 2), (Turns{turn::left, turn::right}));
+TEST(PointArrows, ShowAtSignalsWhereLanesOfAStemLead) {
+  EXPECT_EQ(shown(signalled(stem(general(2))), 2), (Turns{turn::left, turn::right}));
 }
 
-TEST(PointArrows, AreStraightWhereTheLaneLeadsStraightOn) {
-  const StreetModel model = model_of(
+TEST(PointArrows, LieOnNoLaneWithoutMarksWhereNoSignalsAre) {
+  EXPECT_EQ(shown(model_of(stem(general(2))), 2), Turns{});
+  EXPECT_EQ(shown(model_of(stem(general(1))), 2), Turns{});
+}
+
+TEST(PointArrows, LieOnNoLaneThatLeadsAsAllOfItsArm) {
+  EXPECT_EQ(shown(signalled(stem(general(1))), 2), Turns{});
+  const StreetModel model = signalled(
       {road(1, west, 2, 1), road(2, south, 1, 1), road(3, to_east, 2, 1), road(4, north, 1, 1)});
-  EXPECT_EQ(shown(model, 1), (Turns{0, 0}));
-  EXPECT_EQ(shown(model, 2), (Turns{0}));
+  EXPECT_EQ(shown(model, 1), Turns{});
+  EXPECT_EQ(shown(model, 2), Turns{});
 }
 
 // Three lanes come from the west, two go on to the east: the left one is for the turn.
 TEST(PointArrows, ShowTheTurnOfALaneThatDoesNotGoOn) {
-  const StreetModel model = model_of(
-      {road(1, west, 3, 0), road(3, to_east, 2, 0), road(4, {{0, 0, 0}, {0, 100, 0}}, 1, 0)});
-  EXPECT_EQ(shown(model, 1), (Turns{turn::left, 0, 0}));
+  const std::vector<LanedAxis> fork{road(1, west, 3, 0), road(3, to_east, 2, 0),
+                                    road(4, {{0, 0, 0}, {0, 100, 0}}, 1, 0)};
+  EXPECT_EQ(shown(signalled(fork), 1), (Turns{turn::left, turn::through, turn::through}));
+  EXPECT_EQ(shown(model_of(fork), 1), Turns{});
 }
 
 TEST(PointArrows, ShowNoTurnThatIsForbidden) {
-  const StreetModel model = model_of(stem(general(1)), {{2, 1, {0, 0, 0}}});
-  EXPECT_EQ(shown(model, 2), (Turns{turn::right}));
+  EXPECT_EQ(shown(signalled(stem(general(2)), {{2, 1, {0, 0, 0}}}), 2), Turns{});
+}
+
+TEST(PointArrows, LieOnLanesWithMarksAlone) {
+  std::vector<LaneWish> lanes = general(2);
+  lanes[0].turns = turn::left;
+  EXPECT_EQ(shown(model_of(stem(lanes)), 2), (Turns{turn::left}));
 }
 
 TEST(PointArrows, ShowNoMarkStraightOnWhereThereIsNone) {

@@ -594,13 +594,38 @@ std::vector<double> arrow_tips(double bend, unsigned turns) {
   return tips;
 }
 
-TEST(Lane, HasNoArrowWhereItsStreetGoesStraightOn) {
-  const std::vector<double> straight_on = arrow_tips(0, 0);
-  ASSERT_EQ(straight_on.size(), 2u);
-  EXPECT_NEAR(straight_on[0], 5, 1e-6);
-  EXPECT_NEAR(straight_on[1], 195, 1e-6);
-  EXPECT_EQ(arrow_tips(0, turn::left).size(), 3u);
-  EXPECT_EQ(arrow_tips(0.3, 0).size(), 4u);
+TEST(Lane, HasAnArrowWhereItIsMarked) {
+  EXPECT_EQ(arrow_tips(0, 0).size(), 0u);
+  EXPECT_EQ(arrow_tips(0.3, 0).size(), 0u);
+  const std::vector<double> marked = arrow_tips(0, turn::left);
+  ASSERT_EQ(marked.size(), 2u) << "its mark is of where the street leads";
+  EXPECT_NEAR(marked[0], 95, 1e-6);
+  EXPECT_NEAR(marked[1], 195, 1e-6);
+}
+
+// Streets of two lanes each way, and signals on all of them; one street has no paint.
+TEST(Lanes, OfABareStreetAreNotPainted) {
+  const Streets town = tee(3);
+  const std::vector<LanesOfAxis> wanted{{1, general(2, 2)}, {2, general(2, 2)}, {3, general(2, 2)}};
+  PaintRules paint;
+  paint.bare = {3};
+  const Lanes made = lanes(town, wanted, {}, {}, {{3, 0, ControlKind::signals}}, {}, paint);
+  int stripes = 0, lines = 0;
+  for (const LaneSeparator& separator : made.separators) {
+    const bool bare = town.network.edges[separator.edge].axis_id == 3;
+    stripes += bare ? 1 : 0;
+    EXPECT_EQ(paint_of(separator).empty(), bare);
+  }
+  for (const Marking& marking : made.markings) {
+    const bool bare = town.network.edges[marking.edge].axis_id == 3;
+    EXPECT_EQ(marking.surface.empty(), bare);
+    if (!bare) continue;
+    EXPECT_EQ(marking.kind, MarkingKind::stop);
+    EXPECT_EQ(marking.line.size(), 2u);
+    ++lines;
+  }
+  EXPECT_EQ(stripes, 3);
+  EXPECT_EQ(lines, 2);
 }
 
 }  // namespace lane_test
