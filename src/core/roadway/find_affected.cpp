@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -371,15 +372,17 @@ class Change {
     return std::any_of(followed.begin(), followed.end(), [&](int other) { return met_[other]; });
   }
 
+  // At one place may lie a node of each level.
   void compare_nodes() {
-    std::map<std::pair<double, double>, std::size_t> at;
-    for (std::size_t n = 0; n < nodes_.size(); ++n)
-      at.insert({{nodes_[n].point.x, nodes_[n].point.y}, n});
+    std::map<std::tuple<double, double, int>, std::size_t> at;
+    for (int n = 0; n < static_cast<int>(nodes_.size()); ++n)
+      if (!layout_.junctions[n].ends.empty())
+        at.insert({{nodes_[n].point.x, nodes_[n].point.y, layout_.level_of(n)}, n});
     for (const FormerNode& node : former_.nodes) {
-      const std::pair place{node.point.x, node.point.y};
-      const auto kept = at.find(place);
+      const auto kept = at.find({node.point.x, node.point.y, node.intersection.level});
       if (kept == at.end() || moved_.nodes[kept->second])
-        given_up_.push_back({&node.intersection, ends_of_changed_.count(place) > 0});
+        given_up_.push_back(
+            {&node.intersection, ends_of_changed_.count({node.point.x, node.point.y}) > 0});
       else
         moved_.intersections[kept->second] = &node.intersection;
     }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
 
 #include "geometry/polyline.hpp"
 #include "random_town.hpp"
@@ -18,17 +19,19 @@ FormerLimit former_of(const SectionLimit& limit) {
 Former former_of(const Streets& before) {
   Former former;
   for (const Section& section : before.sections)
-    former.edges.push_back({before.network.edges[section.edge].axis_id,
-                            before.network.edges[section.edge].start_abscissa,
-                            before.network.edges[section.edge].end_abscissa,
-                            before.network.edges[section.edge].line,
-                            former_of(before.limits[2 * section.edge]),
-                            former_of(before.limits[2 * section.edge + 1]),
-                            {section.surface, section.contested_area > 0},
-                            section.borders});
+    former.edges.push_back(
+        {before.network.edges[section.edge].axis_id,
+         before.network.edges[section.edge].start_abscissa,
+         before.network.edges[section.edge].end_abscissa,
+         before.network.edges[section.edge].line,
+         former_of(before.limits[2 * section.edge]),
+         former_of(before.limits[2 * section.edge + 1]),
+         {section.surface, section.contested_area > 0, before.network.edges[section.edge].level},
+         section.borders});
   for (const Intersection& intersection : before.intersections)
-    former.nodes.push_back({before.network.nodes[intersection.node].point,
-                            {intersection.surface, intersection.contested_area > 0}});
+    former.nodes.push_back(
+        {before.network.nodes[intersection.node].point,
+         {intersection.surface, intersection.contested_area > 0, intersection.level}});
   return former;
 }
 
@@ -219,6 +222,38 @@ TEST(Streets, LeaveOutWhatStaysWhatItWas) {
     }
   }
   EXPECT_GT(met, out);
+}
+
+// Streets cross on two levels at one place: an edit at the far end of one on either level leaves
+// the kerbs where they part from both crossings.
+TEST(Streets, LeaveEachOfTwoCrossingsAtOnePlaceItsGround) {
+  std::vector<StreetAxis> axes = {{1, {{-80, 0, 0}, {0, 0, 0}, {80, 0, 0}}, 0, 8, 8, 4, 5},
+                                  {2, {{0, -80, 0}, {0, 0, 0}, {0, 80, 0}}, 0, 8, 8, 4, 5},
+                                  {3, {{-80, -80, 0}, {0, 0, 0}, {80, 80, 0}}, -1, 6, 6, 4, 5},
+                                  {4, {{80, -80, 0}, {0, 0, 0}, {-80, 80, 0}}, -1, 6, 6, 4, 5},
+                                  {5, {{80, 0, 0}, {300, 20, 0}}, 0, 8, 8, 4, 5},
+                                  {6, {{80, 80, 0}, {300, 80, 0}}, -1, 6, 6, 4, 5}};
+  const Streets whole = streets(axes, {}, {}, {}, true);
+  std::set<int> levels;
+  for (const Intersection& crossing : whole.intersections)
+    if (distance(whole.network.nodes[crossing.node].point, {0, 0}) == 0)
+      levels.insert(crossing.level);
+  EXPECT_EQ(levels, (std::set<int>{-1, 0}));
+  for (const std::int64_t edited : {5, 6}) {
+    for (StreetAxis& axis : axes) axis.changed = axis.axis_id == edited;
+    const Streets part = streets(axes, {}, {}, former_of(whole), true);
+    std::size_t beside = 0;
+    for (const Kerb& kerb : part.kerbs) {
+      const auto same_kerb = [&](const Kerb& other) {
+        return other.edge == kerb.edge && other.node == kerb.node && other.side == kerb.side &&
+               other.part == kerb.part && same(other.line, kerb.line);
+      };
+      EXPECT_TRUE(std::any_of(whole.kerbs.begin(), whole.kerbs.end(), same_kerb))
+          << "axis " << edited << ", edge " << kerb.edge << ", node " << kerb.node;
+      beside += part.network.edges[kerb.edge].axis_id != edited;
+    }
+    EXPECT_GE(beside, 2u);
+  }
 }
 
 // The end of a street moves, and with it the next one, which ends where one meets it that is not
