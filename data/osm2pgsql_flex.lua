@@ -15,6 +15,10 @@ for key in ([[lanes width est_width lane_markings oneway junction layer bridge t
     street_keys[key] = true
 end
 
+-- What footways, cycle tracks and steps say beside that.
+local walked = { footway = true, path = true, pedestrian = true, cycleway = true, steps = true, corridor = true }
+local walk_keys = { 'footway', 'indoor', 'location', 'level' }
+
 -- Words that are a letter away from each other are alike with a letter taken out of either.
 local function each_worn(word, take)
     take(word)
@@ -142,6 +146,9 @@ function osm2pgsql.process_way(object)
         if speaks_of_street[key] then
             tags[key] = value
         end
+    end
+    for _, key in ipairs(walked[class] and walk_keys or {}) do
+        tags[key] = object.tags[key]
     end
     line:insert({ class = class, name = object.tags.name, ref = object.tags.ref, tags = tags,
                   nodes = node_count(object), geom = object:as_linestring() })

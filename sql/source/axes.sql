@@ -52,6 +52,9 @@ BEGIN
     IF silent IS NOT NULL THEN
         EXECUTE 'ALTER TABLE pg_temp._import ' || replace(silent, 'ADD kind text', 'ADD class text');
     END IF;
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = 'role') THEN
+        ALTER TABLE pg_temp._import ADD role text;
+    END IF;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM pg_temp._import i
         WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;
     DELETE FROM pg_temp._import i WHERE i.left_out IS NOT NULL;
@@ -83,7 +86,8 @@ BEGIN
             HINT = 'Mend the vertex in the source.';
     END IF;
 
-    RETURN QUERY SELECT CASE WHEN coalesce(c.taken, any_class OR i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
+    RETURN QUERY SELECT CASE WHEN c.taken AND c.use IN ('walk', 'cycle', 'steps') THEN 'taken as footway'
+        WHEN coalesce(c.taken, any_class OR i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
         THEN 'not taken: unknown class' ELSE 'not taken: class' END,
         i.class, count(*), CASE WHEN NOT any_class AND i.class IS NOT NULL AND max(c.class) IS NULL
             THEN array_agg(i.label ORDER BY i.label) END
@@ -223,6 +227,7 @@ BEGIN
     DROP VIEW pg_temp._import_query;
     RETURN QUERY SELECT * FROM streetgen._take_rows(model, whole => true, any_class => any_class);
     RETURN QUERY SELECT * FROM streetgen._number_twins(model, source);
+    RETURN QUERY SELECT * FROM streetgen._part_footways(model);
     PERFORM streetgen._adopt_axes(model, source, clean);
     IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
         staying := CASE WHEN shapeless_stay THEN streetgen._staying_axes(model, source) END;
@@ -243,6 +248,7 @@ BEGIN
     changed := (SELECT count(*) FROM pg_temp._import_part);
     DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
+    RETURN QUERY SELECT * FROM streetgen._deliver_footways(model, source);
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._import(name, text, text, boolean, boolean, boolean) IS
@@ -257,7 +263,7 @@ CREATE OR REPLACE FUNCTION streetgen._copy_classes(model name) RETURNS void
 BEGIN
     PERFORM streetgen._use_model(model);
     CREATE TEMPORARY TABLE _import_class ON COMMIT DROP AS SELECT class, taken, width, speed, lanes_by_width,
-        lanes_one_way
+        lanes_one_way, use
         FROM axis_class;
 END $$;
 COMMENT ON FUNCTION streetgen._copy_classes(name) IS

@@ -23,7 +23,7 @@ BEGIN
             + k.kerbside)) AS width
     FROM pg_temp._import_line l
         JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
-        JOIN axis_class c ON c.class = l.class AND c.taken AND c.lanes_by_width,
+        JOIN axis_class c ON c.class = l.class AND c.taken AND c.use = 'roadway' AND c.lanes_by_width,
         (SELECT (max(value) FILTER (WHERE name = 'lane_width'))::float8 AS lane,
             (max(value) FILTER (WHERE name = 'width_default'))::float8 AS usual,
             (max(value) FILTER (WHERE name = 'cycle_lane_width'))::float8 AS cycle,

@@ -5,9 +5,10 @@ CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS t
     AS $$ SELECT CASE relation WHEN 'axis' THEN ARRAY(SELECT name FROM streetgen._axis_input())
         WHEN 'control_point' THEN '{kind,direction}'
         WHEN 'turn_restriction' THEN '{from_axis,to_axis,kind,turn,except_kinds,via_axes,via_geom,to_geom}'
+        WHEN 'footway' THEN '{kind,role,width,level,name}'
         WHEN 'street_object' THEN '{type,orientation}' END || '{geom}' $$;
 COMMENT ON FUNCTION streetgen._delivered_columns(text) IS
-    'The columns of a table of a model that a delivery may fill: axis, control_point, turn_restriction or '
+    'The columns of a table of a model that a delivery may fill: axis, control_point, turn_restriction, footway or '
     'street_object.';
 
 CREATE OR REPLACE FUNCTION streetgen._row_json(relation regclass, alias text, columns text[] DEFAULT NULL) RETURNS text
@@ -41,7 +42,7 @@ BEGIN
         'what the source says now; NULL: nothing, or of *: deleted by the source';
     COMMENT ON COLUMN import_conflict.stands IS 'hand or source: whose value the row has, by setting delivery_wins';
     COMMENT ON COLUMN import_conflict.relation IS
-        'the table of the row: axis, control_point, turn_restriction or street_object';
+        'the table of the row: axis, control_point, turn_restriction, footway or street_object';
     COMMENT ON COLUMN import_conflict.row_id IS 'the key of the row';
     COMMENT ON COLUMN import_conflict.source IS 'the source, as in that table';
     COMMENT ON COLUMN import_conflict.source_ref IS 'its identity in the source';
@@ -77,6 +78,8 @@ BEGIN
                 gone := ARRAY(SELECT control_point_id FROM before);
             ELSIF TG_TABLE_NAME = 'turn_restriction' THEN
                 gone := ARRAY(SELECT turn_restriction_id FROM before);
+            ELSIF TG_TABLE_NAME = 'footway' THEN
+                gone := ARRAY(SELECT footway_id FROM before);
             ELSE
                 gone := ARRAY(SELECT street_object_id FROM before);
             END IF;
@@ -90,6 +93,9 @@ BEGIN
         ELSIF TG_TABLE_NAME = 'control_point' THEN
             said := (SELECT jsonb_object_agg(control_point_id, jsonb_build_object('kind', kind, 'direction', direction,
                 'geom', geom::text)) FROM after);
+        ELSIF TG_TABLE_NAME = 'footway' THEN
+            said := (SELECT jsonb_object_agg(footway_id, jsonb_build_object('kind', kind, 'role', role, 'width', width,
+                'level', level, 'name', name, 'geom', geom::text)) FROM after);
         ELSE
             said := (SELECT jsonb_object_agg(turn_restriction_id, jsonb_build_object('from_axis', from_axis, 'to_axis',
                 to_axis, 'kind', kind, 'turn', turn, 'except_kinds', except_kinds, 'via_axes', via_axes, 'via_geom',
@@ -107,7 +113,7 @@ BEGIN
     END $body$;
     PERFORM streetgen._own_function(model, '_settle_conflicts()',
         'After an edit: conflicts with a delivery that it settles end');
-    FOREACH relation IN ARRAY '{axis,control_point,turn_restriction,street_object}'::name[] LOOP
+    FOREACH relation IN ARRAY '{axis,control_point,turn_restriction,footway,street_object}'::name[] LOOP
         CONTINUE WHEN to_regclass(format('%I.%I', model, relation)) IS NULL;
         -- Streets that change write their objects: of these streetgen.settle_conflict alone says whose holds.
         PERFORM streetgen._make_statement_triggers(model, relation, 'settle', CASE relation WHEN 'street_object'

@@ -34,6 +34,13 @@ CREATE OR REPLACE FUNCTION streetgen._osm_level(tags jsonb) RETURNS integer
 COMMENT ON FUNCTION streetgen._osm_level(jsonb) IS
     'The level of a way: its layer; on layer 0 or none that of a bridge or tunnel.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_off_street(tags jsonb) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(tags ->> 'indoor', 'no') <> 'no' OR tags ->> 'location' IN ('indoor', 'underground')
+        OR coalesce(tags ->> 'level', '0') !~ '^\s*0\s*$';
+COMMENT ON FUNCTION streetgen._osm_off_street(jsonb) IS
+    'Does a way lie within a building, or on another floor than that of the street?';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_table(suffix text, prefix text, schemas name[]) RETURNS regclass
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -176,7 +183,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
-        parking_left text, parking_right text, lane_markings text)
+        parking_left text, parking_right text, lane_markings text, role text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -184,10 +191,12 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_forward) ELSE m.kind_forward END,
     CASE WHEN r.one_lane THEN streetgen._with_one_lane(m.kind_backward) ELSE m.kind_backward END,
     m.lane_width_forward, m.lane_width_backward, m.turn_forward, m.turn_backward, m.change_forward, m.change_backward,
-    m.sidewalk_left, m.sidewalk_right, m.unread, NULL, m.access, m.parking_left,
-    m.parking_right, m.lane_markings
+    m.sidewalk_left, m.sidewalk_right, m.unread,
+    CASE WHEN c.use <> 'roadway' AND streetgen._osm_off_street(l.tags) THEN 'within a building or on another floor' END,
+    m.access, m.parking_left, m.parking_right,
+    m.lane_markings, l.tags ->> 'footway'
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
-    LEFT JOIN pg_temp._import_room r USING (way_id)
+    LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';

@@ -74,7 +74,7 @@ BEGIN
                 LATERAL (SELECT ST_LineInterpolatePoint(ST_Force2D(a.geom), 0.5) AS middle) m
             WHERE a.axis_id = ANY (candidates) AND streetgen._lies_along(a.geom, r.uncut, near)
                 -- A street of a class that imports leave out is another street.
-                AND NOT EXISTS (SELECT FROM axis_class c WHERE c.class = a.kind AND NOT c.taken
+                AND NOT EXISTS (SELECT FROM axis_class c WHERE c.class = a.kind AND NOT (c.taken AND c.use = 'roadway')
                     AND a.kind IS DISTINCT FROM own.kind)
                 -- A line upon a piece is that piece, another street or its twin.
                 AND NOT EXISTS (SELECT FROM axis_route o JOIN axis p ON p.axis_id = o.axis_id

@@ -27,9 +27,10 @@ END $$;
 COMMENT ON FUNCTION streetgen._adopt_rows(name, name, text) IS
     'Finds what a source said last of rows of a model of an older build: what it says now, where they are alike.';
 
-CREATE OR REPLACE FUNCTION streetgen._deliver_rows(model name, relation name, source text)
+CREATE OR REPLACE FUNCTION streetgen._deliver_rows(model name, relation name, source text,
+    among text[] DEFAULT NULL)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET jit = off SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
@@ -55,7 +56,7 @@ BEGIN
     END IF;
     PERFORM streetgen._adopt_rows(model, relation, source);
     -- A function that gives rows, beside others in one list, would have them called again.
-    PERFORM FROM streetgen._drop_vanished(model, relation, source);
+    PERFORM FROM streetgen._drop_vanished(model, relation, source, among);
     PERFORM streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
         streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);
     fresh := ARRAY(SELECT p.source_ref FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL AND NOT EXISTS (
@@ -77,6 +78,6 @@ BEGIN
     END IF;
     DROP TABLE pg_temp._import_part;
 END $$;
-COMMENT ON FUNCTION streetgen._deliver_rows(name, name, text) IS
-    'Brings the control points, turn restrictions or objects of a source up to date with the rows of the import: what '
-    'is by hand stays as in axes. Reports that.';
+COMMENT ON FUNCTION streetgen._deliver_rows(name, name, text, text[]) IS
+    'Brings the control points, turn restrictions, footways or objects of a source, or those among some source_refs, '
+    'up to date with the rows of the import: what is by hand stays as in axes. Reports that.';

@@ -5,6 +5,10 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     AS $$
     SELECT 'OpenStreetMap, ' || of, u.tag, u.becomes FROM streetgen._osm_tag_use() u
     UNION ALL VALUES
+    ('OpenStreetMap, ways', 'footway',
+        'Of what is walked or cycled on: sidewalk is the sidewalk of the street beside it, crossing leads over one.'),
+    ('OpenStreetMap, ways', 'indoor, level, location',
+        'Of what is walked or cycled on: within a building, or on another floor than 0, it is left out.'),
     ('OpenStreetMap, nodes', 'highway',
         'A control point: traffic_signals, stop, give_way, mini_roundabout, crossing; an object: these, street_lamp '
         'and bus_stop.'),

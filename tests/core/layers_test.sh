@@ -9,7 +9,7 @@ floors=(
   'geometry'
   'measure network road height overpass mesh object design virtual_city osm'
   'layout block roundabout'
-  'ramp strip'
+  'ramp strip footway'
   'roadway sidewalk'
   'ownership lane'
   'kerb interconnection'

@@ -7,7 +7,7 @@ INSERT INTO source VALUES (1, 'SRID=32631;LINESTRING(0 0,50 0,100 0)', 7, 'resid
     (3, 'SRID=32631;MULTILINESTRING((100 0,200 0),(300 0,400 0))', 6, 'primary'), (4, 'SRID=32631;LINESTRING(0 9,50 9)', 2, 'footway'), (5, 'SRID=32631;LINESTRING(0 0,0 10,0.1 10,0 60)', 6, 'service');
 CREATE TEMPORARY TABLE told AS SELECT * FROM streetgen.import_axes('town', 'source', '{"geom": "the_geom", "width": "largeur", "kind": "nature", "source_ref": "id", "level": {"value": 0}}');
 SELECT 'taken classes come in, parts apart', count(*) = 5 FROM town.axis;
-SELECT 'a class not taken is counted', count = 1 FROM told WHERE what = 'not taken: class' AND class = 'footway';
+SELECT 'a class that is walked makes a footway', count = 1 AND (SELECT (kind, width, source_ref) = ('footway', 2, '4') FROM town.footway) FROM told WHERE what = 'taken as footway' AND class = 'footway';
 SELECT 'a zero width is unknown, and told by source id', source_refs = '{2}' FROM told WHERE what LIKE 'width of zero%';
 SELECT 'a zero width becomes NULL', width IS NULL FROM town.axis WHERE source_ref = '2';
 SELECT 'a vertex that another axis shares stays', ST_NPoints(geom) = 3 FROM town.axis WHERE source_ref = '1';

@@ -26,11 +26,11 @@ INSERT INTO import_source VALUES
 CREATE TABLE import_report AS SELECT * FROM streetgen.import_axes('import_a', 'import_source',
   '{"geom": "geom", "width": "width", "lane_count": "lanes", "kind": "kind", "name": "label", "source_ref": "id", "level": {"value": 1}}');
 
-SELECT 'a class that is not taken makes no axis' AS name,
+SELECT 'a class that is walked makes no axis' AS name,
        (SELECT count(*) = 0 FROM import_a.axis WHERE kind = 'footway') AS holds;
-SELECT 'classes are counted, taken or not',
+SELECT 'classes are counted, as axes or footways',
        (SELECT count = 6 FROM import_report WHERE what = 'taken' AND class = 'residential')
-   AND (SELECT count = 1 FROM import_report WHERE what LIKE 'not taken%' AND class = 'footway');
+   AND (SELECT count = 1 FROM import_report WHERE what = 'taken as footway' AND class = 'footway');
 SELECT 'a width of zero is unknown and named',
        (SELECT width IS NULL FROM import_a.axis WHERE source_ref = '2')
    AND (SELECT source_refs = '{2}' FROM import_report WHERE what LIKE 'width of zero%');
@@ -117,9 +117,9 @@ DELETE FROM mixed WHERE id = 2;
 SELECT 'a table without a line is refused, with the way out', state = '22023' AND said = 'source row 1 is a POINT, expected a line' AND hint LIKE '%the layer of the file, that has lines.' FROM test.refusal($$SELECT streetgen.import_axes('import_b', 'mixed', '{"source_ref": "id"}')$$);
 DROP TABLE mixed;
 TRUNCATE import_b.axis;
-CREATE TABLE misspelt AS SELECT id, class, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * id), ST_MakePoint(90, 50 * id)), 32631) AS geom FROM (VALUES (1, 'secondry'), (2, 'secondary'), (3, 'secondry'), (4, 'footway')) v(id, class);
+CREATE TABLE misspelt AS SELECT id, class, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * id), ST_MakePoint(90, 50 * id)), 32631) AS geom FROM (VALUES (1, 'secondry'), (2, 'secondary'), (3, 'secondry'), (4, 'footway'), (5, 'track')) v(id, class);
 SELECT streetgen.set('import_b', 'width_default', '5.5') \g /dev/null
-SELECT 'rows of a class that is unknown are taken and named, those of one that is not wanted counted', array_agg((what, class, count, source_refs)::text ORDER BY what, class) = '{"(\"not taken: class\",footway,1,)","(taken,secondary,1,)","(taken,secondry,2,)","(\"unknown class, 5.5 m wide where neither width nor lanes are stated\",secondry,2,\"{1,3}\")"}'
+SELECT 'rows of a class that is unknown are taken and named, those of one that is not wanted or walked counted', array_agg((what, class, count, source_refs)::text ORDER BY what, class) = '{"(\"not taken: class\",track,1,)","(taken,secondary,1,)","(taken,secondry,2,)","(\"taken as footway\",footway,1,)","(\"unknown class, 5.5 m wide where neither width nor lanes are stated\",secondry,2,\"{1,3}\")"}'
   FROM streetgen.import_axes('import_b', 'misspelt', '{"source_ref": "id", "kind": "class"}') WHERE what ~ 'taken|unknown class';
 SELECT 'they have the width that is told', array_agg(source_ref || ' ' || u.width ORDER BY source_ref) = '{"1 5.5","2 8","3 5.5"}' FROM import_b.axis JOIN import_b.axis_used u USING (axis_id) WHERE source = 'misspelt';
 INSERT INTO import_b.axis_class (class, taken) VALUES ('secondry', false);

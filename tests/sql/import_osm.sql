@@ -34,7 +34,7 @@ SELECT 'layer is the level; without it bridges are above and tunnels below',
        (SELECT string_agg(level::text, ',' ORDER BY source_ref) = '0,2,0,1,-1,0,0' FROM import_osm.axis);
 SELECT 'a width of zero is unknown and named', (SELECT source_refs = '{4}' FROM import_report WHERE what LIKE 'width of zero%');
 SELECT 'a width beyond the lanes is named, a runway''s is believed', (SELECT source_refs = '{8}' FROM import_report WHERE what = 'width not believed');
-SELECT 'a cycleway is not taken', (SELECT count = 1 FROM import_report WHERE what LIKE 'not taken%' AND class = 'cycleway');
+SELECT 'a cycleway makes no axis', (SELECT count = 1 FROM import_report WHERE what = 'taken as footway' AND class = 'cycleway') AND (SELECT count(*) = 1 FROM import_osm.footway);
 SELECT 'the taken ways are axes', (SELECT count(*) = 7 FROM import_osm.axis);
 -- Lanes, one by one.
 ALTER TABLE import_line ADD turn_lanes text, ADD turn_lanes_forward text, ADD turn_lanes_backward text, ADD width_lanes text, ADD bus_lanes text, ADD lanes_bus text, ADD busway text,

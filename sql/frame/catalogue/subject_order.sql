@@ -25,6 +25,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'roundabouts: rings of the network with their scores; traffic on accepted ones goes round'),
     (10, 'sidewalk', '{kerb}', 'chain', false, false, 'more than the surfaces',
         'sidewalks: strips behind the kerbs'),
+    (13, 'footway', '{sidewalk}', 'near', false, false, 'nothing that shows',
+        'footways that a source maps apart from the streets, as the sidewalks of the sides along which they run'),
     (12, 'junction', '{interconnection}'::text[], 'group', false, false, 'a fifth of a run with lanes and paths',
         'nodes that are one junction, the kind of each, and the paths across them'),
     (11, 'ramp', '{interconnection}'::text[], 'near', false, false, 'nothing that shows',

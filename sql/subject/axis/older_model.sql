@@ -58,6 +58,23 @@ COMMENT ON FUNCTION streetgen._add_class_lanes(name) IS
     'Adds the columns of axis_class that say what lanes of one direction a class has, where a model was made before '
     'them. They stay empty: its streets are as they were.';
 
+CREATE OR REPLACE FUNCTION streetgen._add_class_use(model name) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF NOT streetgen._lacks_column(model, 'axis_class', 'use') THEN
+        RETURN;
+    END IF;
+    ALTER TABLE axis_class ADD use text NOT NULL DEFAULT 'roadway'
+        CHECK (use IN ('roadway', 'cycle', 'walk', 'steps', 'rail', 'none'));
+    -- What was taken as an axis stays one.
+    UPDATE axis_class c SET use = d.use FROM streetgen._default_axis_class() d WHERE d.class = c.class AND NOT c.taken;
+END $$;
+COMMENT ON FUNCTION streetgen._add_class_use(name) IS
+    'Adds the column of axis_class that says what lines of a class are, where a model was made before it. Its '
+    'importers take what they took.';
+
 CREATE OR REPLACE FUNCTION streetgen._add_later_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -68,7 +85,7 @@ BEGIN
         RETURN;
     END IF;
     INSERT INTO axis_class (class, taken, width, speed, importance, highway_role, walked_along, crossed_on_foot,
-            lanes_by_width, lanes_one_way, width_one_way, lanes_each_way, parking_left, parking_right)
+            lanes_by_width, lanes_one_way, width_one_way, lanes_each_way, parking_left, parking_right, use)
         SELECT * FROM streetgen._default_axis_class() d WHERE d.class = 'busway' ON CONFLICT DO NOTHING;
 END $$;
 COMMENT ON FUNCTION streetgen._add_later_classes(name) IS
@@ -102,7 +119,7 @@ BEGIN
     END IF;
     PERFORM streetgen._add_roundabout_tag(model), streetgen._add_width_by_hand(model),
         streetgen._add_roadway_offset(model), streetgen._add_class_meanings(model),
-        streetgen._add_class_lanes(model),
+        streetgen._add_class_lanes(model), streetgen._add_class_use(model),
         streetgen._add_later_classes(model);
 END $$;
 COMMENT ON FUNCTION streetgen._mend_axis_tables(name) IS

@@ -12,7 +12,8 @@ CREATE TABLE :"model".axis_class (
     width_one_way float8 CHECK (width_one_way BETWEEN 0.001 AND 200),
     lanes_each_way integer CHECK (lanes_each_way BETWEEN 1 AND 15),
     parking_left float8 NOT NULL DEFAULT 0 CHECK (parking_left BETWEEN 0 AND 10),
-    parking_right float8 NOT NULL DEFAULT 0 CHECK (parking_right BETWEEN 0 AND 10));
+    parking_right float8 NOT NULL DEFAULT 0 CHECK (parking_right BETWEEN 0 AND 10),
+    use text NOT NULL DEFAULT 'roadway' CHECK (use IN ('roadway', 'cycle', 'walk', 'steps', 'rail', 'none')));
 INSERT INTO :"model".axis_class SELECT * FROM streetgen._default_axis_class();
 ALTER TABLE :"model".axis_class ADD COLUMN IF NOT EXISTS lanes_one_way_by text
     CHECK (lanes_one_way_by IN ('hand', 'import'));
@@ -20,7 +21,12 @@ COMMENT ON TABLE :"model".axis_class IS
     'Classes of a source: whether importers take them, what axes of the class have where the source is silent (width '
     'm, speed km/h, importance 1 highest), and what the class means for ramps, people on foot and lanes';
 COMMENT ON COLUMN :"model".axis_class.class IS 'class of the source, as in axis.kind';
-COMMENT ON COLUMN :"model".axis_class.taken IS 'do importers take it as an axis';
+COMMENT ON COLUMN :"model".axis_class.taken IS 'do importers take it, as column use says';
+COMMENT ON COLUMN :"model".axis_class.use IS
+    'what lines of the class are: roadway: importers make axes of them; walk, cycle or steps: they make footways; rail '
+    'or none: nothing';
+COMMENT ON CONSTRAINT axis_class_use_check ON :"model".axis_class IS
+    'roadway, cycle, walk, steps, rail or none. Write roadway to have streets made of the lines.';
 COMMENT ON COLUMN :"model".axis_class.width IS 'width kerb to kerb where neither width nor lanes are known, metres';
 COMMENT ON CONSTRAINT axis_class_width_check ON :"model".axis_class IS
     '0.001 to 200 m. Leave it empty to have it estimated.';

@@ -51,21 +51,24 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
        (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
        level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
        width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both,
-       -- No sidewalk is estimated on medians, splitters and islands.
-       coalesce(sidewalk_left_by_hand, CASE WHEN beside_left <> 'outer' AND cardinality(median_left) = 0
-               AND 'sidewalk_left' = ANY (estimated) THEN 0
-           ELSE sidewalk_left END) AS sidewalk_left,
-       coalesce(sidewalk_right_by_hand, CASE WHEN beside_right <> 'outer' AND cardinality(median_right) = 0
-               AND 'sidewalk_right' = ANY (estimated) THEN 0
-           ELSE sidewalk_right END) AS sidewalk_right, beside_left, beside_right,
+       -- No sidewalk is estimated on medians, splitters and islands, nor where one is mapped.
+       coalesce(sidewalk_left_by_hand, CASE WHEN 'sidewalk_left' <> ALL (estimated) THEN sidewalk_left
+           ELSE coalesce(mapped_left, CASE WHEN beside_left = 'outer' OR cardinality(median_left) > 0
+               THEN sidewalk_left ELSE 0 END) END) AS sidewalk_left,
+       coalesce(sidewalk_right_by_hand, CASE WHEN 'sidewalk_right' <> ALL (estimated) THEN sidewalk_right
+           ELSE coalesce(mapped_right, CASE WHEN beside_right = 'outer' OR cardinality(median_right) > 0
+               THEN sidewalk_right ELSE 0 END) END) AS sidewalk_right, beside_left, beside_right,
        median_left, median_right, speed, importance,
-       array_remove(array_remove(estimated, CASE WHEN sidewalk_left_by_hand IS NOT NULL THEN 'sidewalk_left' END),
-           CASE WHEN sidewalk_right_by_hand IS NOT NULL THEN 'sidewalk_right' END) AS estimated,
+       array_remove(array_remove(estimated,
+           CASE WHEN num_nonnulls(sidewalk_left_by_hand, mapped_left) > 0 THEN 'sidewalk_left' END),
+           CASE WHEN num_nonnulls(sidewalk_right_by_hand, mapped_right) > 0 THEN 'sidewalk_right' END) AS estimated,
        input_hash, setting_hash
 FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
-    u.sidewalk_left, u.sidewalk_right, h.sidewalk_left_by_hand, h.sidewalk_right_by_hand, u.speed, u.importance,
+    u.sidewalk_left, u.sidewalk_right, h.sidewalk_left_by_hand, h.sidewalk_right_by_hand,
+             {mapped_left} AS mapped_left, {mapped_right} AS mapped_right, u.speed, u.importance,
              u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
-      FROM written_edge e JOIN used u USING (axis_id) {sidewalks_by_hand} {edge_circulation} LEFT JOIN (
+      FROM written_edge e JOIN used u USING (axis_id) {sidewalks_by_hand} {sidewalks_mapped} {edge_circulation}
+      LEFT JOIN (
           -- Identity of edges: by their ends along the axis, then by the node they begin at and their turn
           -- there.
           SELECT number, edge_id FROM same_edge

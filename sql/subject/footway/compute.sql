@@ -1,0 +1,50 @@
+-- The one statement, footways: those along the kerbs of written edges, and what sidewalks get of them.
+
+CREATE OR REPLACE FUNCTION streetgen._footway_computed_table()
+    RETURNS TABLE(place integer, relation name, subject text, key text, identity text, gone_with name,
+        gone_each integer)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (36, 'sidewalk_source', 'footway', 'sidewalk_source_id', 'edge_id, side, part', 'sidewalk_source', 1) $$;
+COMMENT ON FUNCTION streetgen._footway_computed_table() IS 'The computed table of footways.';
+
+CREATE OR REPLACE FUNCTION streetgen._sidewalk_sources(edges bytea[], edge_levels integer[], footways bytea[],
+    footway_levels integer[], side_edges integer[], lefts boolean[], kerbs_at_start float8[], kerbs_at_end float8[],
+    reach float8)
+    RETURNS TABLE(side integer, footway integer, start_abscissa float8, end_abscissa float8, distance float8)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 100 AS 'MODULE_PATHNAME', 'streetgen_sidewalk_sources';
+COMMENT ON FUNCTION streetgen._sidewalk_sources(bytea[], integer[], bytea[], integer[], integer[], boolean[],
+    float8[], float8[], float8) IS
+    'The stretches of sides of edges along which footways run, no farther from the kerb than the reach, metres. '
+    'edges, footways: LINESTRING, EWKB. side_edges: the number of the edge of each side, from 1; lefts: is it on the '
+    'left; kerbs_at_start, kerbs_at_end: from the edge to the kerb, metres. Numbers count from 1; abscissas along the '
+    'edge, metres; distance: from the kerb, metres. Lists of different length: 2202E; NULL in one: 22004; bad '
+    'geometry or number: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._footway_places(places jsonb) RETURNS jsonb
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN places -> 'subjects' ? 'footway'
+        THEN jsonb_build_object('sidewalks_mapped', 'LEFT JOIN mapped_sidewalk p ON p.mapped_number = e.number',
+            'mapped_left', 'p.mapped_left', 'mapped_right', 'p.mapped_right')
+        ELSE '{"sidewalks_mapped": "", "mapped_left": "NULL::float8", "mapped_right": "NULL::float8"}' END $$;
+COMMENT ON FUNCTION streetgen._footway_places(jsonb) IS
+    'The places of the one statement where edges get the widths of sidewalks that footways map.';
+
+CREATE OR REPLACE FUNCTION streetgen._upsert_footway(places jsonb) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('mapped_sidewalk'), places
+            || jsonb_build_object('footways', streetgen._fill_template(streetgen._part(CASE WHEN places ->> 'run'
+                IN ('whole', 'empty') THEN 'all_footways' ELSE 'footways_near' END), places))),
+        streetgen._upsert_rows(places, 'sidewalk_source',
+            columns => 'edge_id, side, part, footway_id, start_abscissa, end_abscissa, distance, width',
+            rows => streetgen._part('sidewalk_source_rows'), there => $part$
+            SELECT s.sidewalk_source_id FROM new_edge e, LATERAL (SELECT sidewalk_source_id FROM
+                {model}.sidewalk_source s WHERE s.edge_id = e.edge_id {by_key}) s WHERE NOT e.fresh$part$)) $$;
+COMMENT ON FUNCTION streetgen._upsert_footway(jsonb) IS
+    'Part of the one statement: the footways along new_edge, and mapped_sidewalk, the widths that they give its sides.';
+
+CREATE OR REPLACE FUNCTION streetgen._footway_told_others(model name, computed text[]) RETURNS boolean
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT true $$;
+COMMENT ON FUNCTION streetgen._footway_told_others(name, text[]) IS
+    'Sidewalks of a model were computed from its footways before these were switched off: it is computed anew.';

@@ -1,0 +1,34 @@
+-- Footways are drawn by hand or imported, and the sidewalks of the streets beside them follow.
+
+CREATE OR REPLACE FUNCTION streetgen._axes_of_footway(model name, footways jsonb[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    reach float8;
+    axes bigint[] := '{}';
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'footway' = ANY (streetgen._subjects(model)) THEN
+        -- GeoJSON rounds.
+        SELECT value::float8 + 0.01 INTO reach FROM setting WHERE name = 'mapped_sidewalk_distance';
+        SELECT ARRAY(SELECT DISTINCT e.axis_id FROM (SELECT max(greatest(width, width_end) / 2
+                    + abs(roadway_offset)) AS half FROM edge) widest, unnest(footways) f,
+            LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom FROM streetgen.model m
+                WHERE m.name = model) l,
+            LATERAL (SELECT * FROM edge e WHERE e.geom && ST_Expand(l.geom, reach + widest.half) OFFSET 0) e
+            WHERE ST_DWithin(e.geom, l.geom, reach + greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)))
+            INTO axes;
+    END IF;
+    RETURN axes;
+END $$;
+COMMENT ON FUNCTION streetgen._axes_of_footway(name, jsonb[]) IS
+    'The axes beside which footways lie or lay: a run for these finds their sidewalks anew.';
+
+CREATE OR REPLACE FUNCTION streetgen._footway_decision()
+    RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
+        hash_place integer, hash text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    ('footway'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false, NULL::integer, NULL::text) $$;
+COMMENT ON FUNCTION streetgen._footway_decision() IS
+    'Streets follow footways as they follow decisions about ground.';

@@ -1,0 +1,158 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "geometry/box.hpp"
+#include "geometry/box_index.hpp"
+#include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
+#include "streetgen/footway.hpp"
+
+namespace streetgen {
+
+namespace {
+
+constexpr double step = 2;      // metres along a footway from one look at the sides to the next
+constexpr double gap = 6;       // metres along an edge that part two stretches
+constexpr double slack = 1e-6;  // metres
+
+// Where a place of a footway lies beside a side.
+struct Beside {
+  double abscissa = 0;
+  double distance = 0;
+};
+
+// The sides of one edge, beside a place of a footway.
+class EdgeBeside {
+ public:
+  EdgeBeside(const Line& line, const Point& place, const Point& direction, double reach) {
+    double along = 0, nearest = reach;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const Point foot = nearest_on_segment(place, line[i - 1], line[i]);
+      const double away = distance(planar(place), planar(foot));
+      if (away < nearest) {
+        nearest = away;
+        abscissa_ = along + distance(planar(line[i - 1]), planar(foot));
+        const Point runs = unit(line[i] - line[i - 1]);
+        offset_ = cross(runs, place - foot) >= 0 ? away : -away;
+        turn_ = std::abs(cross(runs, direction));
+        // Beyond the ends of the edge nothing lies beside it.
+        const double onwards = dot(runs, planar(place - foot));
+        found_ = !(i == 1 && onwards < -slack) && !(i + 1 == line.size() && onwards > slack);
+      }
+      along += distance(planar(line[i - 1]), planar(line[i]));
+    }
+    length_ = along;
+  }
+
+  // Nothing where the place is not beside that side, or the footway runs elsewhere.
+  std::optional<Beside> side(const StreetSide& side, const FootwayMatch& match) const {
+    if (!found_ || turn_ > std::sin(match.direction)) return std::nullopt;
+    const double at = length_ > 0 ? abscissa_ / length_ : 0;
+    const double kerb = side.kerb_at_start + at * (side.kerb_at_end - side.kerb_at_start);
+    const double behind = (side.left ? offset_ : -offset_) - kerb;
+    if (behind > match.distance || behind < -std::min(match.in_roadway, kerb)) return std::nullopt;
+    return Beside{abscissa_, behind};
+  }
+
+ private:
+  bool found_ = false;
+  double abscissa_ = 0, offset_ = 0, turn_ = 1, length_ = 0;
+};
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + values.size() / 2;
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+class SourceFinder {
+ public:
+  SourceFinder(const std::vector<LevelLine>& edges, const std::vector<StreetSide>& sides,
+               const std::vector<LevelLine>& footways, const FootwayMatch& match)
+      : edges_(edges), sides_(sides), footways_(footways), match_(match), sides_of_(edges.size()) {
+    std::vector<double> reach(edges.size());
+    for (std::size_t s = 0; s < sides.size(); ++s) {
+      sides_of_[sides[s].edge].push_back(static_cast<int>(s));
+      reach[sides[s].edge] =
+          std::max({reach[sides[s].edge], sides[s].kerb_at_start, sides[s].kerb_at_end});
+    }
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+      reach[e] += match.distance;
+      Box box;
+      for (const Point& p : edges[e].line) box.add(p);
+      if (!sides_of_[e].empty()) index_.add(box.grown(reach[e]), static_cast<int>(e));
+    }
+    reach_ = std::move(reach);
+  }
+
+  std::vector<SidewalkSource> find() {
+    for (std::size_t f = 0; f < footways_.size(); ++f) {
+      poll_cancel();
+      look_along(static_cast<int>(f));
+    }
+    std::vector<SidewalkSource> sources;
+    for (auto& [key, places] : beside_) add_stretches(key.first, key.second, places, sources);
+    return sources;
+  }
+
+ private:
+  void look_along(int footway) {
+    const Line& line = footways_[footway].line;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+      const double length = distance(planar(line[i - 1]), planar(line[i]));
+      const int looks = std::max(1, static_cast<int>(std::ceil(length / step)));
+      const Point direction = unit(line[i] - line[i - 1]);
+      if (length == 0) continue;
+      for (int n = 0; n < looks; ++n)
+        look(footway, line[i - 1] + (line[i] - line[i - 1]) * ((n + 0.5) / looks), direction);
+    }
+  }
+
+  void look(int footway, const Point& place, const Point& direction) {
+    index_.each_near(box_of(place, place), 0, [&](int e) {
+      if (edges_[e].level != footways_[footway].level) return;
+      const EdgeBeside beside(edges_[e].line, place, direction, reach_[e]);
+      for (const int s : sides_of_[e])
+        if (const std::optional<Beside> found = beside.side(sides_[s], match_))
+          beside_[{s, footway}].push_back(*found);
+    });
+  }
+
+  static void add_stretches(int side, int footway, std::vector<Beside>& places,
+                            std::vector<SidewalkSource>& sources) {
+    std::sort(places.begin(), places.end(), [](const Beside& a, const Beside& b) {
+      return std::pair(a.abscissa, a.distance) < std::pair(b.abscissa, b.distance);
+    });
+    for (std::size_t from = 0, to; from < places.size(); from = to) {
+      std::vector<double> distances{places[from].distance};
+      for (to = from + 1; to < places.size() && places[to].abscissa - places[to - 1].abscissa < gap;
+           ++to)
+        distances.push_back(places[to].distance);
+      const double start = places[from].abscissa, end = places[to - 1].abscissa;
+      if (end > start) sources.push_back({side, footway, start, end, median(distances)});
+    }
+  }
+
+  const std::vector<LevelLine>& edges_;
+  const std::vector<StreetSide>& sides_;
+  const std::vector<LevelLine>& footways_;
+  const FootwayMatch& match_;
+  std::vector<std::vector<int>> sides_of_;  // by edge
+  std::vector<double> reach_;               // by edge: metres to the farthest footway beside it
+  BoxIndex index_;                          // of edges, with their reach
+  std::map<std::pair<int, int>, std::vector<Beside>> beside_;  // by side and footway
+};
+
+}  // namespace
+
+std::vector<SidewalkSource> sidewalk_sources(const std::vector<LevelLine>& edges,
+                                             const std::vector<StreetSide>& sides,
+                                             const std::vector<LevelLine>& footways,
+                                             const FootwayMatch& match) {
+  return SourceFinder(edges, sides, footways, match).find();
+}
+
+}  // namespace streetgen

@@ -1,0 +1,132 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Footways beside streets: the sidewalks that they map, live, by hand and of several rights.  (name, holds)
+SET client_min_messages = warning;
+CREATE FUNCTION pg_temp.line(text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_Translate(ST_GeomFromText($1, 2154), 650000, 6860000) $$;
+CREATE FUNCTION pg_temp.widths(model name) RETURNS text LANGUAGE plpgsql AS $$ DECLARE said text; BEGIN
+  EXECUTE format('SELECT string_agg(concat_ws('':'', axis_id, round(sidewalk_left::numeric, 6), round(sidewalk_right::numeric, 6)), '' '' ORDER BY axis_id, start_abscissa) FROM %I.edge', model) INTO said; RETURN said; END $$;
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, subjects => '{footway}', driving_side => 'right');
+  INSERT INTO town.axis (axis_id, geom, width, radius, importance, sidewalk_left, roadway_offset, width_end) VALUES
+    (1, pg_temp.line('LINESTRING(0 0,100 0)'), 8, 5, 4, NULL, NULL, NULL), (2, pg_temp.line('LINESTRING(100 0,200 0)'), 8, 5, 4, NULL, NULL, NULL),
+    (3, pg_temp.line('LINESTRING(100 0,100 90)'), 6, 5, 4, 2.5, NULL, NULL), (4, pg_temp.line('LINESTRING(0 300,100 300)'), 8, 5, 4, NULL, 1, NULL),
+    (5, pg_temp.line('LINESTRING(0 400,100 400)'), 6, 5, 4, NULL, NULL, 10);
+END $$;
+SELECT 'without footways sidewalks are estimated', pg_temp.widths('town') = '1:2.000000:2.000000 2:2.000000:2.000000 3:2.500000:2.000000 4:2.000000:2.000000 5:2.000000:2.000000';
+INSERT INTO town.footway (footway_id, geom, role, width) VALUES (1, pg_temp.line('LINESTRING(5 6,90 6)'), 'sidewalk', NULL), (2, pg_temp.line('LINESTRING(195 -5.5,5 -5.5)'), 'sidewalk', NULL),
+  (3, pg_temp.line('LINESTRING(110 6,190 6)'), 'sidewalk', 1.8), (4, pg_temp.line('LINESTRING(95 10,95 80)'), 'sidewalk', NULL), (5, pg_temp.line('LINESTRING(5 306.5,95 306.5)'), 'sidewalk', NULL),
+  (6, pg_temp.line('LINESTRING(0 406,100 406)'), 'sidewalk', NULL), (7, pg_temp.line('LINESTRING(5 295,95 295)'), NULL, NULL), (8, pg_temp.line('LINESTRING(50 -20,50 20)'), 'sidewalk', NULL),
+  (9, pg_temp.line('LINESTRING(5 394,95 394)'), 'crossing', NULL);
+SELECT 'twice as wide as the footway lies from the kerb', sidewalk_left = 4 AND sidewalk_right BETWEEN 2.999999 AND 3.000001 AND NOT estimated && '{sidewalk_left,sidewalk_right}' FROM town.edge WHERE axis_id = 1;
+SELECT 'as wide as the footway says', sidewalk_left = 1.8 FROM town.edge WHERE axis_id = 2;
+SELECT 'what the axis says comes first', sidewalk_left = 2.5 FROM town.edge WHERE axis_id = 3;
+SELECT 'from the kerb of a roadway beside its axis', abs(sidewalk_left - 3) < 1e-6 AND sidewalk_right = 2 AND estimated @> '{sidewalk_right}' FROM town.edge WHERE axis_id = 4;
+SELECT 'a footway of two streets is of both', count(*) = 2 AND count(DISTINCT edge_id) = 2 AND bool_and(side = 'right') FROM town.sidewalk_source WHERE footway_id = 2;
+SELECT 'where the kerb runs away, from its middle', abs(distance - 2) < 0.2 FROM town.sidewalk_source WHERE footway_id = 6;
+SELECT 'one across a street, over it, or of no role is of none', NOT EXISTS (SELECT FROM town.sidewalk_source WHERE footway_id IN (7, 8, 9));
+SELECT 'stretches lie on their edges', bool_and(s.start_abscissa >= 0 AND s.end_abscissa <= ST_Length(e.geom) + 1e-6 AND s.start_abscissa < s.end_abscissa) FROM town.sidewalk_source s JOIN town.edge e USING (edge_id);
+SELECT 'the footway lies on its sidewalk', bool_and(ST_Length(ST_Intersection(f.geom, w.geom)) > 0.85 * ST_Length(f.geom)) FROM town.footway f, (SELECT ST_Union(surface) AS geom FROM town.sidewalk) w WHERE footway_id IN (1, 2, 5, 6);
+
+-- Edits of all kinds, each against a run over all.
+CREATE FUNCTION pg_temp.as_from_scratch(model name) RETURNS boolean LANGUAGE plpgsql AS $$ DECLARE before text; again text; was text;
+  stands constant text := 'SELECT string_agg(md5(concat_ws('','', e.axis_id, e.start_abscissa::numeric(12, 6), s.side, s.part, s.footway_id, s.start_abscissa::numeric(12, 6), s.width::numeric(12, 6))), '''' ORDER BY e.axis_id, e.start_abscissa, s.side, s.part) FROM %I.sidewalk_source s JOIN %1$I.edge e USING (edge_id)'; BEGIN
+  EXECUTE format(stands, model) INTO before; was := pg_temp.widths(model);
+  EXECUTE format('UPDATE %I.edge SET input_hash = 0', model); PERFORM FROM streetgen.generate(model, wait => true);
+  EXECUTE format(stands, model) INTO again;
+  RETURN (before, was) IS NOT DISTINCT FROM (again, pg_temp.widths(model)); END $$;
+CREATE FUNCTION pg_temp.stale(model name) RETURNS void LANGUAGE plpgsql SET streetgen.computes = 'on' AS $$ BEGIN EXECUTE format('UPDATE %I.edge SET input_hash = 0', model); END $$;
+UPDATE town.footway SET geom = ST_Translate(geom, 0, 1) WHERE footway_id = 1;
+SELECT 'a sidewalk follows its footway', sidewalk_left = 6 FROM town.edge WHERE axis_id = 1;
+UPDATE town.axis SET width = 10 WHERE axis_id = 1;
+SELECT 'and its street', abs(sidewalk_left - 4) < 1e-6 FROM town.edge WHERE axis_id = 1;
+UPDATE town.sidewalk_editing SET width = 1.2 WHERE edge_id = (SELECT edge_id FROM town.edge WHERE axis_id = 1) AND side = 'left';
+SELECT 'a width by hand comes first', sidewalk_left = 1.2 FROM town.edge WHERE axis_id = 1;
+DELETE FROM town.sidewalk_editing WHERE edge_id = (SELECT edge_id FROM town.edge WHERE axis_id = 1) AND side = 'left';
+UPDATE town.footway SET role = NULL WHERE footway_id = 5;
+SELECT 'a footway that is none any more leaves an estimate', sidewalk_left = 2 AND estimated @> '{sidewalk_left}' FROM town.edge WHERE axis_id = 4;
+UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 2;
+SELECT 'a street that turns round keeps its sides', sidewalk_right = 1.8 FROM town.edge WHERE axis_id = 2;
+DELETE FROM town.footway WHERE footway_id = 3;
+SELECT 'one that is gone leaves no row', NOT EXISTS (SELECT FROM town.sidewalk_source WHERE footway_id IN (3, 5));
+DELETE FROM town.axis WHERE axis_id = 4;
+UPDATE town.footway SET level = 1 WHERE footway_id = 6;
+SELECT 'one of another level is of no street of this', NOT EXISTS (SELECT FROM town.sidewalk_source WHERE footway_id = 6);
+BEGIN;
+SELECT streetgen.live('town', false) \g /dev/null
+UPDATE town.footway SET geom = ST_Translate(geom, 0, -0.4) WHERE footway_id = 1;
+SELECT 'what is not followed is due', streetgen._stale_axes('town') > 0;
+SELECT streetgen.live('town', true) \g /dev/null
+SELECT count(*) FROM streetgen.generate('town', wait => true) \g /dev/null
+SELECT 'and done then', abs(sidewalk_left - 3.2) < 1e-6 FROM town.edge WHERE axis_id = 1;
+COMMIT;
+
+-- Random streets and footways, edited at random: all as from scratch.
+DO $$ DECLARE n integer; BEGIN
+  PERFORM setseed(0.48), streetgen.create_model('random', 2154, subjects => '{footway}', driving_side => 'right');
+  INSERT INTO random.axis (geom, width, importance) SELECT pg_temp.line(format('LINESTRING(%s %s,%s %s)', 60 * i, 0, 60 * i + 8 * random(), 180)), 5 + 5 * random(), 4 FROM generate_series(0, 3) i
+    UNION ALL SELECT pg_temp.line(format('LINESTRING(%s %s,%s %s)', -20, 60 * i + 5, 210, 60 * i + 5 + 6 * random())), 5 + 5 * random(), 4 FROM generate_series(0, 3) i;
+  FOR n IN 1..40 LOOP
+    CASE floor(6 * random())::integer
+      WHEN 0 THEN UPDATE random.axis SET width = 5 + 8 * random() WHERE axis_id = 1 + floor(8 * random());
+      WHEN 1 THEN UPDATE random.axis SET geom = ST_Translate(geom, 4 * random() - 2, 4 * random() - 2) WHERE axis_id = 1 + floor(8 * random());
+      WHEN 2 THEN DELETE FROM random.footway WHERE footway_id = (SELECT footway_id FROM random.footway ORDER BY random() LIMIT 1);
+      WHEN 3 THEN UPDATE random.footway SET geom = ST_Translate(geom, 3 * random() - 1.5, 3 * random() - 1.5) WHERE footway_id % 3 = n % 3;
+      ELSE INSERT INTO random.footway (geom, role) SELECT ST_OffsetCurve(ST_LineSubstring(geom, 0.3 * random(), 0.6 + 0.4 * random()), (4 + 8 * random()) * sign(random() - 0.5)), 'sidewalk' FROM random.axis ORDER BY random() LIMIT 2;
+    END CASE;
+  END LOOP;
+END $$;
+CREATE TABLE test.before AS SELECT e.axis_id, e.start_abscissa, s.side, s.part, s.footway_id, s.start_abscissa AS at, s.distance, s.width FROM random.sidewalk_source s JOIN random.edge e USING (edge_id);
+CREATE TABLE test.widths AS SELECT pg_temp.widths('random') AS said, (SELECT sum(ST_Area(surface)) FROM random.sidewalk) AS area;
+SELECT pg_temp.stale('random'), count(*) FROM streetgen.generate('random', wait => true) \g /dev/null
+SELECT 'there are mapped sidewalks', count(*) > 10 FROM test.before;
+SELECT 'random edits give what a run over all gives', NOT EXISTS (SELECT axis_id, start_abscissa, side, part, footway_id, at, distance, width FROM test.before EXCEPT SELECT e.axis_id, e.start_abscissa, s.side, s.part, s.footway_id, s.start_abscissa, s.distance, s.width FROM random.sidewalk_source s JOIN random.edge e USING (edge_id))
+  AND (SELECT count(*) FROM test.before) = (SELECT count(*) FROM random.sidewalk_source) AND (SELECT said = pg_temp.widths('random') AND abs(area - (SELECT sum(ST_Area(surface)) FROM random.sidewalk)) < 1e-3 FROM test.widths);
+SELECT 'nothing is wrong', NOT EXISTS (SELECT FROM streetgen.check_model('random') WHERE severity = 'error');
+
+-- Off, they make nothing; the rows stay.
+SELECT count(*) FROM streetgen.switch_subject('town', 'footway', false) \g /dev/null
+SELECT 'without the subject footways stay and make nothing', (SELECT count(*) = 8 FROM town.footway) AND sidewalk_left = 2 AND to_regclass('town.sidewalk_source') IS NULL FROM town.edge WHERE axis_id = 1;
+UPDATE town.footway SET geom = ST_Translate(geom, 0, 0.1);
+SELECT count(*) FROM streetgen.switch_subject('town', 'footway', true) \g /dev/null
+SELECT 'on again, they do', abs(sidewalk_left - 3.4) < 1e-6 FROM town.edge WHERE axis_id = 1;
+
+-- Bad lines.
+CREATE FUNCTION pg_temp.refused(statement text) RETURNS text LANGUAGE plpgsql AS $$ BEGIN EXECUTE statement; RETURN 'taken'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
+SELECT 'a role that nobody knows is refused', pg_temp.refused($$UPDATE town.footway SET role = 'stairs'$$) = '23514';
+SELECT 'a line without length is one without a street', pg_temp.refused($$INSERT INTO town.footway (geom, role) VALUES (pg_temp.line('LINESTRING(5 6,5 6)'), 'sidewalk')$$) IN ('taken', '23514');
+SELECT 'zigzags and loops are taken', pg_temp.refused($$INSERT INTO town.footway (geom, role) VALUES (pg_temp.line('LINESTRING(5 6,20 7,5 8,40 6,60 9,30 4,90 6,5 6)'), 'sidewalk')$$) = 'taken' AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
+
+-- An editor draws footways, a reader does not.
+CREATE ROLE footway_editor; CREATE ROLE footway_reader;
+SELECT streetgen.grant('town', 'footway_editor', 'editor'), streetgen.grant('town', 'footway_reader', 'reader') \g /dev/null
+SET ROLE footway_editor;
+INSERT INTO town.footway (geom, role, width) SELECT ST_Translate(geom, 0, -10.7), 'sidewalk', 2.2 FROM town.footway WHERE footway_id = 1;
+SELECT 'an editor draws a footway, and the street follows', abs(sidewalk_right - 2.1) < 0.05 FROM town.edge WHERE axis_id = 1;
+SET ROLE footway_reader;
+SELECT 'a reader does not', pg_temp.refused('DELETE FROM town.footway') = '42501';
+RESET ROLE;
+SELECT streetgen.revoke('town', 'footway_editor'), streetgen.revoke('town', 'footway_reader') \g /dev/null
+DROP ROLE footway_editor; DROP ROLE footway_reader;
+
+-- Lines of a source, again and again.
+CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry);
+INSERT INTO osm_line VALUES (1, 'residential', 'high street', NULL, '{}', 2, pg_temp.line('LINESTRING(0 0,100 0)')), (2, 'footway', NULL, NULL, '{"footway": "sidewalk", "width": "3"}', 2, pg_temp.line('LINESTRING(0 7,100 7)')),
+  (3, 'footway', NULL, NULL, '{"footway": "crossing"}', 2, pg_temp.line('LINESTRING(50 -7,50 7)')), (4, 'steps', 'stairs', NULL, '{"layer": "-1"}', 2, pg_temp.line('LINESTRING(0 20,10 20)')),
+  (5, 'footway', NULL, NULL, '{"footway": "sidewalk", "level": "2"}', 2, pg_temp.line('LINESTRING(0 -7,100 -7)')), (6, 'corridor', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(0 -9,100 -9)')), (7, 'cycleway', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(0 40,100 40)'));
+SELECT streetgen.create_model('source', 2154, subjects => '{footway}', driving_side => 'right') \g /dev/null
+CREATE TABLE told AS SELECT * FROM streetgen.import_osm('source');
+SELECT 'walked lines become footways, driven ones axes', (SELECT array_agg(concat_ws(' ', source_ref, kind, role, width, level, name) ORDER BY source_ref) = '{2 footway sidewalk 3 0,3 footway crossing 0,4 steps -1 stairs,7 cycleway 0}' FROM source.footway) AND (SELECT array_agg(source_ref) = '{1}' FROM source.axis);
+SELECT 'those of other floors and unknown classes are told', (SELECT count = 1 FROM told WHERE what LIKE 'within a building%') AND (SELECT count = 1 FROM told WHERE class = 'corridor' AND what LIKE 'not taken%');
+SELECT count(*) FROM streetgen.generate('source', wait => true) \g /dev/null
+SELECT 'the street has what is mapped', (sidewalk_left, 'sidewalk_right' = ANY (estimated)) = (3, true) FROM source.edge;
+UPDATE source.footway SET width = 2.4 WHERE source_ref = '2';
+UPDATE osm_line SET tags = tags || '{"width": "3.5"}' WHERE way_id = 2; DELETE FROM osm_line WHERE way_id IN (3, 7); UPDATE osm_line SET class = 'footway', tags = '{"footway": "sidewalk"}', geom = ST_Translate(geom, 0, -6) WHERE way_id = 1;
+INSERT INTO osm_line VALUES (8, 'residential', 'high street', NULL, '{}', 2, pg_temp.line('LINESTRING(0 0,100 0)'));
+TRUNCATE told; INSERT INTO told SELECT * FROM streetgen.import_osm('source');
+SELECT 'what is by hand stays', width = 2.4 FROM source.footway WHERE source_ref = '2';
+SELECT 'and what the source says otherwise is in conflict', (column_name, by_hand, source_new) = ('width', '2.4', '3.5') FROM source.import_conflict WHERE relation = 'footway';
+SELECT 'what the source deleted is gone, and a street that became a footway is one', array_agg(source_ref ORDER BY source_ref) = '{1,2,4}' AND (SELECT array_agg(source_ref) = '{8}' FROM source.axis) FROM source.footway;
+UPDATE source.axis_class SET use = 'roadway' WHERE class = 'steps'; UPDATE source.axis_class SET use = 'none' WHERE class = 'footway';
+TRUNCATE told; INSERT INTO told SELECT * FROM streetgen.import_osm('source');
+SELECT 'a class is a street where its use says so', (SELECT array_agg(source_ref ORDER BY source_ref) = '{4,8}' FROM source.axis);
+SELECT 'and nothing is made of one of no use, which is told', (SELECT count = 2 FROM told WHERE what = 'no roadway, and nothing is made of it');
