@@ -18,7 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input()
         ('flow', 'float8', 'number', 0, 1000000), ('roundabout_tag', 'text', 'text', NULL, NULL),
         ('ref', 'text', 'text', NULL, NULL), ('access', 'text', 'text', NULL, NULL),
         ('parking_left', 'text', 'parking', NULL, NULL), ('parking_right', 'text', 'parking', NULL, NULL),
-        ('lane_markings', 'text', 'yes_or_no', NULL, NULL) $$;
+        ('lane_markings', 'text', 'yes_or_no', NULL, NULL), ('sidewalk_apart', 'text', 'sides', NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._axis_input() IS
     'The columns of axis that a source may fill besides geom, how their texts are read, and the bounds of numbers.';
 
@@ -49,13 +49,15 @@ CREATE OR REPLACE FUNCTION streetgen._read_word(said text, read_as text, unit te
         WHEN read_as = 'parking' THEN substring(btrim(said) FROM streetgen._parking_pattern())
         WHEN read_as = 'yes_or_no' THEN CASE WHEN lower(btrim(said)) IN ('yes', 'true', 't', '1') THEN 'yes'
             WHEN lower(btrim(said)) IN ('no', 'false', 'f', '0') THEN 'no' END
+        WHEN read_as = 'sides' THEN CASE WHEN lower(btrim(said)) IN ('left', 'right', 'both')
+            THEN lower(btrim(said)) END
         WHEN read_as <> 'direction' THEN CASE WHEN streetgen.is_lane_list(btrim(said), read_as) THEN btrim(said) END
         WHEN lower(btrim(said)) IN ('both', '0') THEN 'both'
         WHEN lower(btrim(said)) IN ('direct', '1') THEN 'direct'
         WHEN lower(btrim(said)) IN ('reverse', '-1') THEN 'reverse' END;
 COMMENT ON FUNCTION streetgen._read_word(text, text, text) IS
-    'A text of a source as a column of axis holds it, read as text, direction, parking, yes_or_no or a list of '
-    'lanes; NULL where it is none.';
+    'A text of a source as a column of axis holds it, read as text, direction, parking, yes_or_no, sides or a '
+    'list of lanes; NULL where it is none.';
 
 CREATE OR REPLACE FUNCTION streetgen._expected(read_as text, low float8, high float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -65,6 +67,7 @@ CREATE OR REPLACE FUNCTION streetgen._expected(read_as text, low float8, high fl
         WHEN 'number' THEN format('a number from %s to %s', low, high)
         WHEN 'direction' THEN 'both, direct or reverse (0, 1 or -1)'
         WHEN 'yes_or_no' THEN 'yes or no (true or false, 1 or 0)'
+        WHEN 'sides' THEN 'left, right or both'
         WHEN 'parking' THEN 'no, or a place such as on_kerb|parallel|2.2|8'
         WHEN 'kind' THEN 'a list such as general|bus, an entry a lane'
         WHEN 'width' THEN 'a list such as 3.5|3, an entry a lane'

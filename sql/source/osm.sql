@@ -121,6 +121,8 @@ BEGIN
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
         lanes.change_forward, lanes.change_backward, lanes.access, lanes.parking_left, lanes.parking_right,
         CASE WHEN tags ->> 'lane_markings' IN ('yes', 'no') THEN tags ->> 'lane_markings' END AS lane_markings,
+        CASE WHEN apart_left AND apart_right THEN 'both' WHEN apart_left THEN 'left' WHEN apart_right THEN 'right' END
+            AS sidewalk_apart,
         streetgen._osm_sidewalk(walk_left, tags ->> 'sidewalk', said_walk_left, 'left') AS sidewalk_left,
         streetgen._osm_sidewalk(walk_right, tags ->> 'sidewalk', said_walk_right, 'right') AS sidewalk_right,
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
@@ -151,7 +153,9 @@ BEGIN
     LATERAL (SELECT coalesce(tags ->> 'sidewalk:left', tags ->> 'sidewalk:both') AS walk_left,
         coalesce(tags ->> 'sidewalk:right', tags ->> 'sidewalk:both') AS walk_right,
         coalesce(tags ->> 'sidewalk:left:width', tags ->> 'sidewalk:both:width') AS said_walk_left,
-        coalesce(tags ->> 'sidewalk:right:width', tags ->> 'sidewalk:both:width') AS said_walk_right) walk;
+        coalesce(tags ->> 'sidewalk:right:width', tags ->> 'sidewalk:both:width') AS said_walk_right) walk,
+    LATERAL (SELECT coalesce(walk_left, tags ->> 'sidewalk') = 'separate' AS apart_left,
+        coalesce(walk_right, tags ->> 'sidewalk') = 'separate' AS apart_right) apart;
 END $$;
 COMMENT ON FUNCTION streetgen._read_osm_tags(name) IS
     'Reads each wording of tags of the lines that were copied once, where one drives as in this model.';
@@ -183,7 +187,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
-        parking_left text, parking_right text, lane_markings text, role text)
+        parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -194,7 +198,7 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     m.sidewalk_left, m.sidewalk_right, m.unread,
     CASE WHEN c.use <> 'roadway' AND streetgen._osm_off_street(l.tags) THEN 'within a building or on another floor' END,
     m.access, m.parking_left, m.parking_right,
-    m.lane_markings, l.tags ->> 'footway'
+    m.lane_markings, m.sidewalk_apart, l.tags ->> 'footway'
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class
 $$;

@@ -90,6 +90,20 @@ UPDATE town.footway SET geom = ST_Translate(geom, 0, 0.1);
 SELECT count(*) FROM streetgen.switch_subject('town', 'footway', true) \g /dev/null
 SELECT 'on again, they do', abs(sidewalk_left - 3.4) < 1e-6 FROM town.edge WHERE axis_id = 1;
 
+-- Sides whose sidewalk is a line of its own.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('apart', 2154, subjects => '{footway}', driving_side => 'left');
+  INSERT INTO apart.axis (axis_id, geom, width, importance, sidewalk_apart, sidewalk_right) VALUES (1, pg_temp.line('LINESTRING(0 0,100 0)'), 8, 4, 'both', NULL), (2, pg_temp.line('LINESTRING(0 100,100 100)'), 8, 4, 'left', NULL), (3, pg_temp.line('LINESTRING(0 200,100 200)'), 8, 4, 'right', 2.5);
+  INSERT INTO apart.footway (footway_id, geom, kind, role) VALUES (1, pg_temp.line('LINESTRING(0 5.5,100 5.5)'), 'footway', NULL), (2, pg_temp.line('LINESTRING(0 94,100 94)'), 'footway', NULL), (3, pg_temp.line('LINESTRING(0 -5.5,100 -5.5)'), 'steps', NULL);
+END $$;
+SELECT 'a side apart has its footway, whatever the role, or nothing; steps are none', pg_temp.widths('apart') = '1:3.000000:0.000000 2:0.000000:2.000000 3:2.000000:2.500000';
+SELECT 'nothing there is estimated', NOT estimated && '{sidewalk_left,sidewalk_right}' FROM apart.edge WHERE axis_id = 1;
+UPDATE apart.axis SET sidewalk_apart = NULL WHERE axis_id = 1;
+SELECT 'what is said no more counts no more', pg_temp.widths('apart') LIKE '1:2.000000:2.000000 2:0%';
+SELECT streetgen.set('apart', 'mapped_sidewalk_missing', 'estimated') \g /dev/null
+SELECT count(*) FROM streetgen.generate('apart', wait => true) \g /dev/null
+SELECT 'by setting a side without a footway is estimated', pg_temp.widths('apart') = '1:2.000000:2.000000 2:2.000000:2.000000 3:2.000000:2.500000';
+
 -- Bad lines.
 CREATE FUNCTION pg_temp.refused(statement text) RETURNS text LANGUAGE plpgsql AS $$ BEGIN EXECUTE statement; RETURN 'taken'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;
 SELECT 'a role that nobody knows is refused', pg_temp.refused($$UPDATE town.footway SET role = 'stairs'$$) = '23514';
@@ -112,21 +126,23 @@ DROP ROLE footway_editor; DROP ROLE footway_reader;
 CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry);
 INSERT INTO osm_line VALUES (1, 'residential', 'high street', NULL, '{}', 2, pg_temp.line('LINESTRING(0 0,100 0)')), (2, 'footway', NULL, NULL, '{"footway": "sidewalk", "width": "3"}', 2, pg_temp.line('LINESTRING(0 7,100 7)')),
   (3, 'footway', NULL, NULL, '{"footway": "crossing"}', 2, pg_temp.line('LINESTRING(50 -7,50 7)')), (4, 'steps', 'stairs', NULL, '{"layer": "-1"}', 2, pg_temp.line('LINESTRING(0 20,10 20)')),
-  (5, 'footway', NULL, NULL, '{"footway": "sidewalk", "level": "2"}', 2, pg_temp.line('LINESTRING(0 -7,100 -7)')), (6, 'corridor', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(0 -9,100 -9)')), (7, 'cycleway', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(0 40,100 40)'));
+  (5, 'footway', NULL, NULL, '{"footway": "sidewalk", "level": "2"}', 2, pg_temp.line('LINESTRING(0 -7,100 -7)')), (6, 'corridor', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(0 -9,100 -9)')), (7, 'cycleway', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(0 40,100 40)')),
+  (9, 'residential', 'a', NULL, '{"sidewalk": "separate"}', 2, pg_temp.line('LINESTRING(0 500,100 500)')), (10, 'residential', 'b', NULL, '{"sidewalk:left": "separate", "sidewalk:right": "no"}', 2, pg_temp.line('LINESTRING(0 600,100 600)')),
+  (11, 'residential', 'c', NULL, '{"sidewalk:both": "yes"}', 2, pg_temp.line('LINESTRING(0 700,100 700)'));
 SELECT streetgen.create_model('source', 2154, subjects => '{footway}', driving_side => 'right') \g /dev/null
 CREATE TABLE told AS SELECT * FROM streetgen.import_osm('source');
-SELECT 'walked lines become footways, driven ones axes', (SELECT array_agg(concat_ws(' ', source_ref, kind, role, width, level, name) ORDER BY source_ref) = '{2 footway sidewalk 3 0,3 footway crossing 0,4 steps -1 stairs,7 cycleway 0}' FROM source.footway) AND (SELECT array_agg(source_ref) = '{1}' FROM source.axis);
+SELECT 'walked lines become footways, driven ones axes', (SELECT array_agg(concat_ws(' ', source_ref, kind, role, width, level, name) ORDER BY source_ref) = '{2 footway sidewalk 3 0,3 footway crossing 0,4 steps -1 stairs,7 cycleway 0}' FROM source.footway) AND (SELECT array_agg(source_ref || coalesce(sidewalk_apart, '') ORDER BY source_ref) = '{1,10left,11,9both}' FROM source.axis);
 SELECT 'those of other floors and unknown classes are told', (SELECT count = 1 FROM told WHERE what LIKE 'within a building%') AND (SELECT count = 1 FROM told WHERE class = 'corridor' AND what LIKE 'not taken%');
 SELECT count(*) FROM streetgen.generate('source', wait => true) \g /dev/null
-SELECT 'the street has what is mapped', (sidewalk_left, 'sidewalk_right' = ANY (estimated)) = (3, true) FROM source.edge;
+SELECT 'the street has what is mapped', (e.sidewalk_left, 'sidewalk_right' = ANY (estimated)) = (3, true) FROM source.edge e JOIN source.axis a USING (axis_id) WHERE source_ref = '1';
 UPDATE source.footway SET width = 2.4 WHERE source_ref = '2';
 UPDATE osm_line SET tags = tags || '{"width": "3.5"}' WHERE way_id = 2; DELETE FROM osm_line WHERE way_id IN (3, 7); UPDATE osm_line SET class = 'footway', tags = '{"footway": "sidewalk"}', geom = ST_Translate(geom, 0, -6) WHERE way_id = 1;
 INSERT INTO osm_line VALUES (8, 'residential', 'high street', NULL, '{}', 2, pg_temp.line('LINESTRING(0 0,100 0)'));
 TRUNCATE told; INSERT INTO told SELECT * FROM streetgen.import_osm('source');
 SELECT 'what is by hand stays', width = 2.4 FROM source.footway WHERE source_ref = '2';
 SELECT 'and what the source says otherwise is in conflict', (column_name, by_hand, source_new) = ('width', '2.4', '3.5') FROM source.import_conflict WHERE relation = 'footway';
-SELECT 'what the source deleted is gone, and a street that became a footway is one', array_agg(source_ref ORDER BY source_ref) = '{1,2,4}' AND (SELECT array_agg(source_ref) = '{8}' FROM source.axis) FROM source.footway;
+SELECT 'what the source deleted is gone, and a street that became a footway is one', array_agg(source_ref ORDER BY source_ref) = '{1,2,4}' AND (SELECT array_agg(source_ref ORDER BY source_ref) = '{10,11,8,9}' FROM source.axis) FROM source.footway;
 UPDATE source.axis_class SET use = 'roadway' WHERE class = 'steps'; UPDATE source.axis_class SET use = 'none' WHERE class = 'footway';
 TRUNCATE told; INSERT INTO told SELECT * FROM streetgen.import_osm('source');
-SELECT 'a class is a street where its use says so', (SELECT array_agg(source_ref ORDER BY source_ref) = '{4,8}' FROM source.axis);
+SELECT 'a class is a street where its use says so', (SELECT array_agg(source_ref ORDER BY source_ref) = '{10,11,4,8,9}' FROM source.axis);
 SELECT 'and nothing is made of one of no use, which is told', (SELECT count = 2 FROM told WHERE what = 'no roadway, and nothing is made of it');

@@ -40,6 +40,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN coalesce(change_forward, change_backward) IS NULL THEN 0
                ELSE hash_record_extended(ROW(change_forward, change_backward), 3) END
            # CASE WHEN lane_markings IS NULL THEN 0 ELSE hashtextextended(lane_markings, 10) END
+           # CASE WHEN sidewalk_apart IS NULL THEN 0 ELSE hashtextextended(sidewalk_apart, 11) END
            # CASE WHEN roundabout_tag IS NULL THEN 0 ELSE hashtextextended(roundabout_tag, 4) END
            -- Carriageways of one street are told by its name.
            # CASE WHEN name <> '' AND direction_used <> 'both' THEN hashtextextended(lower(name), 8) ELSE 0 END

@@ -158,6 +158,13 @@ COMMENT ON COLUMN :"model".axis.lane_markings IS
     'NULL: as yes';
 COMMENT ON CONSTRAINT axis_lane_markings_check ON :"model".axis IS
     'yes or no. Leave it empty where nothing is said: lanes are painted then.';
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS sidewalk_apart text CONSTRAINT axis_sidewalk_apart_check
+    CHECK (sidewalk_apart IN ('left', 'right', 'both'));
+COMMENT ON COLUMN :"model".axis.sidewalk_apart IS
+    'left, right or both sides of geom whose sidewalk is a line of table footway; with subject footway such a side '
+    'has the sidewalk of its footways alone, by setting mapped_sidewalk_missing; NULL: nothing is said';
+COMMENT ON CONSTRAINT axis_sidewalk_apart_check ON :"model".axis IS
+    'left, right or both. Leave it empty where nothing is said.';
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;

@@ -2,12 +2,15 @@
 
 CREATE OR REPLACE FUNCTION streetgen._footway_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
     AS $$ VALUES
     ('mapped_sidewalk_distance', '12', 'm', 'farthest that a footway lies from the kerb whose sidewalk it is',
         0::float8, 50::float8, NULL::text[]),
     ('mapped_sidewalk_minimal', '2', 'm', 'least width of a sidewalk whose footway states none', 0.5, 20, NULL),
     ('mapped_sidewalk_maximal', '6', 'm',
         'greatest width of a sidewalk whose footway states none; one farther off leads half the least width beyond it',
-        1, 50, NULL) $$;
+        1, 50, NULL),
+    ('mapped_sidewalk_missing', 'none', NULL,
+        'sidewalk of a side that axis.sidewalk_apart names and along which no footway runs: none, or estimated',
+        NULL, NULL, '{none,estimated}') $$;
 COMMENT ON FUNCTION streetgen._footway_setting() IS 'The settings of footways, with their defaults and ranges.';

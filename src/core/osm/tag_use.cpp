@@ -159,7 +159,9 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
       {"ref", "The number of the route."},
       {"area", "A way with value yes is no street, and is named."},
       {"aeroway", "The class, where there is no highway."},
-      {"sidewalk[|:left|:right|:both]", "Whether there are sidewalks."},
+      {"sidewalk[|:left|:right|:both]",
+       "Whether there are sidewalks; separate: a line of its own is the sidewalk, column "
+       "sidewalk_apart."},
       {"sidewalk[:left|:right|:both]:width", "The widths of the sidewalks."},
   };
   return uses;
