@@ -98,6 +98,9 @@ DO $$ BEGIN
 END $$;
 SELECT 'a side apart has its footway, whatever the role, or nothing; steps are none', pg_temp.widths('apart') = '1:3.000000:0.000000 2:0.000000:2.000000 3:2.000000:2.500000';
 SELECT 'nothing there is estimated', NOT estimated && '{sidewalk_left,sidewalk_right}' FROM apart.edge WHERE axis_id = 1;
+INSERT INTO apart.footway (footway_id, geom, kind, role) VALUES (4, pg_temp.line('LINESTRING(0 150,100 150)'), 'footway', 'sidewalk');
+SELECT 'what is drawn in vain, or not drawn, is told', array_agg(rule || ' ' || id ORDER BY rule, id) = '{"side whose sidewalk apart is not drawn, m 1","side whose sidewalk apart is not drawn, m 2","sidewalk along no street, m 4"}' FROM streetgen.check_model('apart') WHERE rule LIKE 's%';
+SELECT 'and counted', count(*) = 2 FROM streetgen.summary('apart') s WHERE s::text ~ 'footways';
 UPDATE apart.axis SET sidewalk_apart = NULL WHERE axis_id = 1;
 SELECT 'what is said no more counts no more', pg_temp.widths('apart') LIKE '1:2.000000:2.000000 2:0%';
 SELECT streetgen.set('apart', 'mapped_sidewalk_missing', 'estimated') \g /dev/null
@@ -110,8 +113,26 @@ SELECT 'a role that nobody knows is refused', pg_temp.refused($$UPDATE town.foot
 SELECT 'a line without length is one without a street', pg_temp.refused($$INSERT INTO town.footway (geom, role) VALUES (pg_temp.line('LINESTRING(5 6,5 6)'), 'sidewalk')$$) IN ('taken', '23514');
 SELECT 'zigzags and loops are taken', pg_temp.refused($$INSERT INTO town.footway (geom, role) VALUES (pg_temp.line('LINESTRING(5 6,20 7,5 8,40 6,60 9,30 4,90 6,5 6)'), 'sidewalk')$$) = 'taken' AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
 
+-- The ground of footways beside streets.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('ground', 2154, subjects => '{footway}', driving_side => 'right');
+  INSERT INTO ground.axis (axis_id, geom, width, importance) VALUES (1, pg_temp.line('LINESTRING(0 0,100 0)'), 8, 4);
+  INSERT INTO ground.footway (footway_id, geom, kind, role, width) VALUES (1, pg_temp.line('LINESTRING(0 6,100 6)'), 'footway', 'sidewalk', NULL), (2, pg_temp.line('LINESTRING(50 -30,50 30)'), 'footway', NULL, 3), (3, pg_temp.line('LINESTRING(0 20,100 20)'), 'cycleway', NULL, 4),
+    (4, pg_temp.line('LINESTRING(60 30,60 10)'), 'steps', NULL, NULL), (5, pg_temp.line('LINESTRING(0 -40,100 -40)'), NULL, NULL, NULL), (6, pg_temp.line('LINESTRING(20 -50,20 50)'), 'footway', NULL, 2);
+  UPDATE ground.footway SET level = 1 WHERE footway_id = 6;
+END $$;
+SELECT 'a sidewalk is no ground of its own', NOT EXISTS (SELECT FROM ground.footway_surface WHERE footway_id = 1);
+-- 60 m, less the roadway of 8 m, a sidewalk of 4 m and one of 2 m, and the cycle track.
+SELECT 'a walk gives way to roadway, sidewalks and cycle tracks', abs(ST_Area(surface) - 3 * (60 - 8 - 4 - 2 - 4)) < 0.1 FROM ground.footway_surface WHERE footway_id = 2;
+SELECT 'a cycle track to none of them', abs(ST_Area(surface) - 400) < 0.01 AND use = 'cycle' FROM ground.footway_surface WHERE footway_id = 3;
+SELECT 'steps are as wide as their class, and give way', abs(ST_Area(surface) - 2 * (20 - 4)) < 0.01 AND use = 'steps' FROM ground.footway_surface WHERE footway_id = 4;
+SELECT 'one of no class is a walk of the least width', use = 'walk' AND width = 2 FROM ground.footway_surface WHERE footway_id = 5;
+SELECT 'one of another level gives way to nothing of this', abs(ST_Area(surface) - 200) < 0.01 FROM ground.footway_surface WHERE footway_id = 6;
+SELECT 'they share no ground', coalesce(sum(ST_Area(ST_Intersection(a.surface, b.surface))), 0) < 1e-3 FROM ground.footway_surface a JOIN ground.footway_surface b ON a.footway_id < b.footway_id AND a.level = b.level;
+SELECT 'pictures show them', streetgen.svg('ground', ST_Expand(pg_temp.line('LINESTRING(0 0,100 0)'), 50), 300) LIKE '%<title>footway 2</title>%' OR count(*) = 5 FROM streetgen._footway_drawn('ground', ST_Expand(pg_temp.line('LINESTRING(0 0,100 0)'), 50), '{footway}');
+
 -- An editor draws footways, a reader does not.
-CREATE ROLE footway_editor; CREATE ROLE footway_reader;
+CREATE ROLE footway_editor ROLE CURRENT_USER; CREATE ROLE footway_reader ROLE CURRENT_USER;
 SELECT streetgen.grant('town', 'footway_editor', 'editor'), streetgen.grant('town', 'footway_reader', 'reader') \g /dev/null
 SET ROLE footway_editor;
 INSERT INTO town.footway (geom, role, width) SELECT ST_Translate(geom, 0, -10.7), 'sidewalk', 2.2 FROM town.footway WHERE footway_id = 1;

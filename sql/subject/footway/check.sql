@@ -1,0 +1,48 @@
+-- What is checked of footways, and counted.
+
+CREATE OR REPLACE FUNCTION streetgen._check_footway(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    finding streetgen.finding;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    FOR finding IN
+    SELECT 'error', 'sidewalk source without its footway', 'sidewalk_source', s.sidewalk_source_id, s.width, e.geom
+        FROM sidewalk_source s JOIN edge e USING (edge_id)
+        WHERE NOT EXISTS (SELECT FROM footway f WHERE f.footway_id = s.footway_id)
+    UNION ALL
+    SELECT 'notice', 'sidewalk along no street, m', 'footway', f.footway_id, ST_Length(f.geom), f.geom FROM footway f
+        WHERE f.role = 'sidewalk' AND NOT EXISTS (SELECT FROM sidewalk_source s WHERE s.footway_id = f.footway_id)
+            AND ST_Length(f.geom) >= 10
+    UNION ALL
+    SELECT 'notice', 'side whose sidewalk apart is not drawn, m', 'edge', e.edge_id, ST_Length(e.geom), e.geom
+        FROM edge e JOIN axis a USING (axis_id), LATERAL (VALUES ('left', e.sidewalk_left),
+            ('right', e.sidewalk_right)) v(side, width)
+        WHERE a.sidewalk_apart IN (v.side, 'both') AND v.width = 0 AND ST_Length(e.geom) >= 10
+    LOOP
+        RETURN NEXT finding;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._check_footway(name) IS
+    'The rows of streetgen.check_model for footways.';
+
+CREATE OR REPLACE FUNCTION streetgen._footway_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (36, 'footway', $part$
+    SELECT 'footways', round(coalesce(sum(ST_Length(geom)) / 1000, 0)::numeric, 3), 'km' FROM %1$I.footway
+    UNION ALL SELECT 'footways that are sidewalks', count(DISTINCT footway_id), NULL
+        FROM %1$I.sidewalk_source$part$) $$;
+COMMENT ON FUNCTION streetgen._footway_summary() IS 'What streetgen.summary counts of footways.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('sidewalk source without its footway', 'the footway is gone, and its street was not computed since', '`generate`'),
+    ('sidewalk along no street, m',
+        'a footway of role sidewalk lies farther than setting mapped_sidewalk_distance from every kerb, within a '
+        'roadway, or beside a median, a splitter or an island',
+        'correct the `width` of the street, or the line; empty its `role` where it is a way of its own'),
+    ('side whose sidewalk apart is not drawn, m',
+        '`axis.sidewalk_apart` names the side, and no footway runs along it: it has no sidewalk',
+        'draw the sidewalk in `footway`, or empty `sidewalk_apart`');
