@@ -52,7 +52,8 @@ BEGIN
             LATERAL (SELECT m.node_id FROM intersection m WHERE m.surface && box
                 AND m.level = box_level OFFSET 0) near);
     IF 'sidewalk' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT 'sidewalk', s.sidewalk_id, s.part, s.edge_id, s.node_id, k.level, s.surface, e.geom
+        RETURN QUERY SELECT 'sidewalk', s.sidewalk_id, s.part, s.edge_id, s.node_id, k.level,
+                coalesce(s.strip, s.surface), e.geom
             FROM sidewalk s JOIN edge e ON e.edge_id = s.edge_id
                 JOIN kerb k ON (k.edge_id, k.side, k.part) = (s.edge_id, s.side, s.part)
             WHERE s.sidewalk_id IN (

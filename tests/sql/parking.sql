@@ -1,5 +1,6 @@
 \set ECHO none
 \ir shared/truths.sql
+\ir shared/cross_section.sql
 -- Bays beside the roadway and on the kerb, as axes say that cars stand there.  (name, holds)
 SET client_min_messages = warning;
 CREATE FUNCTION pg_temp.line(text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_Translate(ST_GeomFromText($1, 2154), 650000, 6860000) $$;
@@ -37,8 +38,8 @@ CREATE FUNCTION pg_temp.cut(axis bigint, metres float8) RETURNS text LANGUAGE sq
     SELECT side, string_agg(concat_ws(' ', '', nullif(kerb, 'standing'), kind, trim_scale(round((offset_to - offset_from)::numeric, 3))), ',' ORDER BY "order") AS pieces
     FROM streetgen.cross_section('town', axis, metres) GROUP BY side) s $$;
 -- What an edit leaves is what a run from scratch makes.
-CREATE FUNCTION pg_temp.there() RETURNS text LANGUAGE sql AS $$ SELECT md5(string_agg(concat_ws(' ', street_object_id, o.axis_id, o.abscissa, o.axis_offset, length, width, b.angle, ST_AsEWKB(surface)), ',' ORDER BY street_object_id))
-  || (SELECT md5(string_agg(concat_ws(' ', edge_id, side, part, width, ST_AsEWKB(surface)), ',' ORDER BY edge_id, side, part)) FROM town.sidewalk)
+CREATE FUNCTION pg_temp.there() RETURNS text LANGUAGE sql AS $$ SELECT md5(coalesce(string_agg(concat_ws(' ', street_object_id, o.axis_id, o.abscissa, o.axis_offset, length, width, b.angle, ST_AsEWKB(surface)), ',' ORDER BY street_object_id), 'none'))
+  || (SELECT md5(string_agg(concat_ws(' ', edge_id, side, part, width, ST_AsEWKB(surface), ST_AsEWKB(strip)), ',' ORDER BY edge_id, side, part)) FROM town.sidewalk)
   FROM town.parking_bay b JOIN town.street_object o USING (street_object_id) $$;
 CREATE FUNCTION pg_temp.still() RETURNS boolean LANGUAGE plpgsql AS $$ DECLARE before text := pg_temp.there(); BEGIN
   PERFORM streetgen.generate('town', wait => true); RETURN before = pg_temp.there() AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error'); END $$;
@@ -60,14 +61,22 @@ SELECT 'beside the roadway and on no other bay', bool_and(ST_Area(ST_Intersectio
 SELECT 'and on no other bay', count(*) = 0 FROM town.parking_bay a JOIN town.parking_bay b ON a.street_object_id < b.street_object_id AND ST_Area(ST_Intersection(a.surface, b.surface)) > 0.01;
 
 -- Sidewalks: behind a bay beside the roadway, narrower by one on the kerb.
-SELECT 'the sidewalk lies behind its bays', pg_temp.cut(1, 50) = 'left: general 3, kerb 0.3, furnishing 1, sidewalk 1.7, outer right: general 3, flush kerb 0, bay 2, furnishing 1, sidewalk 2, outer';
-SELECT 'beside them it has all', pg_temp.cut(1, 4) ~ 'right: general 3, kerb 0.3, furnishing 1, sidewalk 3.7, outer$';
+SELECT 'the sidewalk lies behind its bays', pg_temp.cut(1, 50) = 'left: general 3, kerb 0.3, furnishing 1, sidewalk 1.7, outer right: general 3, flush kerb 0, bay 2, kerb 0.3, furnishing 1, sidewalk 1.7, outer';
+SELECT 'beside them the kerb comes forward', pg_temp.cut(1, 4) ~ 'right: general 3, kerb 0.3, furnishing 1.7, sidewalk 3, outer$';
 SELECT 'a bay on the kerb takes from it', pg_temp.cut(2, (SELECT min(abscissa) FROM town.street_object WHERE axis_id = 2)) ~ 'right: general 3, flush kerb 0, bay 2.2, sidewalk 1.8, outer$';
 SELECT 'half on the kerb it takes from both', pg_temp.cut(3, 50) = 'left: general 2.5, bay 1, flush kerb 0, bay 1, sidewalk 2, outer right: general 2.5, bay 1, flush kerb 0, bay 1, sidewalk 2, outer';
 SELECT 'no sidewalk comes of a bay', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 8 AND side = 'left') AND pg_temp.bays('town', 8) ~ '^18 left';
 SELECT 'widths of edges are those from the kerb', (SELECT (sidewalk_left, sidewalk_right) = (3, 5) FROM town.edge WHERE axis_id = 1);
 SELECT 'surfaces part the ground', bool_and(NOT ST_Intersects(a.surface, b.surface) OR ST_Area(ST_Intersection(a.surface, b.surface)) < 0.01) FROM (SELECT surface FROM town.sidewalk) a, (SELECT surface FROM town.section
   UNION ALL SELECT surface FROM town.intersection) b;
+
+SELECT 'nor do bays share it with sidewalks', bool_and(ST_Area(ST_Intersection(b.surface, w.surface)) < 0.01) FROM town.parking_bay b JOIN town.sidewalk w ON w.surface && b.surface;
+SELECT 'what these take is all that a sidewalk lacks', bool_and(abs(ST_Area(strip) - ST_Area(w.surface) - taken) < 0.1 + 0.001 * taken) AND count(*) >= 10 FROM (SELECT w.*, (SELECT ST_Area(ST_Intersection(w.strip, ST_Union(b.surface)))
+  FROM town.parking_bay b WHERE b.surface && w.strip) AS taken FROM town.sidewalk w WHERE strip IS NOT NULL) w;
+SELECT 'behind bays it lies in one piece, as wide as the axis says', (SELECT array_agg(ST_NumGeometries(surface) || ' ' || round(ST_Area(ST_Intersection(surface, ST_Expand(ST_SetSRID(ST_MakePoint(650050, 6859996), 2154), 5, 5)))::numeric, 1)) = '{"1 30.0"}'
+  FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND side = 'right');
+
+SELECT 'with bays beside it: ' || name, holds FROM test.cross_section('town') WHERE name !~ 'lane lies';
 
 -- Told by check_model.
 SELECT 'told: what leaves 5 m to both directions', pg_temp.told('parking bay that leaves a narrow roadway, m') = '{3}';
@@ -88,9 +97,25 @@ SELECT 'and so does a driveway', (SELECT min(abs(abscissa - 50)) > 7.4 FROM town
 DELETE FROM town.axis WHERE axis_id = 20;
 SELECT streetgen.set('town', 'parking_depth_parallel', '2.4') \g /dev/null
 SELECT FROM streetgen.generate('town', wait => true) \g /dev/null
-SELECT 'a setting says how deep they are', pg_temp.bays('town', 1) = '18 right 5 2.4 0 2.4' AND pg_temp.bays('town', 2) = '8 right 5 2.2 0 2.2' AND pg_temp.cut(1, 50) ~ 'bay 2.4, furnishing 1, sidewalk 2, outer$';
+SELECT 'a setting says how deep they are', pg_temp.bays('town', 1) = '18 right 5 2.4 0 2.4' AND pg_temp.bays('town', 2) = '8 right 5 2.2 0 2.2' AND pg_temp.cut(1, 50) ~ 'bay 2.4, kerb 0.3, furnishing 1, sidewalk 1.7, outer$';
 SELECT streetgen.set('town', 'parking_depth_parallel', '2') \g /dev/null
 SELECT FROM streetgen.generate('town', wait => true) \g /dev/null
+-- Without the rule no strip is kept for bays.
+UPDATE town.placement_rule SET active = false WHERE rule_id = 2;
+SELECT 'without their rule streets have no bays', NOT EXISTS (SELECT FROM town.parking_bay) AND NOT EXISTS (SELECT FROM town.sidewalk WHERE strip IS NOT NULL);
+SELECT 'nor a strip for these', pg_temp.cut(1, 50) ~ 'right: general 3, kerb 0.3, furnishing 1, sidewalk 1.7, outer$' AND (SELECT (sidewalk_left, sidewalk_right) = (3, 3) FROM town.edge WHERE axis_id = 1) AND pg_temp.still();
+UPDATE town.placement_rule SET active = true WHERE rule_id = 2;
+SELECT 'with it they have both', pg_temp.bays('town', 1) = '18 right 5 2 0 2' AND pg_temp.cut(1, 50) ~ 'bay 2, kerb 0.3, furnishing 1, sidewalk 1.7, outer$' AND pg_temp.still();
+-- By hand: bays that are dragged on to a sidewalk, and taken from it.
+INSERT INTO town.parking_bay_editing (geom) VALUES (pg_temp.line('POINT(50 804.5)'));
+UPDATE town.parking_bay_editing SET axis_offset = 2 WHERE axis_id = 10;
+SELECT 'a bay that is dragged takes the ground of a sidewalk', (SELECT round(ST_Area(ST_Intersection(strip, b.surface))::numeric, 1) = 10 AND NOT ST_Overlaps(ST_Buffer(b.surface, -0.01), s.surface) FROM town.sidewalk s JOIN town.edge USING (edge_id), town.parking_bay b JOIN town.street_object o USING (street_object_id)
+  WHERE (s.side, edge.axis_id, o.axis_id) = ('left', 10, 10)) AND pg_temp.still();
+UPDATE town.parking_bay_editing SET axis_offset = 0 WHERE axis_id = 10;
+SELECT 'and gives it back', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 10 AND strip IS NOT NULL) AND pg_temp.still();
+UPDATE town.parking_bay_editing SET axis_offset = 2 WHERE axis_id = 10;
+DELETE FROM town.street_object WHERE axis_id = 10;
+SELECT 'also where it goes', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 10 AND strip IS NOT NULL) AND pg_temp.still();
 -- Rules along borders.
 INSERT INTO town.placement_rule (rule_id, type, side, every, axis_offset) VALUES (3, 'parking_bay', 'both', 10, 0);
 SELECT 'where a source says how cars stand, or that none may, rules place no others', (SELECT array_agg(DISTINCT axis_id || side ORDER BY axis_id || side) = '{10left,10right}' FROM town.street_object WHERE rule_id = 3) AND pg_temp.still();
@@ -104,6 +129,11 @@ SELECT 'drawn backward the bays are the same', count(*) > 100 AND count(*) = cou
 ) t ON pg_temp.same(b.surface, t.surface);
 SELECT 'driven on the left they are the image', count(*) > 100 AND count(*) = count(b.street_object_id) AND count(*) = (SELECT count(*) FROM mirror.parking_bay) FROM mirror.parking_bay b
   RIGHT JOIN (SELECT pg_temp.mirrored(surface) AS surface FROM town.parking_bay) t ON pg_temp.same(b.surface, t.surface);
+
+-- A model of an older build lacks the column.
+ALTER TABLE mirror.sidewalk DROP strip CASCADE;
+SELECT streetgen._mend_sidewalk_tables('mirror') \g /dev/null
+SELECT 'an older model gets the column', format_type(atttypid, atttypmod) = 'geometry(MultiPolygon,2154)' FROM pg_attribute WHERE attrelid = 'mirror.sidewalk'::regclass AND attname = 'strip';
 
 -- From tags of OpenStreetMap, in both schemes.
 CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, geom geometry(LineString, 2154));

@@ -46,7 +46,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN name <> '' AND direction_used <> 'both' THEN hashtextextended(lower(name), 8) ELSE 0 END
            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
            # CASE WHEN coalesce(parking_left, parking_right) IS NULL THEN 0
-               ELSE hash_record_extended(ROW(parking_left, parking_right), 9) END
+               ELSE hash_record_extended(ROW(parking_left, parking_right), CASE WHEN bays_beside THEN 9 ELSE 10 END) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
            # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
@@ -57,10 +57,10 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    class_parking_right), 7) END)
            AS input_hash,
        setting_hash,
-       CASE WHEN parking_left IS NULL THEN coalesce(sidewalk_left, sidewalk_usual)
+       CASE WHEN NOT bays_beside OR parking_left IS NULL THEN coalesce(sidewalk_left, sidewalk_usual)
            ELSE streetgen._with_parking(coalesce(sidewalk_left, sidewalk_usual), parking_left, settings) END
            AS sidewalk_left,
-       CASE WHEN parking_right IS NULL THEN coalesce(sidewalk_right, sidewalk_usual)
+       CASE WHEN NOT bays_beside OR parking_right IS NULL THEN coalesce(sidewalk_right, sidewalk_usual)
            ELSE streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, settings) END
            AS sidewalk_right,
        streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
@@ -102,7 +102,8 @@ LEFT JOIN (
            max(value) FILTER (WHERE name = 'driving_side') AS driving_side
     FROM setting) s ON true
 -- Most models have none or one kind, and no axis of them is asked for its own of the others.
-LEFT JOIN (SELECT EXISTS (SELECT FROM kerb_point_override) AS any_kerb, {flags} HAVING true) o ON true
+LEFT JOIN (SELECT EXISTS (SELECT FROM kerb_point_override) AS any_kerb, {flags}, {bays} AS bays_beside HAVING true) o
+    ON true
 -- HAVING: each step is computed once, not again in every expression that names it, and left out where none that is
 -- asked for does.
 -- The ways of OpenStreetMap that are tagged so run one way round, in their direction.

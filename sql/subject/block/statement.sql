@@ -199,9 +199,9 @@ moved_block AS MATERIALIZED (
 
 --{block_interior
 CREATE OR REPLACE VIEW block_interior WITH (security_invoker = true) AS
-SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (SELECT ST_Union(s.surface)
-    FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
-    WHERE s.surface && b.surface AND ST_Intersects(s.surface, b.surface)
+SELECT b.block_id, ST_Multi(ST_CollectionExtract(coalesce(ST_Difference(b.surface, (
+    SELECT ST_Union(coalesce(s.strip, s.surface)) FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
+    WHERE coalesce(s.strip, s.surface) && b.surface AND ST_Intersects(coalesce(s.strip, s.surface), b.surface)
         AND k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level'))), b.surface), 3))
     ::geometry(MultiPolygon, {srid}) AS geom
 FROM block b

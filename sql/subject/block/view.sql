@@ -10,7 +10,7 @@ BEGIN
     CREATE OR REPLACE VIEW sidewalk_block WITH (security_invoker = true) AS
     -- By its place: a wide street may reach over a narrow one, so its kerb lies where its edge is not about the
     -- block.
-    SELECT s.sidewalk_id, (SELECT b.block_id FROM block b, ST_PointOnSurface(s.surface) place
+    SELECT s.sidewalk_id, (SELECT b.block_id FROM block b, ST_PointOnSurface(coalesce(s.strip, s.surface)) place
         WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
     FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
     WHERE k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level');

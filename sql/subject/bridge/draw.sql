@@ -17,7 +17,8 @@ BEGIN
                 AND method <> 'level_change';
     END IF;
     IF 'sidewalk' = ANY (subjects) THEN
-        RETURN QUERY SELECT CASE WHEN k.node_id IS NULL THEN edge_id END, k.node_id, k.level, w.surface::geometry
+        RETURN QUERY SELECT CASE WHEN k.node_id IS NULL THEN edge_id END, k.node_id, k.level,
+                coalesce(w.strip, w.surface)
             FROM sidewalk w JOIN kerb k USING (edge_id, side, part)
             WHERE CASE WHEN k.node_id IS NULL THEN edge_id = ANY (edges) ELSE k.node_id = ANY (nodes) END;
     END IF;

@@ -29,15 +29,17 @@ CROSS JOIN LATERAL (
             coalesce(y.bay_from, b.border) AS inner_border, coalesce(y.bay_from_end, b.border_end) AS inner_border_end,
             -- Cars drive over the kerb before a bay behind it.
             CASE WHEN f.behind > 0 AND k.kerb = 'standing' THEN 'flush' ELSE k.kerb END AS kerb, f.behind, f.front,
-            k.sidewalk, k.beside, CASE WHEN k.sidewalk - f.front - g.furnishing
-                >= streetgen._walking_width() THEN g.furnishing ELSE 0 END AS furnishing, g.gutter
+            k.sidewalk, k.beside, CASE WHEN y.bay_behind IS NULL AND k.sidewalk > y.parking_strip
+                    AND y.parking_strip > k.stone THEN y.parking_strip - k.stone
+                WHEN k.sidewalk - f.front - g.furnishing >= streetgen._walking_width() THEN g.furnishing
+                ELSE 0 END AS furnishing, g.gutter
         FROM (VALUES ('left', 1, e.beside_left), ('right', -1, e.beside_right)) v(side, outwards, beside)
             CROSS JOIN LATERAL (SELECT streetgen._border_at(e.borders, s.low, v.side) AS border,
                 streetgen._border_at(e.borders, s.high, v.side) AS border_end, (s.low + s.high) / 2 AS middle) b
             CROSS JOIN LATERAL ({kerbs}) k CROSS JOIN LATERAL ({bays}) y
-            -- The stone lies in the ground of such a bay.
-            CROSS JOIN LATERAL (SELECT coalesce(y.bay_behind, 0) AS behind,
-                coalesce(y.bay_behind, k.stone) AS front) f
+            -- The stone lies behind a bay beside the roadway, and in the ground of one on the kerb.
+            CROSS JOIN LATERAL (SELECT coalesce(y.bay_behind, 0) AS behind, coalesce(y.bay_behind, 0)
+                + CASE WHEN y.bay_behind IS NULL OR y.parking_strip > 0 THEN k.stone ELSE 0 END AS front) f
             CROSS JOIN (SELECT (SELECT value::float8 FROM setting WHERE name = 'gutter_width') AS gutter,
                 (SELECT value::float8 FROM setting WHERE name = 'furnishing_width') AS furnishing) g),
     beside_lanes AS (
@@ -66,7 +68,8 @@ CROSS JOIN LATERAL (
         UNION ALL SELECT d.lane_id, d.kind, NULL, greatest(d.right_offset, least(d.left_offset, -r.bay_to)),
             d.right_offset, greatest(d.right_offset_end, least(d.left_offset_end, -r.bay_to_end)), d.right_offset_end
         FROM driven d, roadside r WHERE r.outwards = -1 AND r.bay_to IS NOT NULL
-        UNION ALL SELECT NULL, x.kind, CASE x.kind WHEN 'kerb' THEN b.kerb END,
+        UNION ALL SELECT NULL, CASE x.kind WHEN 'stone' THEN 'kerb' ELSE x.kind END,
+            CASE x.kind WHEN 'kerb' THEN b.kerb WHEN 'stone' THEN 'standing' END,
             CASE b.outwards WHEN 1 THEN x.outer_border ELSE -x.inner_border END,
             CASE b.outwards WHEN 1 THEN x.inner_border ELSE -x.outer_border END,
             CASE b.outwards WHEN 1 THEN x.outer_border_end ELSE -x.inner_border_end END,
@@ -76,8 +79,11 @@ CROSS JOIN LATERAL (
             ('bay', bay_from, bay_to, bay_from_end, bay_to_end),
             ('shoulder', CASE WHEN bay_to IS NOT NULL THEN filled END, gutter_from, filled_end, gutter_from_end),
             ('gutter', gutter_from, border, gutter_from_end, border_end),
-            ('kerb', border, border + front - behind, border_end, border_end + front - behind),
+            ('kerb', border, CASE WHEN behind > 0 THEN border ELSE border + front END, border_end,
+                CASE WHEN behind > 0 THEN border_end ELSE border_end + front END),
             ('bay', border, border + behind, border_end, border_end + behind),
+            ('stone', CASE WHEN behind > 0 AND front > behind THEN border + behind END, border + front,
+                border_end + behind, border_end + front),
             ('furnishing', border + front, border + front + furnishing, border_end + front,
                 border_end + front + furnishing),
             ('sidewalk', border + front + furnishing, border + sidewalk, border_end + front + furnishing,
@@ -143,8 +149,8 @@ UNION ALL SELECT p.place FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k
 WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side IN ('left', 'right')
 
 --{cross_section_sidewalk
-coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(w.surface, ST_MakeLine(
-            streetgen._place_on(e.line::bytea, b.middle, v.outwards * (b.border + b.border_end) / 2)::geometry,
+coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(coalesce(w.strip, w.surface),
+        ST_MakeLine(streetgen._place_on(e.line::bytea, b.middle, v.outwards * (b.border + b.border_end) / 2)::geometry,
             streetgen._place_on(e.line::bytea, b.middle, v.outwards * ((b.border + b.border_end) / 2 + w.width))
                 ::geometry))) ELSE w.width END
     FROM sidewalk w WHERE (w.edge_id, w.side, w.part) = (k.edge_id, k.side, k.part)), 0)
@@ -166,11 +172,16 @@ WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND c.surface IS NOT NULL
 
 --{cross_section_without_bays
 SELECT NULL::float8 AS bay_from, NULL::float8 AS bay_from_end, NULL::float8 AS bay_to, NULL::float8 AS bay_to_end,
-    NULL::float8 AS bay_behind
+    NULL::float8 AS bay_behind, 0::float8 AS parking_strip
 
 --{cross_section_bays
-SELECT y.*
+SELECT y.*, coalesce(p.depth, 0) AS parking_strip
 FROM (VALUES (1)) one LEFT JOIN LATERAL (
+    -- Between roadway and sidewalk.
+    SELECT streetgen._parking_depth(a.said, (SELECT settings FROM setting_used)) AS depth
+    FROM (SELECT CASE v.side WHEN 'left' THEN parking_left ELSE parking_right END AS said FROM axis a
+        WHERE a.axis_id = e.axis_id AND EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane')) a
+    WHERE a.said LIKE 'street\_side%') p ON true LEFT JOIN LATERAL (
     -- On the roadway, and behind its border.
     SELECT CASE WHEN on_roadway THEN b.border + o.axis_offset - d.depth END AS bay_from,
         CASE WHEN on_roadway THEN b.border_end + o.axis_offset - d.depth END AS bay_from_end,

@@ -73,8 +73,8 @@ BEGIN
         'behind these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
         'the model computes no lanes';
     COMMENT ON COLUMN cross_section.kerb IS
-        'standing; flush, at a crossing, and of no width before a bay behind it; none, at a border to roadway, of no '
-        'width. NULL: it is no kerb';
+        'standing; flush, at a crossing, and of no width before a bay behind it, where another one stands if the bay '
+        'lies beside the roadway; none, at a border to roadway, of no width. NULL: it is no kerb';
     COMMENT ON COLUMN cross_section.lane_id IS 'the lane; NULL: it is none';
     COMMENT ON COLUMN cross_section.offset_from IS
         'metres from the axis to where the piece begins, at the start of the stretch';

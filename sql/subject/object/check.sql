@@ -135,7 +135,7 @@ BEGIN
         FROM parking_bay b JOIN street_object o USING (street_object_id) JOIN object_edge USING (street_object_id)
             JOIN sidewalk w USING (edge_id)
         WHERE b.surface IS NOT NULL AND o.axis_offset > 0 AND o.side = w.side AND w.node_id IS NULL
-            AND w.surface && b.surface AND ST_Intersects(w.surface, b.surface)
+            AND w.strip && b.surface AND ST_Intersects(w.strip, b.surface)
             AND w.width - o.axis_offset < streetgen._walking_width() - 1e-6;
     END IF;
     IF to_regclass(format('%I.marking', model)) IS NOT NULL THEN

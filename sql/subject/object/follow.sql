@@ -11,7 +11,7 @@ BEGIN
             '_renew_grounds,_renew_grounds_along,_lines_of,_join_edges,_join_edges_of,_edges_near,_object_spread,'
             '_renew_all_rule_objects,_carry_objects,'
             'carry_objects_insert,carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,'
-            '_renew_crossings,_renew_bays,_edges_between_borders,_lanes_across,_parking_lanes,_bay_room,'
+            '_renew_crossings,_renew_bays,_cut_sidewalks,_edges_between_borders,_lanes_across,_parking_lanes,_bay_room,'
             '_laid_bays,_judged_bays,'
             '_types_below,_has_rules,_has_rules_at_kerbs,_renew_placed,_types_on_roadway,_object_spacing,'
             '_hindrances,_near_earlier,_take_from_rules,'
@@ -24,11 +24,13 @@ BEGIN
         streetgen._make_hindrances(model), streetgen._make_rule_functions(model), streetgen._make_rule_edits(model),
         streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model),
         streetgen._make_bay_room(model), streetgen._make_object_renewal(model),
-        streetgen._make_redraw(model);
+        streetgen._make_sidewalk_cut(model), streetgen._make_redraw(model);
     CREATE OR REPLACE FUNCTION join_objects() RETURNS trigger
         LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
         AS $body$
     #variable_conflict use_column
+    DECLARE
+        bays geometry[];
     BEGIN
         DELETE FROM object_edge o USING new_object n WHERE o.street_object_id = n.street_object_id
             AND n.method <> 'relative';
@@ -45,10 +47,13 @@ BEGIN
         INSERT INTO parking_bay (street_object_id)
             SELECT street_object_id FROM new_object
                 WHERE type = ANY (_types_below('parking_bay')) ON CONFLICT DO NOTHING;
-        DELETE FROM parking_bay b USING new_object n WHERE b.street_object_id = n.street_object_id
-            AND n.type <> ALL (_types_below('parking_bay'));
+        WITH gone AS (
+            DELETE FROM parking_bay b USING new_object n WHERE b.street_object_id = n.street_object_id
+                AND n.type <> ALL (_types_below('parking_bay')) RETURNING b.surface)
+        SELECT array_agg(surface) FROM gone INTO bays;
         PERFORM _renew_crossings(ARRAY(SELECT street_object_id FROM new_object)),
-            _renew_bays(ARRAY(SELECT street_object_id FROM new_object)),
+            _cut_sidewalks(coalesce(bays || _renew_bays(ARRAY(SELECT street_object_id FROM new_object), told => true),
+                '{}')),
             streetgen._join_specialised(current_schema(), ARRAY(SELECT street_object_id FROM new_object));
         PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM new_object));
         IF TG_OP = 'UPDATE' THEN

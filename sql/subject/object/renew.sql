@@ -25,13 +25,15 @@ CREATE OR REPLACE FUNCTION streetgen._make_object_renewal(model name) RETURNS vo
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    CREATE OR REPLACE FUNCTION _renew_grounds(of_rules boolean) RETURNS void
-        LANGUAGE sql VOLATILE SET search_path FROM CURRENT
+    CREATE OR REPLACE FUNCTION _renew_grounds(of_rules boolean) RETURNS geometry[]
+        LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT
         AS $body$
-        SELECT _renew_crossings(ARRAY(SELECT c.street_object_id FROM pedestrian_crossing c
-                JOIN street_object o USING (street_object_id) WHERE (o.placed_by = 'rule') = of_rules)),
-            _renew_bays(ARRAY(SELECT b.street_object_id FROM parking_bay b
-                JOIN street_object o USING (street_object_id) WHERE (o.placed_by = 'rule') = of_rules)) $body$;
+    BEGIN
+        PERFORM _renew_crossings(ARRAY(SELECT c.street_object_id FROM pedestrian_crossing c
+            JOIN street_object o USING (street_object_id) WHERE (o.placed_by = 'rule') = of_rules));
+        RETURN _renew_bays(ARRAY(SELECT b.street_object_id FROM parking_bay b
+            JOIN street_object o USING (street_object_id) WHERE (o.placed_by = 'rule') = of_rules), told => true);
+    END $body$;
     CREATE OR REPLACE FUNCTION _renew_grounds_along(axes bigint[], of_rules boolean, ground geometry[])
         RETURNS geometry[]
         LANGUAGE plpgsql VOLATILE SET search_path FROM CURRENT
@@ -58,6 +60,8 @@ BEGIN
         SET plan_cache_mode = force_custom_plan SET work_mem = '16MB' SET enable_nestloop = off
         AS $body$
     #variable_conflict use_column
+    DECLARE
+        bays geometry[];
     BEGIN
         UPDATE street_object o SET geom = n.geom, angle = n.angle
         FROM (SELECT o.street_object_id, streetgen._object_geometry(a.line, a.width, a.width_end,
@@ -71,17 +75,19 @@ BEGIN
         WHERE o.street_object_id = n.street_object_id
             AND (o.geom::bytea, o.angle) IS DISTINCT FROM (n.geom::bytea, n.angle);
         -- First what others placed, then what rules put on the roadway, then what they stand beside it.
-        PERFORM _renew_grounds(of_rules => false);
+        bays := _renew_grounds(of_rules => false);
         IF _has_rules() OR EXISTS (SELECT FROM street_object
             WHERE rule_id IS NOT NULL AND placed_by = 'rule') THEN
-            PERFORM _renew_all_rule_objects(NULL, lying => true, ground => NULL, edges => NULL);
-            PERFORM _renew_grounds(of_rules => true);
+            SELECT r.moved || bays FROM _renew_all_rule_objects(NULL, lying => true, ground => NULL, edges => NULL) r
+                INTO bays;
+            bays := bays || _renew_grounds(of_rules => true);
             -- Lines lie before these crossings, and no object in their sight.
             IF _has_rules_at_kerbs() THEN
                 PERFORM streetgen._settle_lane(current_schema(), NULL);
             END IF;
             PERFORM _renew_all_rule_objects(NULL, lying => false, ground => NULL, edges => NULL);
         END IF;
+        PERFORM _cut_sidewalks(coalesce(bays, '{}'));
         PERFORM streetgen._renew_specialised(current_schema(), NULL);
     END $body$;
     CREATE OR REPLACE FUNCTION _lines_of(axes bigint[], OUT lines bigint[], OUT places geometry[],
@@ -115,6 +121,7 @@ BEGIN
         before record;
         streets bigint[];
         moved geometry[];
+        bays geometry[];
         -- Objects on a roadway look at the ground there, and bays behind its kerb at the ground of other streets.
         beside constant float8 := 3 + greatest(0, (SELECT max(axis_offset) FROM placement_rule
             WHERE active AND type = ANY (_types_below('parking_bay'))), (SELECT max(value::float8) FROM setting
@@ -149,6 +156,7 @@ BEGIN
         END IF;
         -- First what others placed, then what rules put on the roadway, then what they stand beside it.
         moved := _renew_grounds_along(lying_along, of_rules => false, ground => ground);
+        bays := moved;
         IF ruled THEN
             IF told THEN
                 ground := ground || moved;
@@ -158,6 +166,7 @@ BEGIN
                 edges => NULL) r INTO streets, moved;
             placed := placed || streets;
             moved := moved || _renew_grounds_along(lying_along, of_rules => true, ground => ground);
+            bays := bays || moved;
             -- Lines lie before these crossings, and no object in their sight.
             IF _has_rules_at_kerbs() AND told THEN
                 ground := ground || moved;
@@ -178,6 +187,7 @@ BEGIN
                 INTO streets;
             placed := placed || streets;
         END IF;
+        PERFORM _cut_sidewalks(coalesce(bays, '{}'));
         RETURN placed;
     END $body$;
     CREATE OR REPLACE FUNCTION _place_objects(axes bigint[], ground geometry[] DEFAULT NULL,
@@ -212,7 +222,8 @@ BEGIN
             'enable_seqscan = off SET enable_mergejoin = off SET plan_cache_mode = force_generic_plan'))
         made(declaration, signature, of_axes, of_objects, which, plan);
     PERFORM streetgen._own_function(model, '_renew_grounds(boolean)',
-        'Draws the ground of all crossings and bays anew, of those of rules or of all others'),
+        'Draws the ground of all crossings and bays anew, of those of rules or of all others; tells where bays were '
+            'and are'),
         streetgen._own_function(model, '_renew_grounds_along(bigint[], boolean, geometry[])',
         'The same of those along axes and of crossings on ground that changed; tells what changed'),
         streetgen._own_function(model, '_lines_of(bigint[])',

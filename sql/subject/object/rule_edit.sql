@@ -122,6 +122,13 @@ BEGIN
         DELETE FROM free_place f WHERE f.rule_id <> 0 AND NOT EXISTS (SELECT FROM placement_rule r
             WHERE r.rule_id = f.rule_id);
         IF streetgen._live(current_schema()) THEN
+            -- Strips behind bays are as wide as these need, if rules make any.
+            IF TG_TABLE_NAME = 'placement_rule' THEN
+                PERFORM streetgen._update_streets(current_schema(), ARRAY(SELECT DISTINCT a.axis_id
+                    FROM axis a JOIN edge e USING (axis_id), LATERAL (SELECT input_hash FROM axis_used u
+                        WHERE u.axis_id = a.axis_id OFFSET 0) u
+                    WHERE concat(parking_left, parking_right) ~ 'street_side' AND u.input_hash <> e.input_hash));
+            END IF;
             PERFORM _renew_placed(NULL);
         END IF;
         RETURN NULL;
@@ -151,7 +158,7 @@ BEGIN
         ELSIF _has_rules() THEN
             PERFORM _renew_placed(NULL);
         ELSE
-            PERFORM streetgen._settle_lane(current_schema(), NULL);
+            PERFORM streetgen._settle_lane(current_schema(), NULL), _cut_sidewalks(NULL);
         END IF;
         RETURN NULL;
     END $body$;

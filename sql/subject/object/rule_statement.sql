@@ -3,6 +3,7 @@
 --{renew_rule_objects
 #variable_conflict use_column
 DECLARE
+    bays_before geometry[];
     bays constant text[] := _types_below('parking_bay');
     crossings constant text[] := _types_below('crossing');
     on_roadway constant text[] := _types_on_roadway();
@@ -28,9 +29,12 @@ BEGIN
         RETURN;
     END IF;
     -- A rule that places something else now places it anew: rows of the former type go with their objects.
-    DELETE FROM street_object o USING placement_rule r WHERE o.rule_id = r.rule_id
-        AND o.placed_by = 'rule' AND o.type <> r.type AND {of_streets};
+    WITH gone AS (
+        DELETE FROM street_object o USING placement_rule r WHERE o.rule_id = r.rule_id
+            AND o.placed_by = 'rule' AND o.type <> r.type AND {of_streets} RETURNING o.street_object_id)
+    SELECT array_agg(surface) FROM gone JOIN parking_bay USING (street_object_id) INTO bays_before;
 {rule_objects}
+    moved := moved || bays_before;
     IF any_former THEN
         UPDATE street_object SET rule_id = NULL, rule_place = NULL WHERE placed_by <> 'rule'
             AND rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
@@ -425,4 +429,5 @@ SELECT array_agg(DISTINCT axis_id), array_agg(place) FROM (
                 ON p.street_object_id = c.held WHERE c.type IS NULL) c
 
 --{no_rule_changes
-SELECT NULL, NULL
+SELECT NULL, array_agg(p.surface) FROM compared c JOIN parking_bay p ON p.street_object_id = c.held
+        WHERE c.type IS NULL

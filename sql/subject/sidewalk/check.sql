@@ -14,7 +14,7 @@ BEGIN
     SELECT 'error', 'sidewalk without its kerb', 'sidewalk', s.sidewalk_id, ST_Area(s.surface), s.surface
         FROM sidewalk s WHERE NOT EXISTS (SELECT FROM kerb k
             WHERE (k.edge_id, k.side, k.part) = (s.edge_id, s.side, s.part)
-                AND ST_DWithin(k.geom, s.surface, 0.001))
+                AND ST_DWithin(k.geom, coalesce(s.strip, s.surface), 0.001))
     UNION ALL
     SELECT 'notice', 'sidewalk beside a kerb of a median, splitter or island, m2', 'sidewalk', s.sidewalk_id,
             ST_Area(s.surface), s.surface

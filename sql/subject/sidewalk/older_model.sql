@@ -7,6 +7,11 @@ CREATE OR REPLACE FUNCTION streetgen._mend_sidewalk_tables(model name) RETURNS v
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    IF streetgen._lacks_column(model, 'sidewalk', 'strip') THEN
+        EXECUTE format('ALTER TABLE sidewalk ADD strip geometry(MultiPolygon, %s)', (SELECT m.srid
+            FROM streetgen.model m WHERE m.name = model));
+        CREATE INDEX sidewalk_strip ON sidewalk USING gist (strip) WHERE strip IS NOT NULL;
+    END IF;
     IF NOT streetgen._lacks_column(model, 'axis', 'sidewalk_left') THEN
         RETURN;
     END IF;
@@ -16,4 +21,5 @@ BEGIN
     ALTER TABLE edge ALTER sidewalk_left DROP DEFAULT, ALTER sidewalk_right DROP DEFAULT;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_sidewalk_tables(name) IS
-    'Adds the columns of axis and edge that say how wide sidewalks are, where a model was made before them.';
+    'Adds the columns that say how wide sidewalks are, and the ground of a sidewalk with that of its bays, where a '
+    'model was made before them.';

@@ -1,7 +1,7 @@
 -- Parts of the one statement and of those that follow it, by name: streetgen._part gives each.
 
 --{sidewalk_rows
-SELECT w.number, k.edge_id, k.node_id, k.side, k.part, w.width, w.surface, w.method
+SELECT w.number, k.edge_id, k.node_id, k.side, k.part, w.width, {surface} AS surface, w.method, {strip} AS strip
 FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level ORDER BY number) AS levels,
         array_agg(width ORDER BY number) AS widths, array_agg(ends ORDER BY number) AS ends,
         array_agg(across ORDER BY number) AS across,
@@ -9,7 +9,43 @@ FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level OR
     FROM sidewalk_kerb) g,
     streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, (SELECT value::float8
         FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
-    JOIN sidewalk_kerb k ON k.number = w.number
+    JOIN sidewalk_kerb k ON k.number = w.number{bays}
+
+--{sidewalk_bays
+
+    LEFT JOIN LATERAL (SELECT streetgen._without_bays(w.surface, array_agg(b.surface ORDER BY b.surface::bytea)) AS cut
+        FROM {of_model}parking_bay b, LATERAL (SELECT axis_id FROM {of_model}street_object o
+                WHERE o.street_object_id = b.street_object_id AND (o.side IS NULL OR o.axis_offset > 0.01) OFFSET 0) o,
+            LATERAL (SELECT level FROM {of_model}axis a WHERE a.axis_id = o.axis_id OFFSET 0) a
+        WHERE {cut_anew}b.surface && w.surface AND a.level = k.level AND ST_Intersects(w.surface, b.surface)) b ON true
+
+--{sidewalk_stands
+
+    -- Where bays changed, their sidewalks are cut after this statement.
+    LEFT JOIN LATERAL (SELECT s.surface, s.strip FROM {of_model}sidewalk s
+        WHERE (s.edge_id, s.side, s.part) = (k.edge_id, k.side, k.part) AND coalesce(s.strip, s.surface) = w.surface
+        OFFSET 0) s ON true
+
+--{cut_sidewalks
+#variable_conflict use_column
+BEGIN
+    IF to_regclass('sidewalk') IS NULL OR cardinality(ground) = 0 THEN
+        RETURN;
+    END IF;
+    UPDATE sidewalk s SET surface = n.surface, strip = n.strip
+    FROM (SELECT w.sidewalk_id, {surface} AS surface, {strip} AS strip
+        FROM (SELECT sidewalk_id, edge_id, side, part, coalesce(strip, surface) AS surface, strip FROM sidewalk
+                WHERE ground IS NULL OR sidewalk_id = ANY (ARRAY(
+                    -- Bays lie side by side: those of a place are looked up together.
+                    SELECT near.sidewalk_id FROM (SELECT ST_SetSRID(ST_Extent(g)::geometry, min(ST_SRID(g))) AS box
+                        FROM unnest(ground) g GROUP BY floor(ST_XMin(g) / 20), floor(ST_YMin(g) / 20)) g, LATERAL (
+                    SELECT s.sidewalk_id, s.surface FROM sidewalk s WHERE s.surface && g.box
+                    UNION SELECT s.sidewalk_id, s.strip FROM sidewalk s WHERE s.strip && g.box OFFSET 0) near
+                    WHERE EXISTS (SELECT FROM unnest(ground) g WHERE g && near.surface)))) w
+            JOIN kerb k USING (edge_id, side, part){bays}
+        WHERE b.cut IS NOT NULL OR w.strip IS NOT NULL) n
+    WHERE s.sidewalk_id = n.sidewalk_id AND (s.surface, s.strip) IS DISTINCT FROM (n.surface, n.strip);
+END
 
 --{sidewalk_kerbs_of_part
 sidewalk_edge AS MATERIALIZED (

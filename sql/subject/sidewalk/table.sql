@@ -8,11 +8,12 @@ CREATE TABLE :"model".sidewalk (
         ELSE side IN ('corner_at_start', 'corner_at_end') END),
     part integer NOT NULL CHECK (part > 0), width float8 NOT NULL CHECK (width BETWEEN 0 AND 50),
     surface geometry(MultiPolygon, :srid) NOT NULL CONSTRAINT surface_is_valid CHECK (ST_IsValid(surface)),
-    method text NOT NULL,
+    method text NOT NULL, strip geometry(MultiPolygon, :srid),
     UNIQUE (edge_id, side, part));
 CREATE INDEX sidewalk_node ON :"model".sidewalk (node_id) WHERE node_id IS NOT NULL;
 CREATE INDEX sidewalk_width ON :"model".sidewalk (width);
 CREATE INDEX sidewalk_surface ON :"model".sidewalk USING gist (surface);
+CREATE INDEX sidewalk_strip ON :"model".sidewalk USING gist (strip) WHERE strip IS NOT NULL;
 COMMENT ON TABLE :"model".sidewalk IS
     'Strips behind kerbs, a row for each kerb that has one, with its edge, node, side and part: as wide as the axis '
     'says, from one width to the other along the kerb of a corner. Ground that two of them want belongs to the '
@@ -25,6 +26,9 @@ COMMENT ON COLUMN :"model".sidewalk.side IS 'side of the kerb, as kerb.side';
 COMMENT ON COLUMN :"model".sidewalk.part IS 'part of the kerb, as kerb.part';
 COMMENT ON COLUMN :"model".sidewalk.width IS
     'width that is wanted, metres; behind a corner the mean of those at its ends';
-COMMENT ON COLUMN :"model".sidewalk.surface IS 'its ground';
+COMMENT ON COLUMN :"model".sidewalk.surface IS
+    'its ground, without that of parking bays; empty: they take all of it';
 COMMENT ON COLUMN :"model".sidewalk.method IS
     'hypothesis; contested: other kerbs hold part of it; by_hand: the width is an override';
+COMMENT ON COLUMN :"model".sidewalk.strip IS
+    'its ground with that of the parking bays that lie on it; NULL: none do';

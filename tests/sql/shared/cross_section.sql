@@ -39,10 +39,13 @@ BEGIN
     UNION ALL SELECT 'a standing or flush kerb begins on a kerb, and no other border does', bool_and((kerb <> 'none') = EXISTS (SELECT FROM @.kerb k WHERE (k.edge_id, k.side) = (p.edge_id, p.side)
         AND k.method <> 'level_change' AND ST_DWithin(k.geom, streetgen._place_on(line::bytea, middle, outwards * low)::geometry, 5e-3))) FROM place p
       WHERE kind = 'kerb' AND end_abscissa - start_abscissa > 1
+        -- The stone behind a bay is of no kerb of the roadway.
+        AND NOT EXISTS (SELECT FROM piece b WHERE (b.edge_id, b.start_abscissa, b.side, b.kind, b."order") = (p.edge_id, p.start_abscissa, p.side, 'bay', p."order" - 1)
+          AND EXISTS (SELECT FROM piece f WHERE (f.edge_id, f.start_abscissa, f.side, f.kind, f."order") = (p.edge_id, p.start_abscissa, p.side, 'kerb', p."order" - 2)))
         -- Beside the arc of a nose the border runs straight, as the guide says.
         AND NOT EXISTS (SELECT FROM @.corner c WHERE p.edge_id IN (c.edge_a, c.edge_b) AND ST_DWithin(c.arc, streetgen._place_on(line::bytea, middle, outwards * low)::geometry, 0.5))
     UNION ALL SELECT 'sidewalks lie on theirs', bool_and(EXISTS (SELECT FROM @.sidewalk s WHERE (s.edge_id, s.side) = (p.edge_id, p.side)
-        AND ST_DWithin(s.surface, streetgen._place_on(line::bytea, middle, outwards * (low + high) / 2)::geometry, 1e-3))) FROM place p WHERE kind = 'sidewalk' AND end_abscissa - start_abscissa > 1
+        AND ST_DWithin(coalesce(s.strip, s.surface), streetgen._place_on(line::bytea, middle, outwards * (low + high) / 2)::geometry, 1e-3))) FROM place p WHERE kind = 'sidewalk' AND end_abscissa - start_abscissa > 1
     UNION ALL SELECT 'and none is left out', bool_and(EXISTS (SELECT FROM piece p WHERE (p.edge_id, p.side, p.kind) = (s.edge_id, s.side, 'sidewalk')))
       FROM @.sidewalk s JOIN course USING (edge_id) WHERE node_id IS NULL AND side IN ('left', 'right') AND s.width > 0.31 AND s.method <> 'contested' AND high - low > 1e-6$q$, '@', quote_ident(model));
   DROP TABLE piece, stretch, course, place;
