@@ -11,7 +11,7 @@ local street_keys = {}
 for key in ([[lanes width est_width lane_markings oneway junction layer bridge tunnel maxspeed zone turn change
     placement overtaking access vehicle motor_vehicle motorcar motorcycle bus psv taxi tourist_bus coach hov carpool
     hgv goods bicycle foot trolley_bus minibus cycleway busway parking sidewalk shoulder centre_turn_lane
-    service motorroad dual_carriageway]]):gmatch('%S+') do
+    bus_bay minor_lanes service motorroad dual_carriageway]]):gmatch('%S+') do
     street_keys[key] = true
 end
 

@@ -228,6 +228,20 @@ void name_widths_beyond_street(const WayLanes& lanes, const OsmLaneUse& use, Way
                      "the lanes are wider together than the street, and become narrower");
 }
 
+// Bays of buses, shoulders and lanes that are not counted, of which nothing is made.
+void name_what_is_beside(WayTags& tags) {
+  const auto name_each = [&](const std::string& base, std::initializer_list<const char*> ends,
+                             const std::string& reason) {
+    for (const char* end : ends)
+      if (const std::string said = tags.value(base + end);
+          !said.empty() && !is_one_of(said, {"no", "none", "0"}))
+        tags.name(base + end, reason);
+  };
+  name_each("bus_bay", {""}, "no bay is made for buses");
+  name_each("minor_lanes", {"", ":forward", ":backward"}, "these lanes are not made");
+  name_each("shoulder", {"", ":left", ":right", ":both"}, "no lane is made of a shoulder");
+}
+
 }  // namespace
 
 OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
@@ -250,6 +264,7 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   }
   name_lists_of_both(said, lanes, tags);
   name_buses_without_lane(lanes, tags);
+  name_what_is_beside(tags);
   name_widths_beyond_street(lanes, use, tags);
 
   OsmLanes read;

@@ -48,7 +48,13 @@ OsmSideParking side_parking(const std::string& side, WayTags& tags) {
   };
   const std::string older = first_of("parking:lane", "");
   const std::string stands = word_among(tags.value(older), ways_to_stand);
-  const std::string said = place_among(tags.value(first_of("parking", "")), {"lane"});
+  const std::string newer = first_of("parking", "");
+  const std::string said = place_among(tags.value(newer), {"lane"});
+  if (is_among(said, {"separate", "shoulder"}))
+    tags.name(newer, said == "separate" ? "the source draws where cars stand apart from the street"
+                                        : "no bay is made on a shoulder");
+  else if (said.empty() && stands == "separate")
+    tags.name(older, "the source draws where cars stand apart from the street");
   if (is_among(said, {"no", "none"}) || (said.empty() && is_among(stands, none_stands)))
     parking.place = "no";
   else if (said.empty() && is_among(stands, ways_to_stand))

@@ -101,7 +101,7 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"parking[:left|:right|:both]",
        "Value lane: a parking lane at the kerb. street_side, half_on_kerb and on_kerb: column "
        "parking_left or parking_right, of which bays are made beside the roadway. no: rules place "
-       "no bays there.",
+       "no bays there. separate and shoulder make none, and are named.",
        "lane street_side on_kerb half_on_kerb shoulder separate yes no none"},
       {"parking:lane[:left|:right|:both]",
        "Values parallel, diagonal, perpendicular and marked: a parking lane at the kerb, so deep. "
@@ -122,6 +122,15 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "perpendicular 5 m; less where the stated width of the street is too small for the lanes "
        "beside it, and that is named. Of several values the deepest counts, and is named.",
        "parallel diagonal perpendicular"},
+      {"bus_bay", "Nothing: buses stop in a bay that lanes do not count, and the way is named.",
+       "left right both yes no none"},
+      {"minor_lanes[|:forward|:backward]",
+       "Nothing: these are none of the lanes that are counted, and the way is named."},
+      {"shoulder[|:left|:right|:both]",
+       "Nothing: a shoulder is what lanes leave of the stated width of a street. Where there is "
+       "one, the way is named.",
+       "left right both yes no none"},
+      {"shoulder[|:left|:right|:both]:width", "Nothing: no lane is made of a shoulder."},
       {"lane_markings", "Value no: nothing is painted on the lanes, column lane_markings."},
       {"placement[|:forward|:backward]",
        "The distance from the way to the middle of the roadway, by the lane that the way marks."},

@@ -31,7 +31,10 @@ TEST(OsmSideParking, TheNewSchemeSaysPlaceOrientationWidthAndCapacity) {
   EXPECT_EQ(parking({{"parking:both", "half_on_kerb"}, {"parking:left", "no"}}),
             "no / half_on_kerb")
       << "a side alone says more than both";
-  EXPECT_EQ(parking({{"parking:both", "separate"}}), "- / -");
+  EXPECT_EQ(parking({{"parking:both", "separate"}}), "- / - ?parking:both")
+      << "no bay is made, and the way is named";
+  EXPECT_EQ(parking({{"parking:lane:left", "separate"}}), "- / - ?parking:lane:left");
+  EXPECT_EQ(parking({{"parking:right", "shoulder"}}), "- / - ?parking:right");
   EXPECT_EQ(parking({{"parking:right", "lane"}, {"parking:right:capacity", "7"}}), "- / lane x7");
   EXPECT_EQ(parking({{"parking:right", "lane"}}), "- / -") << "the lane says all";
 }
@@ -88,6 +91,15 @@ TEST(OsmSideParking, SettingsSayHowDeepCarsStandOnLanes) {
   };
   EXPECT_EQ(width("diagonal"), 4.2);
   EXPECT_EQ(width("perpendicular"), 5.3);
+}
+
+TEST(OsmSideParking, WhatLiesBesideLanesAndIsNotMadeIsNamed) {
+  EXPECT_EQ(parking({{"bus_bay", "right"}}), "- / - ?bus_bay");
+  EXPECT_EQ(parking({{"minor_lanes", "1"}}), "- / - ?minor_lanes");
+  EXPECT_EQ(parking({{"minor_lanes:forward", "1"}}), "- / - ?minor_lanes:forward");
+  EXPECT_EQ(parking({{"shoulder", "both"}, {"shoulder:right:width", "2"}}), "- / - ?shoulder");
+  EXPECT_EQ(parking({{"shoulder:left", "yes"}}), "- / - ?shoulder:left");
+  EXPECT_EQ(parking({{"shoulder", "no"}, {"bus_bay", "none"}, {"minor_lanes", "0"}}), "- / -");
 }
 
 }  // namespace side_parking_test
