@@ -115,6 +115,7 @@ SELECT 'an unknown model', test.state($$SELECT * FROM streetgen.cross_section('n
 -- Each subject gives its pieces, and the view is there without it.
 SELECT streetgen.switch_subject('town', 'object', false) \g /dev/null
 SELECT 'without objects no kerb is flush and there is no bay', pg_temp.cut('town', 1, 31.9) !~ 'flush' AND pg_temp.cut('town', 2, 50) !~ 'bay';
+SELECT streetgen.switch_subject('town', 'footway', false) \g /dev/null
 SELECT streetgen.switch_subject('town', 'sidewalk', false) \g /dev/null
 SELECT 'without sidewalks the ground begins behind the stones', pg_temp.cut('town', 1, 50) ~ '^left: general 2, general 4, shoulder 0.5, gutter 0.5, kerb 0.3, outer right';
 DO $$ BEGIN
