@@ -8,8 +8,8 @@ CREATE OR REPLACE FUNCTION streetgen._mend_sidewalk_tables(model name) RETURNS v
 BEGIN
     PERFORM streetgen._use_model(model);
     IF streetgen._lacks_column(model, 'sidewalk', 'strip') THEN
-        EXECUTE format('ALTER TABLE sidewalk ADD strip geometry(MultiPolygon, %s)', (SELECT m.srid
-            FROM streetgen.model m WHERE m.name = model));
+        PERFORM streetgen._execute_each(ARRAY['ALTER TABLE %1$I.sidewalk ADD strip geometry(MultiPolygon, ' || m.srid
+            || ')'], model) FROM streetgen.model m WHERE m.name = model;
         CREATE INDEX sidewalk_strip ON sidewalk USING gist (strip) WHERE strip IS NOT NULL;
     END IF;
     IF NOT streetgen._lacks_column(model, 'axis', 'sidewalk_left') THEN
