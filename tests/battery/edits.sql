@@ -59,10 +59,11 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'roundabout_tag' THEN edits.one_of('NULL', 'NULL', $q$'roundabout'$q$, $q$'circular'$q$)
     WHEN 'sidewalk_left' THEN edits.one_of('NULL', '0', '1.5', '4')
     WHEN 'sidewalk_right' THEN edits.one_of('NULL', '0', '1.5', '4')
+    WHEN 'sidewalk_apart' THEN edits.one_of('NULL', $q$'left'$q$, $q$'both'$q$)
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'parking_right', 'lane_markings', 'turn_forward', 'change_forward', 'change_backward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'parking_right', 'lane_markings', 'sidewalk_apart', 'turn_forward', 'change_forward', 'change_backward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;
@@ -74,7 +75,7 @@ CREATE FUNCTION edits.drawn(axis_id bigint, geom geometry) RETURNS text LANGUAGE
 -- One edit of what stands at streets.
 CREATE FUNCTION edits.object_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance');
+  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway', 'move footway', 'no footway');
   other record;
 BEGIN
   CASE edit
@@ -88,6 +89,15 @@ BEGIN
       IF FOUND THEN
         RETURN ARRAY[format(CASE edit WHEN 'no object' THEN 'DELETE FROM edited.street_object_editing' ELSE 'UPDATE edited.street_object_editing SET geom = %3$L' END || ' WHERE type = %2$L AND ST_DWithin(geom, %1$L, 0.001)',
                             ST_AsEWKT(other.geom), other.type, ST_AsEWKT(CASE WHEN edits.chance(0.5) THEN edits.place_beside(a.geom) ELSE ST_Translate(other.geom, edits.between(-5, 5), edits.between(-5, 5)) END))];
+      END IF;
+    WHEN 'footway' THEN
+      RETURN ARRAY[format('INSERT INTO edited.footway (geom, kind, role, width, level) VALUES (%L, %L, %s, %s, %s)', ST_AsEWKT(CASE WHEN edits.chance(0.2) THEN ST_MakeLine(edits.place(), edits.place_beside(a.geom)) ELSE ST_Translate(ST_LineSubstring(a.geom, edits.between(0, 0.4),
+        edits.between(0.5, 1)), edits.between(-12, 12), edits.between(-12, 12)) END), edits.one_of('footway', 'footway', 'cycleway', 'steps'), edits.one_of($q$'sidewalk'$q$, $q$'sidewalk'$q$, $q$'crossing'$q$, 'NULL'), edits.one_of('NULL', 'NULL', '1.8'), edits.one_of('0', '0', '0', '1'))];
+    WHEN 'move footway', 'no footway' THEN
+      SELECT f.geom INTO other FROM edited.footway f ORDER BY ST_X(ST_StartPoint(f.geom)), ST_Y(ST_StartPoint(f.geom)), ST_Length(f.geom) OFFSET floor(random() * (SELECT count(*) FROM edited.footway)) LIMIT 1;
+      IF FOUND THEN
+        RETURN ARRAY[format(CASE edit WHEN 'no footway' THEN 'DELETE FROM edited.footway' ELSE edits.one_of('UPDATE edited.footway SET geom = ST_Translate(geom, 1.5, -0.7)', $q$UPDATE edited.footway SET role = 'sidewalk'$q$) END
+                            || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
       END IF;
     WHEN 'crossing' THEN
       RETURN ARRAY[format('INSERT INTO edited.pedestrian_crossing_editing (geom, width, angle) VALUES (%L, %s, %s)', ST_AsEWKT(ST_LineInterpolatePoint(a.geom, edits.between(0, 1))), edits.between(2, 6), edits.one_of('90', '90', '60', '125'))];
@@ -350,7 +360,7 @@ CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql V
 DECLARE
   input regclass;
 BEGIN
-  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override') LOOP
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point', 'footway') OR relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
   DELETE FROM edited.placement_rule;

@@ -30,6 +30,9 @@ BEGIN
     || CASE WHEN to_regclass(format('%I.sidewalk', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'sidewalk', e.axis_id, e.start_abscissa, n.geom::text, s.side, s.part, s.width, s.method, s.surface::text)
       FROM @.sidewalk s JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.sidewalk_source', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'sidewalk source', e.axis_id, e.start_abscissa, s.side, s.part, s.start_abscissa, s.end_abscissa, s.distance, s.width)
+      FROM @.sidewalk_source s JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.block', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text)
       FROM @.block b JOIN @.block_edge s ON (s.block_id, s.ordinality) = (b.block_id, 1) JOIN @.edge e USING (edge_id)
@@ -97,7 +100,7 @@ $$;
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
-  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point') OR relname LIKE '%\_override')
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
   with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;
