@@ -1,7 +1,8 @@
 -- Every highway and aeroway line of an OSM file, with the tags that speak of its street, its turn
 -- restrictions, a row for each pair of ways, its signals, signs and crossings, what stands at
--- streets, routes, a row for each way, and tags that are misspelt.  STREETGEN_PREFIX names the tables
--- (PREFIX_line, PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route, PREFIX_misspelt),
+-- streets, routes, a row for each way, ways on which
+-- people cross, and tags that are misspelt.  STREETGEN_PREFIX names the tables
+-- (PREFIX_line, PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route, PREFIX_crossing_way, PREFIX_misspelt),
 -- STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
@@ -131,6 +132,22 @@ local function node_count(object)
     return count
 end
 
+local crossing_way = osm2pgsql.define_way_table(prefix .. '_crossing_way', {
+    { column = 'crossing', type = 'text' },
+    { column = 'markings', type = 'text' },
+    { column = 'geom', type = 'linestring', projection = srid, not_null = true },
+})
+
+-- A way on which people cross a street says how it is painted there.
+local function insert_crossing_way(object)
+    local tags = object.tags
+    if (tags.footway == 'crossing' or tags.path == 'crossing' or tags.cycleway == 'crossing') and
+        (tags.crossing or tags['crossing:markings']) then
+        crossing_way:insert({ crossing = tags.crossing, markings = tags['crossing:markings'],
+                              geom = object:as_linestring() })
+    end
+end
+
 local known_of_way = known_tags({ highway = {}, aeroway = {} })
 
 function osm2pgsql.process_way(object)
@@ -141,6 +158,7 @@ function osm2pgsql.process_way(object)
     if not class then
         return
     end
+    insert_crossing_way(object)
     local tags = { area = object.tags.area }
     for key, value in pairs(object.tags) do
         if speaks_of_street[key] then
@@ -159,6 +177,8 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'direction', type = 'text' },
     { column = 'traffic_signals_direction', type = 'text' },
     { column = 'lights', type = 'boolean' }, -- a crossing with lights, or signals with a crossing
+    { column = 'crossing', type = 'text' },
+    { column = 'markings', type = 'text' }, -- of the crossing
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
@@ -188,7 +208,8 @@ local known_of_node = known_tags({
     highway = { 'traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing', 'turning_circle', 'turning_loop',
                 'passing_place', 'street_lamp', 'bus_stop' },
     natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard' },
-    crossing = { 'traffic_signals' }, ['crossing:signals'] = { 'yes' },
+    crossing = { 'traffic_signals', 'uncontrolled', 'unmarked', 'zebra' }, ['crossing:signals'] = { 'yes' },
+    ['crossing:markings'] = { 'zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface' },
     direction = { 'forward', 'backward', 'both' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },
 })
 
@@ -207,6 +228,7 @@ function osm2pgsql.process_node(object)
         control:insert({ class = object.tags.highway, direction = object.tags.direction,
                          traffic_signals_direction = object.tags['traffic_signals:direction'],
                          lights = has_lights(object.tags),
+                         crossing = object.tags.crossing, markings = object.tags['crossing:markings'],
                          geom = object:as_point() })
     end
 end

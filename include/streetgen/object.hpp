@@ -51,10 +51,15 @@ struct StreetCrossing {
 std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& borders,
                                        const StreetCrossing& crossing);
 
-// Its stripes, along the axis: half a metre of paint, half a metre of roadway, from the middle of
-// the roadway outwards, and a quarter of a metre free at its borders. Those are left out that the
-// axis bends too sharply for, and those are one that lie on each other in a bend.
+// How a crossing is painted: stripes along the axis; the same between two lines across; the lines
+// alone; the lines broken into dashes; dots along them.
+enum class CrossingPaint { zebra, ladder, lines, dashes, dots };
+
+// Its paint. Stripes, dashes and dots: half a metre of paint, half a metre of roadway, from the
+// middle of the roadway outwards, and a quarter of a metre free at its borders. Those are left out
+// that the axis bends too sharply for, and those are one that lie on each other in a bend.
 MultiPolygon crossing_stripes(const Line& axis, const WidthProfile& borders,
-                              const StreetCrossing& crossing);
+                              const StreetCrossing& crossing,
+                              CrossingPaint paint = CrossingPaint::zebra);
 
 }  // namespace streetgen

@@ -53,10 +53,17 @@ COMMENT ON FUNCTION streetgen._crossing_ground(bytea, float8[], float8, float8, 
     'straight on beyond their ends. NULL where the crossing meets no border.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_stripes(axis bytea, borders float8[], abscissa float8, width float8,
-    angle float8) RETURNS bytea
+    angle float8, marking text) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_crossing_stripes';
-COMMENT ON FUNCTION streetgen._crossing_stripes(bytea, float8[], float8, float8, float8) IS
-    'The stripes (MULTIPOLYGON) of such a crossing, along the axis, without those that it bends too sharply for.';
+COMMENT ON FUNCTION streetgen._crossing_stripes(bytea, float8[], float8, float8, float8, text) IS
+    'The paint (MULTIPOLYGON) of such a crossing by its marking: zebra (stripes along the axis), ladder (these between '
+    'two lines across), lines, dashes or dots, without what the axis bends too sharply for.';
+
+CREATE OR REPLACE FUNCTION streetgen._crossing_marking_pattern() RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$';
+COMMENT ON FUNCTION streetgen._crossing_marking_pattern() IS
+    'The words for the paint of a crossing, as a regular expression: yes is paint of which no more is known.';
 
 CREATE OR REPLACE FUNCTION streetgen._to_border(width float8, width_end float8, length float8, roadway_offset float8,
     borders float8[], abscissa float8, side text) RETURNS float8

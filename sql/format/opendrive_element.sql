@@ -82,7 +82,7 @@ BEGIN
             d.length, d.curvature, d.curvature_end, s.x, s.y) p),
     -- Beyond the end of its road it stands at a road across the node, where that is nearer.
     stationed AS MATERIALIZED (
-        SELECT o.street_object_id, o.type, o.angle, o.geom, o.kind, o.size, o.drawn, o.surface, o.x, o.y,
+        SELECT o.street_object_id, o.type, o.angle, o.geom, o.kind, o.subtype, o.size, o.drawn, o.surface, o.x, o.y,
             coalesce(c.road_id, o.road_id) AS road_id,
             coalesce(c.station, o.station) AS station, coalesce(c.aside, o.aside) AS aside,
             coalesce(c.direction, o.direction) AS direction, coalesce(c.beyond, o.beyond) AS beyond
@@ -101,7 +101,7 @@ BEGIN
         FROM stationed),
     object_text AS MATERIALIZED (
         SELECT road_id, '<objects>' || string_agg(streetgen._opendrive_open(xmlelement(name object, xmlattributes(
-                street_object_id AS id, streetgen._xml_text(type) AS name, kind AS type,
+                street_object_id AS id, streetgen._xml_text(type) AS name, kind AS type, subtype,
                 streetgen._decimal(station, 4) AS s, streetgen._decimal(aside, 4) AS t,
                 0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
                     WHEN outlined THEN -direction ELSE pi() / 2 - radians(coalesce(angle, 0)) - direction END, 6)

@@ -22,7 +22,7 @@ COMMENT ON FUNCTION streetgen._opendrive_outline(geometry, float8, float8) IS
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_objects(model name)
     RETURNS TABLE(street_object_id bigint, type text, angle float8, geom geometry, edge_id bigint, kind text,
-        size float8, drawn boolean, surface geometry)
+        size float8, drawn boolean, surface geometry, subtype text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -42,7 +42,9 @@ BEGIN
         FROM object_type t)
     SELECT o.street_object_id, o.type, o.angle, o.geom, e.edge_id, k.kind, k.size,
         c.street_object_id IS NOT NULL OR b.street_object_id IS NOT NULL,
-        CASE WHEN c.street_object_id IS NOT NULL THEN c.surface ELSE b.surface END
+        CASE WHEN c.street_object_id IS NOT NULL THEN c.surface ELSE b.surface END,
+        CASE WHEN c.painted_as IN ('zebra', 'ladder') THEN 'zebra' WHEN c.painted_as = 'no' THEN 'virtual'
+            WHEN c.painted_as IS NOT NULL THEN 'pedestrian' END
     FROM street_object o JOIN object_kind k ON k.type = o.type
         LEFT JOIN object_edge e ON e.street_object_id = o.street_object_id
         LEFT JOIN pedestrian_crossing c ON c.street_object_id = o.street_object_id
@@ -50,4 +52,4 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._opendrive_objects(name) IS
     'The objects of a model with their edge, the kind that their type has in OpenDRIVE, and the surface of those that '
-    'are drawn, crossings and bays; none of a model that computes no objects.';
+    'are drawn, crossings and bays; of crossings the subtype by their paint; none of a model that computes no objects.';

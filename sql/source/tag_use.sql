@@ -14,7 +14,11 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
         'and bus_stop.'),
     ('OpenStreetMap, nodes', 'crossing',
         'Of a crossing: traffic_signals are signals beside it; no: there is none. Of traffic_signals: the same word is '
-        'a crossing beside them.'),
+        'a crossing beside them. How it is painted, where crossing:markings does not say: zebra; unmarked or informal: '
+        'not at all; other words: as is usual.'),
+    ('OpenStreetMap, nodes', 'crossing:markings',
+        'How a crossing is painted, column marking of its control point: zebra, ladder, lines, dashes, dots, surface, '
+        'yes (as is usual) or no; of zebra:double and the like the first word; rainbow is surface.'),
     ('OpenStreetMap, nodes', 'crossing:signals',
         'Of a crossing: yes is signals beside it. Of traffic_signals: yes is a crossing beside them.'),
     ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),
@@ -22,6 +26,10 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, nodes', 'natural', 'Value tree is an object.'),
     ('OpenStreetMap, nodes', 'amenity', 'Value bench is an object.'),
     ('OpenStreetMap, nodes', 'barrier', 'Value bollard is an object.'),
+    ('OpenStreetMap, crossings', 'footway, path, cycleway',
+        'Of a way, value crossing: it says how crossings on it are painted.'),
+    ('OpenStreetMap, crossings', 'crossing, crossing:markings',
+        'The same as of nodes. Of a way and a node that both say it, the way counts.'),
     ('OpenStreetMap, relations', 'type',
         'Value restriction is a turn restriction, route a route. One such as restriction:hgv is left out and told.'),
     ('OpenStreetMap, relations', 'day_on, day_off, hour_on, hour_off',

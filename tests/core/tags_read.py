@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-SCOPES = {"process_way": "ways", "process_node": "nodes", "no_crossing": "nodes", "has_lights": "nodes", "process_relation": "relations", "held_for": "relations", "insert_route": "relations"}
+SCOPES = {"process_way": "ways", "process_node": "nodes", "no_crossing": "nodes", "has_lights": "nodes", "insert_crossing_way": "crossings", "process_relation": "relations", "held_for": "relations", "insert_route": "relations"}
 
 
 def expanded(pattern):

@@ -10,6 +10,13 @@ CREATE TABLE :"model".control_point (
     abscissa float8 CHECK (abscissa >= 0 AND abscissa < 'Infinity'),
     axis_distance float8 CHECK (axis_distance >= 0 AND axis_distance < 'Infinity'), source text, source_ref text,
     UNIQUE (source, source_ref));
+ALTER TABLE :"model".control_point ADD COLUMN IF NOT EXISTS marking text CONSTRAINT control_point_marking_check
+    CHECK (marking ~ '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$');
+COMMENT ON COLUMN :"model".control_point.marking IS
+    'how a pedestrian_crossing is painted: zebra, ladder, lines, dashes, dots, surface, yes (painted somehow) or no; '
+    'NULL: nothing is said. Objects of type crossing show it';
+COMMENT ON CONSTRAINT control_point_marking_check ON :"model".control_point IS
+    'zebra, ladder, lines, dashes, dots, surface, yes or no. Leave it empty where nothing is said.';
 CREATE INDEX control_point_geom ON :"model".control_point USING gist (geom);
 CREATE INDEX control_point_axis ON :"model".control_point (axis_id);
 CREATE OR REPLACE TRIGGER fill_axis BEFORE INSERT OR UPDATE ON :"model".control_point FOR EACH ROW

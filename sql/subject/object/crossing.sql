@@ -38,11 +38,17 @@ BEGIN
             RETURN;
         END IF;
         WITH drawn AS MATERIALIZED (
-            SELECT c.street_object_id, c.surface AS was, c.stripes AS stripes_were, a.level, g.ground,
-                CASE WHEN g.ground IS NOT NULL
-                THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle)::geometry
-                END AS stripes
+            SELECT c.street_object_id, c.surface AS was, c.stripes AS stripes_were, c.painted_as AS painted_was,
+                l.painted_as, a.level, g.ground,
+                CASE WHEN g.ground IS NOT NULL AND l.painted_as NOT IN ('surface', 'no')
+                    THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle,
+                        l.painted_as)::geometry END AS stripes
             FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
+                LEFT JOIN control_point p ON p.control_point_id = o.control_point_id
+                CROSS JOIN LATERAL (SELECT coalesce(nullif(coalesce(c.marking, p.marking), 'yes'), (
+                    SELECT value FROM setting WHERE name = CASE WHEN p.geom IS NOT NULL AND EXISTS (
+                        SELECT FROM control_point s WHERE s.kind = 'signals' AND ST_DWithin(s.geom, p.geom, 1))
+                        THEN 'crossing_marking_at_signals' ELSE 'crossing_marking' END)) AS painted_as OFFSET 0) l
                 LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
                 LEFT JOIN LATERAL (SELECT coalesce(a.borders, streetgen._even_borders(a.width, a.width_end,
                     ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
@@ -59,13 +65,15 @@ BEGIN
                     AS kept) k ON d.ground IS NOT NULL),
         new AS MATERIALIZED (
             -- Stripe by stripe, since they may touch in a bend.
-            SELECT street_object_id, was, stripes_were, kept AS ground, CASE WHEN kept = ground THEN stripes ELSE (
-                SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
-                FROM ST_Dump(stripes) s) END AS stripes FROM clipped),
+            SELECT street_object_id, was, stripes_were, painted_was, painted_as, kept AS ground,
+                CASE WHEN painted_as = 'surface' THEN ST_Multi(kept) WHEN kept = ground THEN stripes ELSE (
+                    SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
+                    FROM ST_Dump(stripes) s) END AS stripes FROM clipped),
         drawn_anew AS (
-            UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes FROM new n
-            WHERE n.street_object_id = c.street_object_id
-                AND (n.was::bytea, n.stripes_were::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea)
+            UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes, painted_as = n.painted_as
+            FROM new n WHERE n.street_object_id = c.street_object_id
+                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was)
+                    IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as)
             RETURNING n.was, n.ground)
         SELECT array_agg(was) FILTER (WHERE told) || array_agg(ground) FILTER (WHERE told) FROM drawn_anew INTO moved;
     END $body$;
@@ -84,7 +92,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'UPDATE' THEN
-        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle}');
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle,marking}');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
@@ -110,8 +118,9 @@ BEGIN
     END IF;
     SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
         INTO NEW.width, NEW.angle;
-    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle
-        WHERE street_object_id = NEW.street_object_id AND (width, angle) IS DISTINCT FROM (NEW.width, NEW.angle);
+    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle, marking = NEW.marking
+        WHERE street_object_id = NEW.street_object_id
+            AND (width, angle, marking) IS DISTINCT FROM (NEW.width, NEW.angle, NEW.marking);
     SELECT * FROM pedestrian_crossing_editing WHERE street_object_id = NEW.street_object_id INTO NEW;
     RETURN NEW;
 END $$;

@@ -28,7 +28,7 @@ BEGIN
             street_object_id
         FROM street_object o JOIN object_type USING (type)
         WHERE 'object' = ANY (layers) AND symbol NOT IN ('crossing', 'bay') AND o.geom && box;
-    RETURN QUERY SELECT 'crossing', '', coalesce(level, 0), stripes::geometry, street_object_id
+    RETURN QUERY SELECT 'crossing', painted_as, coalesce(level, 0), stripes::geometry, street_object_id
         FROM pedestrian_crossing JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
         WHERE 'crossing' = ANY (layers) AND stripes && box;
     RETURN QUERY SELECT 'bay', '', coalesce(level, 0), surface::geometry, street_object_id
@@ -36,7 +36,7 @@ BEGIN
         WHERE 'bay' = ANY (layers) AND surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
-    'What can be drawn of objects in a box: object, by type; crossing, the stripes; and bay.';
+    'What can be drawn of objects in a box: object, by type; crossing, the stripes, by what they are; and bay.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_kept_clear(model name, box geometry) RETURNS SETOF geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
@@ -75,6 +75,10 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, li
     ('construction', 'object', 'manhole', 2000, 952, '#64748b', '#64748b', 2, 'pixel', 'manhole'),
     ('construction', 'object', 'arrow', 2000, 952, '#ffffff', '#ffffff', 0.5, 'pixel', 'paint');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
+    ('street', 'crossing', 'surface', 5000, 7, '#b98d74', 'coloured crossing'),
+    ('dark', 'crossing', 'surface', 5000, 7, '#7d6152', 'coloured crossing'),
+    ('construction', 'crossing', 'surface', 2000, 7, '#b98d74', 'coloured crossing'),
+    ('print', 'crossing', 'surface', 2500, 7, '#c8c8c8', 'coloured crossing'),
     ('street', 'object', 'furniture', 1500, 952, '#7a4f2a', 'street furniture'),
     ('street', 'object', 'protection', 1500, 952, '#3f454d', 'bollard or barrier'),
     ('street', 'object', 'manhole', 1500, 948, '#5f636a', 'manhole'),

@@ -17,7 +17,7 @@ BEGIN
             '_hindrances,_near_earlier,_take_from_rules,'
             '_renew_rules_beside,_lock_beside,_begin_ruled_edit,'
             'free_places,fill_places,enter_rules,apply_rules,rejoin_objects,leave_edges,_street_of_objects,'
-            '_hold_borders,redraw_ground,_renew_lines,_lock_streets}');
+            '_hold_borders,redraw_ground,repaint_crossings,_renew_lines,_lock_streets}');
         RETURN;
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),

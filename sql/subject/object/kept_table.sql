@@ -198,6 +198,18 @@ CREATE TABLE :"model".pedestrian_crossing (
     width float8 NOT NULL DEFAULT 4 CHECK (width BETWEEN 0.5 AND 20),
     angle float8 NOT NULL DEFAULT 90 CHECK (angle BETWEEN 20 AND 160), surface geometry(Polygon, :srid),
     stripes geometry(MultiPolygon, :srid));
+ALTER TABLE :"model".pedestrian_crossing
+    ADD COLUMN IF NOT EXISTS marking text CONSTRAINT pedestrian_crossing_marking_check
+        CHECK (marking ~ '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$'),
+    ADD COLUMN IF NOT EXISTS painted_as text;
+COMMENT ON COLUMN :"model".pedestrian_crossing.marking IS
+    'by hand, how it is painted: zebra, ladder, lines, dashes, dots, surface, yes (as is usual) or no; NULL: as its '
+    'control point says, else as settings crossing_marking and crossing_marking_at_signals do';
+COMMENT ON CONSTRAINT pedestrian_crossing_marking_check ON :"model".pedestrian_crossing IS
+    'zebra, ladder, lines, dashes, dots, surface, yes or no. Leave it empty to follow the source.';
+COMMENT ON COLUMN :"model".pedestrian_crossing.painted_as IS
+    'zebra, ladder, lines, dashes, dots, surface (all of its ground), or no: people cross there without paint; '
+    'computed';
 CREATE INDEX pedestrian_crossing_surface ON :"model".pedestrian_crossing USING gist (surface);
 COMMENT ON TABLE :"model".pedestrian_crossing IS
     'Pedestrian crossings: objects of type crossing, or of a type below it, with their ground and stripes';
@@ -211,7 +223,7 @@ COMMENT ON CONSTRAINT pedestrian_crossing_angle_check ON :"model".pedestrian_cro
     '20 to 160 degrees. Leave it out for 90, square.';
 COMMENT ON COLUMN :"model".pedestrian_crossing.surface IS
     'the roadway under it; NULL: it lies on no street, or meets no kerb; computed';
-COMMENT ON COLUMN :"model".pedestrian_crossing.stripes IS 'its paint; computed';
+COMMENT ON COLUMN :"model".pedestrian_crossing.stripes IS 'its paint; NULL: none; computed';
 
 CREATE TABLE :"model".parking_bay (
     street_object_id bigint PRIMARY KEY REFERENCES :"model".street_object ON DELETE CASCADE,

@@ -11,6 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_layer()
     (71, 'objects_line', 'LINESTRING', false, 'street_object_id AS id, type, placement, axis_id, abscissa, '
         'abscissa_end AS at_end, side, axis_offset AS aside, placed_by, source, source_ref, method', 'geom',
         'object_edge RIGHT JOIN %1$I.street_object USING (street_object_id) WHERE ST_Dimension(geom) = 1'),
-    (72, 'crossings', 'POLYGON', false, 'street_object_id AS id, width, angle', 'surface', 'pedestrian_crossing'),
+    (72, 'crossings', 'POLYGON', false, 'street_object_id AS id, width, angle, painted_as', 'surface',
+        'pedestrian_crossing'),
     (73, 'parking_bays', 'POLYGON', false, 'street_object_id AS id, length, width, angle', 'surface', 'parking_bay') $$;
 COMMENT ON FUNCTION streetgen._object_layer() IS 'The layers of what stands at streets in files.';

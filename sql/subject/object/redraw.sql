@@ -1,4 +1,5 @@
--- Triggers on crossings and parking bays, by which their ground follows an edit.
+-- Triggers on crossings and parking bays, by which their ground follows an edit, and on control points, which say how
+-- crossings are painted.
 
 CREATE OR REPLACE FUNCTION streetgen._make_redraw(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -29,6 +30,34 @@ BEGIN
         END IF;
         RETURN NULL;
     END $body$;
+    CREATE OR REPLACE FUNCTION repaint_crossings() RETURNS trigger
+        LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT
+        AS $body$
+    DECLARE
+        places geometry[];
+    BEGIN
+        IF TG_OP = 'INSERT' THEN
+            places := ARRAY(SELECT geom FROM after);
+        ELSIF TG_OP = 'DELETE' THEN
+            places := ARRAY(SELECT geom FROM before);
+        ELSE
+            places := ARRAY(SELECT unnest(ARRAY[b.geom, a.geom]) FROM before b JOIN after a USING (control_point_id)
+                WHERE (a.kind, a.marking, a.geom::bytea) IS DISTINCT FROM (b.kind, b.marking, b.geom::bytea));
+        END IF;
+        -- Signals tell how the crossing at which they stand is painted.
+        PERFORM _renew_crossings(ARRAY(SELECT DISTINCT o.street_object_id FROM unnest(places) place
+            JOIN control_point c ON ST_DWithin(c.geom, place, 1) JOIN street_object o USING (control_point_id)));
+        RETURN NULL;
+    END $body$;
+    CREATE OR REPLACE TRIGGER repaint_insert AFTER INSERT ON control_point REFERENCING NEW TABLE AS after
+        FOR EACH STATEMENT EXECUTE FUNCTION repaint_crossings();
+    CREATE OR REPLACE TRIGGER repaint_update AFTER UPDATE ON control_point
+        REFERENCING OLD TABLE AS before NEW TABLE AS after FOR EACH STATEMENT EXECUTE FUNCTION repaint_crossings();
+    CREATE OR REPLACE TRIGGER repaint_delete AFTER DELETE ON control_point REFERENCING OLD TABLE AS before
+        FOR EACH STATEMENT EXECUTE FUNCTION repaint_crossings();
+    COMMENT ON TRIGGER repaint_insert ON control_point IS 'Paints the crossings there anew';
+    COMMENT ON TRIGGER repaint_update ON control_point IS 'Paints the crossings there anew';
+    COMMENT ON TRIGGER repaint_delete ON control_point IS 'Paints the crossings there anew';
     CREATE OR REPLACE TRIGGER redraw_update AFTER UPDATE ON pedestrian_crossing REFERENCING NEW TABLE AS after
         FOR EACH STATEMENT WHEN (current_setting('streetgen.computes', true) IS DISTINCT FROM 'on')
         EXECUTE FUNCTION redraw_ground();
@@ -46,7 +75,10 @@ BEGIN
     COMMENT ON TRIGGER redraw_update ON parking_bay IS 'Draws the ground anew';
     COMMENT ON TRIGGER redraw_delete ON parking_bay IS 'The object goes with its ground';
     PERFORM streetgen._own_function(model, 'redraw_ground()',
-        'After an edit of crossings or parking bays: their ground follows');
+        'After an edit of crossings or parking bays: their ground follows'),
+        streetgen._own_function(model, 'repaint_crossings()',
+        'After an edit of control points: the paint of crossings there follows');
 END $$;
 COMMENT ON FUNCTION streetgen._make_redraw(name) IS
-    'Makes the triggers on the crossings and parking bays of a model, which draw ground anew after an edit.';
+    'Makes the triggers on the crossings, parking bays and control points of a model, by which ground and paint follow '
+    'an edit.';

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._object_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 9 SET search_path = pg_catalog
     AS $$ VALUES
     ('placement_function', 'none', NULL::text,
         'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
@@ -16,6 +16,11 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting()
         30, NULL),
     ('bay_roadway_both', '5.5', 'm', 'the same in a street of both directions', 0, 30, NULL),
     ('median_tree_width', '3', 'm', 'rules place trees on medians from this width on', 0, 30, NULL),
+    ('crossing_marking', 'zebra', NULL, 'how a crossing is painted of which nothing more is known', NULL, NULL,
+        ARRAY['zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface', 'no']),
+    ('crossing_marking_at_signals', 'zebra', NULL,
+        'the same where signals stand at the crossing: such as dashes in Germany, dots in Great Britain, lines in the '
+        'United States', NULL, NULL, ARRAY['zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface', 'no']),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL) $$;
 COMMENT ON FUNCTION streetgen._object_setting() IS 'The settings of objects, with their defaults and ranges.';
 

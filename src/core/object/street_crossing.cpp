@@ -17,7 +17,9 @@ namespace streetgen {
 
 namespace {
 
-constexpr double stripe = 0.5, gap = 0.5, free_at_border = 0.25;  // metres
+// Metres.
+constexpr double stripe = 0.5, gap = 0.5, free_at_border = 0.25;
+constexpr double line_across = 0.2, dot = 0.3;
 
 // Points that nearly repeat another one have no direction.
 Line spaced(const Line& line) {
@@ -59,6 +61,34 @@ struct Surroundings {
   }
 };
 
+// Of what is painted, metres along the axis from the crossing's way across, and to its left.
+struct PaintedPiece {
+  double low, high, right, left;
+};
+
+// About the middle of the roadway, of a crossing so deep along the axis, with so much room from
+// there to either border.
+std::vector<PaintedPiece> painted_pieces(CrossingPaint paint, double depth, double room) {
+  const double low = -depth / 2, high = depth / 2;
+  std::vector<PaintedPiece> pieces;
+  if (paint == CrossingPaint::ladder || paint == CrossingPaint::lines)
+    for (const double from : {low, high - line_across})
+      if (room > 0) pieces.push_back({from, from + line_across, -room, room});
+  if (paint == CrossingPaint::lines) return pieces;
+  const bool round = paint == CrossingPaint::dots;
+  const double half = (round ? dot : stripe) / 2, deep = round ? dot : line_across;
+  const int last = static_cast<int>(std::floor((room - stripe / 2) / (stripe + gap)));
+  for (int i = -last; i <= last; ++i) {
+    const double middle = i * (stripe + gap);
+    if (paint == CrossingPaint::dashes || round)
+      for (const double from : {low, high - deep})
+        pieces.push_back({from, from + deep, middle - half, middle + half});
+    else
+      pieces.push_back({low, high, middle - half, middle + half});
+  }
+  return pieces;
+}
+
 }  // namespace
 
 std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& borders,
@@ -75,24 +105,23 @@ std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& bor
 }
 
 MultiPolygon crossing_stripes(const Line& axis, const WidthProfile& borders,
-                              const StreetCrossing& crossing) {
+                              const StreetCrossing& crossing, CrossingPaint paint) {
   const Surroundings near(distinct(planar(axis)), borders, crossing);
   if (near.axis.empty()) return {};
   const WidthProfile::Place sides = borders.at(crossing.abscissa);
   const double middle = (sides.left - sides.right) / 2;
-  const double room = (sides.left + sides.right) / 2 - free_at_border - stripe / 2;
-  const int last = static_cast<int>(std::floor(room / (stripe + gap)));
+  const double room = (sides.left + sides.right) / 2 - free_at_border;
   const double slope = 1 / std::tan(crossing.angle);
-  const double low = near.abscissa - crossing.width / 2, high = low + crossing.width;
   MultiPolygon stripes;
-  for (int i = -last; i <= last; ++i) {
+  for (const PaintedPiece& piece : painted_pieces(paint, crossing.width, room)) {
     poll_cancel();
-    const double right = middle + i * (stripe + gap) - stripe / 2, left = right + stripe;
-    const auto place = [&](double abscissa, double offset) {
-      return place_beside(near.axis, {abscissa + offset * slope, offset}).point;
+    const auto place = [&](double along, double aside) {
+      const double offset = middle + aside;
+      return place_beside(near.axis, {near.abscissa + along + offset * slope, offset}).point;
     };
-    const Ring ring{place(low, right), place(high, right), place(high, left), place(low, left),
-                    place(low, right)};
+    const Ring ring{place(piece.low, piece.right), place(piece.high, piece.right),
+                    place(piece.high, piece.left), place(piece.low, piece.left),
+                    place(piece.low, piece.right)};
     if (signed_area(ring) > 0 && simple({{ring}}).value_or(false)) stripes.push_back({ring});
   }
   Geos geos;

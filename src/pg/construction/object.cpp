@@ -109,9 +109,16 @@ STREETGEN_FUNCTION(streetgen_crossing_ground) {
 }
 
 STREETGEN_FUNCTION(streetgen_crossing_stripes) {
-  return crossing_result(fcinfo, [](GivenGeometry& result, const ReadLine& axis,
-                                    const WidthProfile& borders, const StreetCrossing& crossing) {
-    const MultiPolygon stripes = crossing_stripes(axis.line, borders, crossing);
+  const char* marking = text_to_cstring(PG_GETARG_TEXT_PP(5));
+  return crossing_result(fcinfo, [=](GivenGeometry& result, const ReadLine& axis,
+                                     const WidthProfile& borders, const StreetCrossing& crossing) {
+    const auto paint = word_of<CrossingPaint>(marking, "marking",
+                                              {{"zebra", CrossingPaint::zebra},
+                                               {"ladder", CrossingPaint::ladder},
+                                               {"lines", CrossingPaint::lines},
+                                               {"dashes", CrossingPaint::dashes},
+                                               {"dots", CrossingPaint::dots}});
+    const MultiPolygon stripes = crossing_stripes(axis.line, borders, crossing, paint);
     result = {true, write_surface(stripes, {axis.srid, false})};
   });
 }

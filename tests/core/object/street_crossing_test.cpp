@@ -58,6 +58,43 @@ TEST(StreetCrossing, HasAStripeForEachMetre) {
   }
 }
 
+// Of a street of 8 m: 7 stripes of 0.5 m on 4 m; lines of 0.2 m on the 7.5 m between borders that
+// are left free.
+TEST(StreetCrossing, IsPaintedByItsMarking) {
+  const auto painted = [](CrossingPaint paint) {
+    return crossing_stripes(straight, even(4, 4), {50, 4, M_PI / 2}, paint);
+  };
+  const double stripes = 7 * 0.5 * 4, lines = 2 * 0.2 * 7.5, ends = 7 * 0.5 * 2 * 0.2;
+  EXPECT_NEAR(area(painted(CrossingPaint::zebra)), stripes, 1e-9);
+  EXPECT_NEAR(area(painted(CrossingPaint::lines)), lines, 1e-9);
+  EXPECT_NEAR(area(painted(CrossingPaint::ladder)), stripes + lines - ends, 1e-6);
+  EXPECT_NEAR(area(painted(CrossingPaint::dashes)), ends, 1e-9);
+  EXPECT_NEAR(area(painted(CrossingPaint::dots)), 14 * 0.3 * 0.3, 1e-9);
+  EXPECT_EQ(painted(CrossingPaint::lines).size(), 2u);
+  EXPECT_EQ(painted(CrossingPaint::ladder).size(), 1u);
+  EXPECT_EQ(painted(CrossingPaint::dashes).size(), 14u);
+  EXPECT_EQ(painted(CrossingPaint::dots).size(), 14u);
+}
+
+TEST(StreetCrossing, PaintsNothingWhereThereIsNoRoom) {
+  for (const CrossingPaint paint :
+       {CrossingPaint::zebra, CrossingPaint::ladder, CrossingPaint::lines, CrossingPaint::dashes,
+        CrossingPaint::dots})
+    EXPECT_TRUE(crossing_stripes(straight, even(0.2, 0.2), {50, 4, M_PI / 2}, paint).empty());
+}
+
+// Also where it goes aslant: from one line to the other it is as deep as stripes are.
+TEST(StreetCrossing, HasItsLinesAtTheEndsOfItsStripes) {
+  const StreetCrossing crossing{50, 4, M_PI / 3};
+  for (const Polygon& line : crossing_stripes(straight, even(4, 4), crossing, CrossingPaint::lines))
+    for (const Point& point : line[0]) {
+      const double along = std::abs(point.x - 50 - point.y / std::tan(crossing.angle));
+      EXPECT_LE(along, 2 + 1e-9);
+      EXPECT_GE(along, 1.8 - 1e-9);
+      EXPECT_NEAR(std::abs(point.y), 3.75, 1e-9);
+    }
+}
+
 TEST(StreetCrossing, PaintsFromTheMiddleOfTheRoadway) {
   const MultiPolygon stripes = crossing_stripes(straight, even(5, -2), {50, 4, M_PI / 2});
   ASSERT_EQ(stripes.size(), 3u);
