@@ -179,6 +179,8 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'lights', type = 'boolean' }, -- a crossing with lights, or signals with a crossing
     { column = 'crossing', type = 'text' },
     { column = 'markings', type = 'text' }, -- of the crossing
+    { column = 'kerb', type = 'text' }, -- at both of its ends
+    { column = 'kerb_height', type = 'text' },
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
@@ -229,6 +231,7 @@ function osm2pgsql.process_node(object)
                          traffic_signals_direction = object.tags['traffic_signals:direction'],
                          lights = has_lights(object.tags),
                          crossing = object.tags.crossing, markings = object.tags['crossing:markings'],
+                         kerb = object.tags.kerb, kerb_height = object.tags['kerb:height'],
                          geom = object:as_point() })
     end
 end

@@ -11,18 +11,20 @@ BEGIN
                 THEN format('kind "%s"', kind)
             WHEN direction NOT IN ('direct', 'reverse', 'both') THEN format('direction "%s"', direction)
             WHEN marking !~ streetgen._crossing_marking_pattern() THEN format('marking "%s"', marking)
+            WHEN kerb !~ streetgen._crossing_kerb_pattern() THEN format('kerb "%s"', kerb)
             WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %s as geom', GeometryType(geom))
             WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
             WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
                 THEN 'a coordinate that is not finite' END AS has,
         'The kinds are signals, stop, yield, mini_roundabout and pedestrian_crossing; a direction is direct, reverse, '
-        'both or NULL; a marking is zebra, ladder, lines, dashes, dots, surface, yes, no or NULL; geom is a point with '
-        'a known SRID.' AS hint
+        'both or NULL; a marking is zebra, ladder, lines, dashes, dots, surface, yes, no or NULL; a kerb is raised, '
+        'lowered, rolled, flush, no or NULL; geom is a point with a known SRID.' AS hint
         INTO bad FROM pg_temp._import_control_point
         WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom) AND NOT coalesce(
             kind IN ('signals', 'stop', 'yield', 'mini_roundabout', 'pedestrian_crossing')
             AND (direction IN ('direct', 'reverse', 'both')) IS NOT FALSE
             AND (marking ~ streetgen._crossing_marking_pattern()) IS NOT FALSE
+            AND (kerb ~ streetgen._crossing_kerb_pattern()) IS NOT FALSE
             AND GeometryType(geom) IN ('POINT', 'POINTM')
             AND ST_SRID(geom) IN (SELECT srid FROM spatial_ref_sys)
             AND ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1;
@@ -37,8 +39,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_control_points() IS
-    'Raises 22023 for the first control point of the import of an unknown kind, direction or marking, or without '
-    'a sound place, and for a source_ref that comes twice.';
+    'Raises 22023 for the first control point of the import of an unknown kind, direction, marking or kerb, or '
+    'without a sound place, and for a source_ref that comes twice.';
 
 CREATE OR REPLACE FUNCTION streetgen._import_control_points(model name, source text, query text, only_on_axes boolean)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -63,7 +65,7 @@ BEGIN
     DELETE FROM pg_temp._import_control_point c WHERE c.axis_id IS NULL AND only_on_axes;
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT c.source_ref, c.geom AS source_geom, NULL::geometry AS cleaned, c.kind, c.direction,
-            c.marking, c.axis_id
+            c.marking, c.kerb, c.axis_id
         FROM pg_temp._import_control_point c ORDER BY c.source_ref, c.label;
     RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'control_point', source);
     -- Of what did not change the axis may be another one.
@@ -87,18 +89,19 @@ BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     PERFORM streetgen._pause();
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, source::text,
-        streetgen._point_query('control_point', '{geom,kind,direction,marking,source_ref}', '{geom,kind}', source,
+        streetgen._point_query('control_point', '{geom,kind,direction,marking,kerb,source_ref}', '{geom,kind}', source,
             mapping), only_on_axes => false);
     RETURN QUERY SELECT 'generate is due', NULL::text, streetgen._stale_axes(model), NULL::text[]
         WHERE streetgen._stale_axes(model) > 0;
 END $$;
 COMMENT ON FUNCTION streetgen.import_control_points(name, regclass, jsonb) IS
-    'Imports a table of points as control points. mapping: geom, kind, direction, marking, source_ref -> source '
-    'column (string) or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield, mini_roundabout or '
-    'pedestrian_crossing; direction: direct (along the axis), reverse or both, NULL where unknown; '
-    'marking: how a crossing is painted, as column marking has it. With a source_ref, importing again follows the '
-    'source. Reports counts by kind, and points off all axes, which are kept and change nothing. A missing column: '
-    '42703; a bad row or mapping: 22023; then the model stays as it was. Needs the rights of the owner (42501).';
+    'Imports a table of points as control points. mapping: geom, kind, direction, marking, kerb, source_ref -> '
+    'source column (string) or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield, '
+    'mini_roundabout or pedestrian_crossing; direction: direct (along the axis), reverse or both, NULL where unknown; '
+    'marking and kerb: how a crossing is painted, and the kerbs at its ends, as these columns have it. With a '
+    'source_ref, importing again follows the source. Reports counts by kind, and points off all axes, which are kept '
+    'and change nothing. A missing column: 42703; a bad row or mapping: 22023; then the model stays as it was. Needs '
+    'the rights of the owner (42501).';
 
 CREATE OR REPLACE FUNCTION streetgen._osm_control(class text) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -139,6 +142,18 @@ COMMENT ON FUNCTION streetgen._osm_crossing(text) IS
     'The marking of a crossing that a value of crossing means: unmarked and informal ones have none, others are '
     'painted somehow. Of several values the first that is known; NULL: none is.';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_kerb(kerb text, height text) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT coalesce((
+        SELECT CASE word WHEN 'regular' THEN 'raised' WHEN 'none' THEN 'no' ELSE word END
+        FROM unnest(string_to_array(replace(kerb, ' ', ''), ';')) WITH ORDINALITY w(word, n)
+        WHERE word IN ('raised', 'regular', 'lowered', 'rolled', 'flush', 'no', 'none') ORDER BY n LIMIT 1),
+        CASE WHEN metres < 0.01 THEN 'flush' WHEN metres <= 0.03 THEN 'lowered' WHEN metres > 0.03 THEN 'raised' END)
+    FROM streetgen._metres(height) metres $$;
+COMMENT ON FUNCTION streetgen._osm_kerb(text, text) IS
+    'The kerb that kerb means, else kerb:height (m, or with a unit): flush under 1 cm, lowered up to 3 cm, else '
+    'raised. NULL: neither says it.';
+
 CREATE OR REPLACE FUNCTION streetgen._import_osm_controls(model name, control regclass, ways regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -150,6 +165,8 @@ DECLARE
     lights constant text := CASE WHEN 'lights' = ANY (there) THEN 'lights' ELSE 'NULL::boolean' END;
     crossing constant text := CASE WHEN 'crossing' = ANY (there) THEN 'crossing' ELSE 'NULL::text' END;
     markings constant text := CASE WHEN 'markings' = ANY (there) THEN 'markings' ELSE 'NULL::text' END;
+    kerb constant text := CASE WHEN 'kerb' = ANY (there) THEN 'streetgen._osm_kerb(kerb, kerb_height)'
+        ELSE 'NULL' END;
     marking constant text := format('coalesce(nullif(way.painted, ''yes''), streetgen._osm_marking(%s), way.painted, '
         'way.kind_of, streetgen._osm_crossing(%s))', markings, crossing);
     -- The word of the way on which people cross comes before that of the node.
@@ -163,14 +180,16 @@ BEGIN
         RETURN;
     END IF;
     PERFORM streetgen._take_points('_import_node', format('SELECT node_id::text AS source_ref, class, %s AS crossing, '
-        '%s AS markings FROM %s', crossing, markings, control));
+        '%s AS markings, %s AS kerb, %s FROM %s', crossing, markings, CASE WHEN 'kerb' = ANY (there)
+            THEN 'coalesce(kerb, kerb_height)' ELSE 'NULL::text' END, kerb || '::text AS kerb_is', control));
     RETURN QUERY SELECT 'wider place of a street, not made', n.class, count(*),
         array_agg(n.source_ref ORDER BY n.source_ref) FROM pg_temp._import_node n
         WHERE n.class IN ('turning_circle', 'turning_loop', 'passing_place') GROUP BY n.class ORDER BY n.class;
     RETURN QUERY SELECT v.tag || ' not understood, taken as unknown', v.said, count(*),
             array_agg(n.source_ref ORDER BY n.source_ref)
         FROM pg_temp._import_node n, LATERAL (VALUES ('crossing:markings', n.markings,
-            streetgen._osm_marking(n.markings)), ('crossing', n.crossing, streetgen._osm_crossing(n.crossing)))
+            streetgen._osm_marking(n.markings)), ('crossing', n.crossing, streetgen._osm_crossing(n.crossing)),
+            ('kerb', nullif(n.kerb, 'yes'), n.kerb_is))
             v(tag, said, means)
         WHERE v.said IS NOT NULL AND v.means IS NULL GROUP BY v.tag, v.said ORDER BY v.tag, v.said;
     DROP TABLE pg_temp._import_node;
@@ -178,15 +197,16 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format(
         'SELECT geom, kind, streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
         'CASE kind WHEN ''pedestrian_crossing'' THEN %3$s END AS marking, '
+        'CASE kind WHEN ''pedestrian_crossing'' THEN %5$s END AS kerb, '
         'node_id::text AS source_ref FROM (SELECT *, streetgen._osm_control(class) AS kind FROM %1$s) c, '
         '%4$s WHERE kind IS NOT NULL UNION ALL SELECT geom, ''signals'', '
-        'streetgen._osm_direction(traffic_signals_direction), NULL, node_id || ''/lights'' FROM %1$s WHERE %2$s '
-        'AND class = ''crossing'' UNION ALL SELECT geom, ''pedestrian_crossing'', NULL, %3$s, '
+        'streetgen._osm_direction(traffic_signals_direction), NULL, NULL, node_id || ''/lights'' FROM %1$s WHERE %2$s '
+        'AND class = ''crossing'' UNION ALL SELECT geom, ''pedestrian_crossing'', NULL, %3$s, %5$s, '
         'node_id || ''/crossing'' FROM %1$s c, %4$s WHERE %2$s AND class = ''traffic_signals''',
-        control, lights, marking, crossed), only_on_axes => true);
+        control, lights, marking, crossed, kerb), only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes, of a crossing with lights the '
     'signals too, and of signals with a crossing the crossing. How it is painted says the way on which people cross, '
-    'else the node; importing again follows the tables. Turning circles, passing places, and values of crossing and '
-    'crossing:markings that are not known are reported. A NULL table of nodes leaves all as it was.';
+    'else the node; importing again follows the tables. Turning circles, passing places, and values of crossing, '
+    'crossing:markings and kerb that are not known are reported. A NULL table of nodes leaves all as it was.';

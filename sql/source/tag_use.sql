@@ -19,6 +19,9 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, nodes', 'crossing:markings',
         'How a crossing is painted, column marking of its control point: zebra, ladder, lines, dashes, dots, surface, '
         'yes (as is usual) or no; of zebra:double and the like the first word; rainbow is surface.'),
+    ('OpenStreetMap, nodes', 'kerb, kerb:height',
+        'Of a crossing: the kerbs at both of its ends, column kerb of its control point; by height flush under 1 cm, '
+        'lowered up to 3 cm, else raised.'),
     ('OpenStreetMap, nodes', 'crossing:signals',
         'Of a crossing: yes is signals beside it. Of traffic_signals: yes is a crossing beside them.'),
     ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),

@@ -17,6 +17,12 @@ COMMENT ON COLUMN :"model".control_point.marking IS
     'NULL: nothing is said. Objects of type crossing show it';
 COMMENT ON CONSTRAINT control_point_marking_check ON :"model".control_point IS
     'zebra, ladder, lines, dashes, dots, surface, yes or no. Leave it empty where nothing is said.';
+ALTER TABLE :"model".control_point ADD COLUMN IF NOT EXISTS kerb text CONSTRAINT control_point_kerb_check
+    CHECK (kerb ~ '^(raised|lowered|rolled|flush|no)$');
+COMMENT ON COLUMN :"model".control_point.kerb IS
+    'the kerbs at both ends of a pedestrian_crossing: raised, lowered, rolled, flush or no; NULL: nothing is said';
+COMMENT ON CONSTRAINT control_point_kerb_check ON :"model".control_point IS
+    'raised, lowered, rolled, flush or no. Leave it empty where nothing is said.';
 CREATE INDEX control_point_geom ON :"model".control_point USING gist (geom);
 CREATE INDEX control_point_axis ON :"model".control_point (axis_id);
 CREATE OR REPLACE TRIGGER fill_axis BEFORE INSERT OR UPDATE ON :"model".control_point FOR EACH ROW

@@ -132,7 +132,7 @@ UNION ALL SELECT p.place FROM lane l CROSS JOIN LATERAL (
 SELECT NULL AS kerb, 0::float8 AS stone, 0::float8 AS sidewalk, v.beside
 
 --{cross_section_kerbs
-SELECT CASE WHEN k.kerb_id IS NULL THEN 'none' {flush} ELSE 'standing' END AS kerb,
+SELECT CASE WHEN k.kerb_id IS NULL THEN 'none' ELSE coalesce({flush}, 'standing') END AS kerb,
     CASE WHEN k.kerb_id IS NULL THEN 0 ELSE (SELECT value::float8 FROM setting WHERE name = 'kerb_stone_width') END
         AS stone, {sidewalk} AS sidewalk, coalesce(k.beside, 'roadway') AS beside
 FROM (VALUES (1)) one LEFT JOIN LATERAL (
@@ -156,11 +156,14 @@ coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(c
     FROM sidewalk w WHERE (w.edge_id, w.side, w.part) = (k.edge_id, k.side, k.part)), 0)
 
 --{cross_section_flush
-WHEN EXISTS (SELECT FROM street_object o JOIN pedestrian_crossing c USING (street_object_id)
+(SELECT CASE says WHEN 'raised' THEN 'standing' WHEN 'no' THEN 'flush' ELSE says END
+    FROM street_object o JOIN pedestrian_crossing c USING (street_object_id)
+    LEFT JOIN control_point p USING (control_point_id)
+    CROSS JOIN LATERAL (SELECT coalesce(c.kerb, p.kerb, 'flush') AS says) w
     CROSS JOIN LATERAL streetgen._crossing_mouth(o.abscissa - e.first, c.width, c.angle, v.outwards
         * streetgen._border_at(e.borders, o.abscissa - e.first, v.side)) m
     WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND c.surface IS NOT NULL
-        AND b.middle BETWEEN m.low AND m.high) THEN 'flush'
+        AND b.middle BETWEEN m.low AND m.high ORDER BY o.street_object_id LIMIT 1)
 
 --{cross_section_flush_places
 UNION ALL SELECT p.place FROM street_object o JOIN pedestrian_crossing c USING (street_object_id)

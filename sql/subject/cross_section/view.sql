@@ -51,7 +51,8 @@ BEGIN
         'lanes', streetgen._part(CASE WHEN with_lanes THEN 'cross_section_lanes'
             ELSE 'cross_section_without_lanes' END),
         'kerbs', CASE WHEN with_kerbs THEN streetgen._fill_template(streetgen._part('cross_section_kerbs'),
-                jsonb_build_object('flush', CASE WHEN with_objects THEN streetgen._part('cross_section_flush') END,
+                jsonb_build_object('flush',
+                    CASE WHEN with_objects THEN streetgen._part('cross_section_flush') ELSE 'NULL' END,
                     'sidewalk', CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._part('cross_section_sidewalk')
                         ELSE '0' END))
             ELSE streetgen._part('cross_section_without_kerbs') END,
@@ -73,8 +74,9 @@ BEGIN
         'behind these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
         'the model computes no lanes';
     COMMENT ON COLUMN cross_section.kerb IS
-        'standing; flush, at a crossing, and of no width before a bay behind it, where another one stands if the bay '
-        'lies beside the roadway; none, at a border to roadway, of no width. NULL: it is no kerb';
+        'standing; at a crossing as this says, lowered, rolled, or else flush; flush and of no width before a bay '
+        'behind it, where another one stands if the bay lies beside the roadway; none, at a border to roadway, of no '
+        'width. NULL: it is no kerb';
     COMMENT ON COLUMN cross_section.lane_id IS 'the lane; NULL: it is none';
     COMMENT ON COLUMN cross_section.offset_from IS
         'metres from the axis to where the piece begins, at the start of the stretch';

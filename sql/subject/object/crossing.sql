@@ -92,7 +92,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'UPDATE' THEN
-        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle,marking}');
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle,marking,kerb}');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
@@ -118,9 +118,9 @@ BEGIN
     END IF;
     SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
         INTO NEW.width, NEW.angle;
-    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle, marking = NEW.marking
+    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle, marking = NEW.marking, kerb = NEW.kerb
         WHERE street_object_id = NEW.street_object_id
-            AND (width, angle, marking) IS DISTINCT FROM (NEW.width, NEW.angle, NEW.marking);
+            AND (width, angle, marking, kerb) IS DISTINCT FROM (NEW.width, NEW.angle, NEW.marking, NEW.kerb);
     SELECT * FROM pedestrian_crossing_editing WHERE street_object_id = NEW.street_object_id INTO NEW;
     RETURN NEW;
 END $$;

@@ -201,7 +201,14 @@ CREATE TABLE :"model".pedestrian_crossing (
 ALTER TABLE :"model".pedestrian_crossing
     ADD COLUMN IF NOT EXISTS marking text CONSTRAINT pedestrian_crossing_marking_check
         CHECK (marking ~ '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$'),
-    ADD COLUMN IF NOT EXISTS painted_as text;
+    ADD COLUMN IF NOT EXISTS painted_as text,
+    ADD COLUMN IF NOT EXISTS kerb text CONSTRAINT pedestrian_crossing_kerb_check
+        CHECK (kerb ~ '^(raised|lowered|rolled|flush|no)$');
+COMMENT ON COLUMN :"model".pedestrian_crossing.kerb IS
+    'by hand, the kerbs at both of its ends: raised, lowered, rolled, flush or no; NULL: as its control point says, '
+    'else flush';
+COMMENT ON CONSTRAINT pedestrian_crossing_kerb_check ON :"model".pedestrian_crossing IS
+    'raised, lowered, rolled, flush or no. Leave it empty to follow the source.';
 COMMENT ON COLUMN :"model".pedestrian_crossing.marking IS
     'by hand, how it is painted: zebra, ladder, lines, dashes, dots, surface, yes (as is usual) or no; NULL: as its '
     'control point says, else as settings crossing_marking and crossing_marking_at_signals do';
