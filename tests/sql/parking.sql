@@ -106,6 +106,12 @@ SELECT 'without their rule streets have no bays', NOT EXISTS (SELECT FROM town.p
 SELECT 'nor a strip for these', pg_temp.cut(1, 50) ~ 'right: general 3, kerb 0.3, furnishing 1, sidewalk 1.7, outer$' AND (SELECT (sidewalk_left, sidewalk_right) = (3, 3) FROM town.edge WHERE axis_id = 1) AND pg_temp.still();
 UPDATE town.placement_rule SET active = true WHERE rule_id = 2;
 SELECT 'with it they have both', pg_temp.bays('town', 1) = '18 right 5 2 0 2' AND pg_temp.cut(1, 50) ~ 'bay 2, kerb 0.3, furnishing 1, sidewalk 1.7, outer$' AND pg_temp.still();
+SET streetgen.computes = 'on';
+UPDATE town.sidewalk s SET surface = strip FROM town.edge e WHERE e.edge_id = s.edge_id AND (e.axis_id, s.side) = (1, 'right');
+RESET streetgen.computes;
+SELECT 'check_model knows a sidewalk that goes on under bays', count(*) = 1 AND min(measure) > 100 FROM streetgen.check_model('town') WHERE rule = 'sidewalk under a parking bay, m2';
+SELECT FROM streetgen.generate('town', wait => true) \g /dev/null
+SELECT 'and generate cuts it again', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule = 'sidewalk under a parking bay, m2') AND pg_temp.still();
 -- By hand: bays that are dragged on to a sidewalk, and taken from it.
 INSERT INTO town.parking_bay_editing (geom) VALUES (pg_temp.line('POINT(50 804.5)'));
 UPDATE town.parking_bay_editing SET axis_offset = 2 WHERE axis_id = 10;

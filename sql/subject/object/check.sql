@@ -137,6 +137,14 @@ BEGIN
         WHERE b.surface IS NOT NULL AND o.axis_offset > 0 AND o.side = w.side AND w.node_id IS NULL
             AND w.strip && b.surface AND ST_Intersects(w.strip, b.surface)
             AND w.width - o.axis_offset < streetgen._walking_width() - 1e-6;
+        RETURN QUERY SELECT 'error', 'sidewalk under a parking bay, m2', 'sidewalk', w.sidewalk_id,
+            sum(ST_Area(ST_Intersection(w.surface, b.surface))), w.surface::geometry
+        FROM parking_bay b JOIN street_object o USING (street_object_id) JOIN axis a USING (axis_id)
+            JOIN sidewalk w ON w.surface && b.surface
+            JOIN kerb k ON (k.edge_id, k.side, k.part) = (w.edge_id, w.side, w.part)
+        WHERE (o.side IS NULL OR o.axis_offset > 0.01) AND k.level = a.level
+            AND streetgen._takes_ground(w.surface, b.surface)
+        GROUP BY w.sidewalk_id;
     END IF;
     IF to_regclass(format('%I.marking', model)) IS NOT NULL THEN
         rings := streetgen._edges_on_rings(model, NULL);
@@ -221,5 +229,7 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
         'correct width or lanes, or delete the bay', true),
     ('parking bay that leaves a narrow sidewalk, m', 'it lies on the sidewalk and leaves less than 1.5 m of it',
         'correct `parking_left` or `parking_right`, or the width of the sidewalk', true),
+    ('sidewalk under a parking bay, m2', 'a row of sidewalks or bays was written past the triggers',
+        '`generate`', false),
     ('parking lane too narrow for bays, m', 'no car stands on a lane under 1.6 m, and rules place no bays there',
         'correct width or lanes', true);
