@@ -2,8 +2,8 @@
 // the sidewalk of.
 //
 // A footway is the sidewalk of a side where it runs along it, within `direction` of it, no farther
-// from its kerb than `distance`, with the middle of the side beside it. Sides and footways are
-// compared by pairs: what another street does changes nothing.
+// from its kerb than `distance`. Sides and footways are compared by pairs: what another street does
+// changes nothing.
 #pragma once
 
 #include <vector>
@@ -34,13 +34,15 @@ struct SidewalkSource {
   // Metres along the edge.
   double start = 0;
   double end = 0;
-  double distance =
-      0;  // metres from the kerb to the footway, the median; less than 0: in the roadway
+  // Metres from the kerb to the footway, the median; less than 0: in the roadway.
+  double distance = 0;
 };
 
 struct FootwayMatch {
-  double distance = 12;    // metres from a kerb to its farthest footway
-  double in_roadway = 2;   // metres that a footway may lie within the kerb, whose place is a guess
+  double distance = 12;  // metres from a kerb to its farthest footway
+  // Metres that a footway may lie within the kerb, whose place is a guess; half of the way to the
+  // axis at most.
+  double in_roadway = 2;
   double direction = 0.5;  // radians between a footway and the edge, at most
 };
 

@@ -53,7 +53,8 @@ class EdgeBeside {
     const double at = length_ > 0 ? abscissa_ / length_ : 0;
     const double kerb = side.kerb_at_start + at * (side.kerb_at_end - side.kerb_at_start);
     const double behind = (side.left ? offset_ : -offset_) - kerb;
-    if (behind > match.distance || behind < -std::min(match.in_roadway, kerb)) return std::nullopt;
+    const double within = std::min(match.in_roadway, std::max(kerb, 0.0) / 2);
+    if (behind > match.distance || behind < -within) return std::nullopt;
     return Beside{abscissa_, behind};
   }
 
@@ -83,42 +84,63 @@ class SourceFinder {
       reach[e] += match.distance;
       Box box;
       for (const Point& p : edges[e].line) box.add(p);
-      if (!sides_of_[e].empty()) index_.add(box.grown(reach[e]), static_cast<int>(e));
+      boxes_.push_back(box.grown(reach[e]));
+      if (!sides_of_[e].empty()) index_.add(boxes_.back(), static_cast<int>(e));
     }
     reach_ = std::move(reach);
   }
 
   std::vector<SidewalkSource> find() {
-    for (std::size_t f = 0; f < footways_.size(); ++f) {
-      poll_cancel();
-      look_along(static_cast<int>(f));
-    }
+    for (std::size_t f = 0; f < footways_.size(); ++f)
+      for (std::size_t i = 1; i < footways_[f].line.size(); ++i) {
+        poll_cancel();
+        look_along(static_cast<int>(f), planar(footways_[f].line[i - 1]),
+                   planar(footways_[f].line[i]));
+      }
     std::vector<SidewalkSource> sources;
     for (auto& [key, places] : beside_) add_stretches(key.first, key.second, places, sources);
     return sources;
   }
 
  private:
-  void look_along(int footway) {
-    const Line& line = footways_[footway].line;
-    for (std::size_t i = 1; i < line.size(); ++i) {
-      const double length = distance(planar(line[i - 1]), planar(line[i]));
-      const int looks = std::max(1, static_cast<int>(std::ceil(length / step)));
-      const Point direction = unit(line[i] - line[i - 1]);
-      if (length == 0) continue;
-      for (int n = 0; n < looks; ++n)
-        look(footway, line[i - 1] + (line[i] - line[i - 1]) * ((n + 0.5) / looks), direction);
-    }
+  // Looks from the middles of equal pieces of the segment, where it passes the box of an edge: they
+  // are the same whichever edges there are.
+  void look_along(int footway, const Point& from, const Point& to) {
+    const double length = distance(from, to);
+    if (length == 0) return;
+    const double looks = std::ceil(length / step);
+    const Point direction = unit(to - from);
+    index_.each_near(box_of(from, to), 0, [&](int e) {
+      if (edges_[e].level != footways_[footway].level) return;
+      const auto [enters, leaves] = passage(from, to, boxes_[e]);
+      for (double n = std::max(0.0, std::floor(enters * looks));
+           n < looks && (n + 0.5) / looks <= leaves; ++n)
+        look(footway, e, from + (to - from) * ((n + 0.5) / looks), direction);
+    });
   }
 
-  void look(int footway, const Point& place, const Point& direction) {
-    index_.each_near(box_of(place, place), 0, [&](int e) {
-      if (edges_[e].level != footways_[footway].level) return;
-      const EdgeBeside beside(edges_[e].line, place, direction, reach_[e]);
-      for (const int s : sides_of_[e])
-        if (const std::optional<Beside> found = beside.side(sides_[s], match_))
-          beside_[{s, footway}].push_back(*found);
-    });
+  // As shares of the segment; the second is the smaller one where it passes by.
+  static std::pair<double, double> passage(const Point& from, const Point& to, const Box& box) {
+    double enters = 0, leaves = 1;
+    const auto clip = [&](double start, double run, double low, double high) {
+      if (run == 0) {
+        if (start < low || start > high) leaves = -1;
+        return;
+      }
+      const double one = (low - start) / run, other = (high - start) / run;
+      enters = std::max(enters, std::min(one, other));
+      leaves = std::min(leaves, std::max(one, other));
+    };
+    clip(from.x, to.x - from.x, box.min_x, box.max_x);
+    clip(from.y, to.y - from.y, box.min_y, box.max_y);
+    return {enters, leaves};
+  }
+
+  void look(int footway, int e, const Point& place, const Point& direction) {
+    const EdgeBeside beside(edges_[e].line, place, direction, reach_[e]);
+    for (const int s : sides_of_[e])
+      if (const std::optional<Beside> found = beside.side(sides_[s], match_))
+        beside_[{s, footway}].push_back(*found);
   }
 
   static void add_stretches(int side, int footway, std::vector<Beside>& places,
@@ -142,7 +164,8 @@ class SourceFinder {
   const FootwayMatch& match_;
   std::vector<std::vector<int>> sides_of_;  // by edge
   std::vector<double> reach_;               // by edge: metres to the farthest footway beside it
-  BoxIndex index_;                          // of edges, with their reach
+  std::vector<Box> boxes_;                  // by edge, with its reach
+  BoxIndex index_;                          // of them
   std::map<std::pair<int, int>, std::vector<Beside>> beside_;  // by side and footway
 };
 

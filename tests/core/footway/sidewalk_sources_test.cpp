@@ -47,6 +47,26 @@ TEST(SidewalkSources, AFootwayJustWithinTheKerbHasADistanceBelowZero) {
   EXPECT_NEAR(sources[0].distance, -1, 1e-9);
 }
 
+TEST(SidewalkSources, AFootwayAlongTheMiddleOfANarrowStreetIsOfNeitherSide) {
+  EXPECT_TRUE(
+      beside({{{{0, 0}, {100, 0}}, 0}}, {{0, true, 1.5, 1.5}, {0, false, 1.5, 1.5}}).empty());
+}
+
+// The roadway lies beside the axis, all of it on the right.
+TEST(SidewalkSources, AKerbBeyondTheAxisHasFootwaysBesideIt) {
+  const auto sources = beside({{{{10, -2}, {90, -2}}, 0}}, {{0, true, -3, -3}});
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_NEAR(sources[0].distance, 1, 1e-9);
+}
+
+// What lies far from all streets is not looked at: else this would not end.
+TEST(SidewalkSources, AnEndlessFootwayIsLookedAtWhereStreetsAre) {
+  const auto sources = beside({{{{-1e12, 6}, {1e12, 6}}, 0}});
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_NEAR(sources[0].start, 0, 2.1);
+  EXPECT_NEAR(sources[0].end, 100, 2.1);
+}
+
 TEST(SidewalkSources, PiecesFarApartAreStretchesOfTheirOwn) {
   // It leaves the street by more than its distance, and comes back.
   const auto sources = beside({{{{10, 6}, {30, 6}, {31, 40}, {69, 40}, {70, 6}, {90, 6}}, 0}});
