@@ -250,6 +250,9 @@ BEGIN
     DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
     RETURN QUERY SELECT * FROM streetgen._deliver_footways(model, source);
+    IF FOUND AND changed = 0 THEN
+        changed := streetgen._stale_axes(model);
+    END IF;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._import(name, text, text, boolean, boolean, boolean) IS

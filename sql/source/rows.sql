@@ -56,9 +56,15 @@ BEGIN
     END IF;
     PERFORM streetgen._adopt_rows(model, relation, source);
     -- A function that gives rows, beside others in one list, would have them called again.
-    PERFORM FROM streetgen._drop_vanished(model, relation, source, among);
+    IF relation = 'footway' THEN
+        RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, relation, source, among);
+    ELSE
+        PERFORM FROM streetgen._drop_vanished(model, relation, source, among);
+    END IF;
     PERFORM streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
         streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);
+    RETURN QUERY SELECT 'footways, new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part
+        WHERE relation = 'footway' HAVING count(*) > 0;
     fresh := ARRAY(SELECT p.source_ref FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL AND NOT EXISTS (
         SELECT FROM delivered d WHERE (d.relation, d.source, d.source_ref)
             = (_deliver_rows.relation, origin, p.source_ref)));

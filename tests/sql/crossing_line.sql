@@ -5,9 +5,9 @@
 -- A side street comes from the south, 7 m wide with two lanes, to a road along the x axis; metres are from the middle of the road.
 DO $$ BEGIN
   PERFORM streetgen.create_model('held', 2154, subjects => '{object,signal}'), streetgen.create_model('anew', 2154, subjects => '{object,signal}');
-  INSERT INTO held.axis (geom, width, importance, lane_count) VALUES
-    ('SRID=2154;LINESTRING(649800 6860000,650000 6860000)', 7, 2, 2), ('SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 7, 2, 2),
-    ('SRID=2154;LINESTRING(650000 6859800,650000 6860000)', 7, 3, 2);
+  INSERT INTO held.axis (geom, width, importance, lane_count, turn_forward) VALUES
+    ('SRID=2154;LINESTRING(649800 6860000,650000 6860000)', 7, 2, 2, NULL), ('SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 7, 2, 2, NULL),
+    ('SRID=2154;LINESTRING(650000 6859800,650000 6860000)', 7, 3, 2, 'left;right');
 END $$;
 -- The middle of the line across the lane that comes to the road, and the tip of its arrow.
 CREATE FUNCTION waits(axis bigint DEFAULT 3) RETURNS float8 LANGUAGE sql AS $$
@@ -97,7 +97,7 @@ SELECT streetgen.drop_model('held'), streetgen.create_model('held', 2154, subjec
 INSERT INTO held.axis (geom, width, importance, lane_count, direction, roundabout_tag)
   SELECT ST_Translate(ST_Scale(ST_SetSRID(ST_GeomFromText(line), 2154), 18, 18), 650000, 6860000), 7, 3, 1, 'direct', 'roundabout'
   FROM (SELECT 'LINESTRING(' || string_agg(cosd(30 * i) || ' ' || sind(30 * i), ',' ORDER BY i) || ')' AS line FROM generate_series(0, 12) i) l;
-INSERT INTO held.axis (geom, width, importance, lane_count) SELECT ST_MakeLine(ST_SetSRID(ST_Point(650000 + x, 6860000 + y), 2154), ST_SetSRID(ST_Point(650000 + 18 * sign(x), 6860000 + 18 * sign(y)), 2154)), 7, 3, 2
+INSERT INTO held.axis (geom, width, importance, lane_count, turn_forward) SELECT ST_MakeLine(ST_SetSRID(ST_Point(650000 + x, 6860000 + y), 2154), ST_SetSRID(ST_Point(650000 + 18 * sign(x), 6860000 + 18 * sign(y)), 2154)), 7, 3, 2, 'right'
   FROM (VALUES (100, 0), (-100, 0), (0, 100)) v(x, y);
 CREATE TEMP TABLE at_ring AS SELECT edge_id, geom::bytea FROM held.marking WHERE kind = 'yield';
 INSERT INTO held.pedestrian_crossing_editing (geom) SELECT ST_LineInterpolatePoint(geom, 1 - 10.0 / 82) FROM held.axis WHERE roundabout_tag IS NULL;

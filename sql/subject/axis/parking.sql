@@ -23,6 +23,15 @@ CREATE OR REPLACE FUNCTION streetgen._with_parking(sidewalk float8, said text, s
 COMMENT ON FUNCTION streetgen._with_parking(float8, text, jsonb) IS
     'Width of a sidewalk and of the bays between it and the roadway, metres.';
 
+CREATE OR REPLACE FUNCTION streetgen._bays_stand(subjects text[], of_model text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN 'object' = ANY (subjects)
+        THEN format('EXISTS (SELECT FROM %splacement_rule WHERE active AND along = ''lane'')', of_model)
+        ELSE 'false' END $$;
+COMMENT ON FUNCTION streetgen._bays_stand(text[], text) IS
+    'SQL that tells whether a model of these subjects makes bays of what axes say of cars that stand. of_model stands '
+    'before the names of tables, with its point.';
+
 CREATE OR REPLACE FUNCTION streetgen._parking_capacity(said text) RETURNS bigint
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN nullif(split_part(said, '|', 4), '')::bigint;

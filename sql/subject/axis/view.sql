@@ -27,8 +27,7 @@ BEGIN
     EXECUTE streetgen._fill_template(streetgen._part('axis_used'), jsonb_build_object('model', quote_literal(model),
         'rings', CASE WHEN with_rings THEN ', name, roundabout_tag' END, 'any', decided.any, 'says', decided.says,
         'flags', decided.flags,
-        'bays', CASE WHEN 'object' = ANY (streetgen._subjects(model))
-            THEN 'EXISTS (SELECT FROM placement_rule WHERE active AND along = ''lane'')' ELSE 'false' END,
+        'bays', streetgen._bays_stand(streetgen._subjects(model), ''),
         'more', array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n')));
     COMMENT ON VIEW axis_used
         IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';

@@ -16,6 +16,12 @@ BEGIN
         WHERE f.role = 'sidewalk' AND NOT EXISTS (SELECT FROM sidewalk_source s WHERE s.footway_id = f.footway_id)
             AND ST_Length(f.geom) >= 10
     UNION ALL
+    SELECT 'notice', 'sidewalk drawn along a part of its side, m', 'edge', e.edge_id, ST_Length(e.geom) - s.metres,
+            e.geom
+        FROM edge e JOIN (SELECT edge_id, sum(end_abscissa - start_abscissa) AS metres FROM sidewalk_source
+            GROUP BY edge_id, side) s USING (edge_id)
+        WHERE ST_Length(e.geom) - s.metres > greatest(50, 0.5 * ST_Length(e.geom))
+    UNION ALL
     SELECT 'notice', 'side whose sidewalk apart is not drawn, m', 'edge', e.edge_id, ST_Length(e.geom), e.geom
         FROM edge e JOIN axis a USING (axis_id), LATERAL (VALUES ('left', e.sidewalk_left),
             ('right', e.sidewalk_right)) v(side, width)
@@ -43,6 +49,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'a footway of role sidewalk lies farther than setting mapped_sidewalk_distance from every kerb, within a '
         'roadway, or beside a median, a splitter or an island',
         'correct the `width` of the street, or the line; empty its `role` where it is a way of its own'),
+    ('sidewalk drawn along a part of its side, m',
+        'footways run along less than half of the side, and its sidewalk lies all along it',
+        'draw the rest in `footway`, or type the width in `sidewalk_editing`'),
     ('side whose sidewalk apart is not drawn, m',
         '`axis.sidewalk_apart` names the side, and no footway runs along it: it has no sidewalk',
-        'draw the sidewalk in `footway`, or empty `sidewalk_apart`');
+        'draw the sidewalk in `footway`, or empty `axis.sidewalk_apart`');

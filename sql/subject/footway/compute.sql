@@ -34,7 +34,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_footway(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('mapped_sidewalk'), places
             || jsonb_build_object('footways', streetgen._fill_template(streetgen._part(CASE WHEN places ->> 'run'
-                IN ('whole', 'empty') THEN 'all_footways' ELSE 'footways_near' END), places))),
+                IN ('whole', 'empty') THEN 'all_footways' ELSE 'footways_near' END), places),
+                'bays_stand', streetgen._bays_stand(ARRAY(
+                    SELECT jsonb_array_elements_text(places -> 'subjects')), (places ->> 'model') || '.'))),
         streetgen._upsert_rows(places, 'sidewalk_source',
             columns => 'edge_id, side, part, footway_id, start_abscissa, end_abscissa, distance, width',
             rows => streetgen._part('sidewalk_source_rows'), there => $part$

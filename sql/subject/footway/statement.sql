@@ -7,33 +7,41 @@ footway_rule AS MATERIALIZED (
         max(value::float8) FILTER (WHERE name = 'mapped_sidewalk_maximal') AS maximal
     FROM {model}.setting WHERE name IN ('mapped_sidewalk_distance', 'mapped_sidewalk_minimal',
         'mapped_sidewalk_maximal')),
--- The borders of the roadway beside each edge, where it begins and ends, as the width runs along the axis.
+-- The borders of the roadway beside each edge, where it begins and ends, as the width runs along the axis. Nobody walks
+-- along a class such as a motorway.
 beside_footway AS MATERIALIZED (
-    SELECT number, geom, level, beside_left, beside_right, apart, row_number() OVER (ORDER BY number)::integer AS place,
-        roadway_offset, (width + (width_end - width) * start_abscissa / length) / 2 AS half_at_start,
+    SELECT e.number, e.geom, e.level, e.beside_left, e.beside_right, row_number() OVER (ORDER BY e.number)::integer
+            AS place, roadway_offset, (width + (width_end - width) * start_abscissa / length) / 2 AS half_at_start,
         (width + (width_end - width) * end_abscissa / length) / 2 AS half_at_end,
-        greatest(width, width_end) / 2 + abs(roadway_offset) AS half
+        greatest(width, width_end) / 2 + abs(roadway_offset) AS half, sidewalk_apart, parking_left, parking_right
     FROM (SELECT e.number, e.geom, e.level, e.beside_left, e.beside_right, e.start_abscissa, e.end_abscissa, u.width,
-            u.width_end, u.roadway_offset, ST_Length2D(u.geom) AS length, a.sidewalk_apart AS apart
+            u.width_end, u.roadway_offset, ST_Length2D(u.geom) AS length, a.*
         FROM written_edge e JOIN used u USING (axis_id), LATERAL (
-            SELECT sidewalk_apart FROM {model}.axis a WHERE a.axis_id = e.axis_id {by_key}) a) e),
--- One of no role may be the sidewalk of a side that says that it has one apart.
+            SELECT kind, sidewalk_apart, parking_left, parking_right FROM {model}.axis a
+            WHERE a.axis_id = e.axis_id {by_key}) a) e LEFT JOIN (
+        SELECT class, walked_along FROM {model}.axis_class) c ON c.class = e.kind
+    WHERE c.walked_along IS NOT FALSE),
+-- A walk of no role may be the sidewalk of a side that says that it has one apart.
 near_footway AS MATERIALIZED (
     SELECT f.*, row_number() OVER (ORDER BY footway_id)::integer AS place
     FROM ({footways}) f LEFT JOIN {model}.axis_class c ON c.class = f.kind
-    WHERE role = 'sidewalk' OR role IS NULL AND coalesce(c.use IN ('walk', 'cycle'), true)),
--- On medians, splitters and islands nobody walks along the street.
+    WHERE role = 'sidewalk' OR role IS NULL AND coalesce(c.use = 'walk', true)),
+-- On medians, splitters and islands nobody walks along the street. bay: how deep bays lie before the kerb.
 walked_side AS MATERIALIZED (
-    SELECT row_number() OVER (ORDER BY place, "left")::integer AS number, s.*
+    SELECT row_number() OVER (ORDER BY place, "left")::integer AS number, place, "left", at_start, at_end, apart,
+        CASE WHEN parking LIKE 'street\_side%' AND {bays_stand}
+            THEN streetgen._parking_depth(parking, (SELECT v FROM setting)) ELSE 0 END AS bay
     FROM (SELECT place, true AS "left", half_at_start + roadway_offset AS at_start,
-            half_at_end + roadway_offset AS at_end, apart IN ('left', 'both') AS apart
+            half_at_end + roadway_offset AS at_end, sidewalk_apart IN ('left', 'both') AS apart,
+            parking_left AS parking
         FROM beside_footway WHERE beside_left = 'outer'
         UNION ALL SELECT place, false, half_at_start - roadway_offset, half_at_end - roadway_offset,
-            apart IN ('right', 'both') FROM beside_footway WHERE beside_right = 'outer') s),
-found_source AS MATERIALIZED (
+            sidewalk_apart IN ('right', 'both'), parking_right FROM beside_footway WHERE beside_right = 'outer') s),
+along_side AS MATERIALIZED (
     SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, f.footway_id, m.start_abscissa,
-        m.end_abscissa, m.distance, least(50, coalesce(f.width,
-            greatest(r.minimal, least(r.maximal, 2 * m.distance), m.distance + r.minimal / 2))) AS width
+        m.end_abscissa, m.distance - s.bay AS distance, f.role IS NULL AS only_apart, s.bay + least(50 - s.bay,
+            coalesce(f.width, greatest(r.minimal, least(r.maximal, 2 * (m.distance - s.bay)),
+                m.distance - s.bay + r.minimal / 2))) AS width
     FROM footway_rule r,
         (SELECT array_agg(ST_Force2D(geom)::bytea ORDER BY place) AS lines, array_agg(level ORDER BY place) AS levels
             FROM beside_footway) g,
@@ -45,6 +53,13 @@ found_source AS MATERIALIZED (
         LATERAL streetgen._sidewalk_sources(g.lines, g.levels, w.lines, w.levels, t.edges, t.lefts, t.at_start,
             t.at_end, r.distance) m, walked_side s, beside_footway e, near_footway f
     WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway AND (f.role = 'sidewalk' OR s.apart)),
+-- Of two footways beside each other one that says that it is a sidewalk counts, else the nearer one.
+found_source AS MATERIALIZED (
+    SELECT * FROM along_side s WHERE NOT EXISTS (SELECT FROM along_side o WHERE (o.number, o.side) = (s.number, s.side)
+        AND (o.only_apart, o.distance, o.footway_id, o.start_abscissa)
+            < (s.only_apart, s.distance, s.footway_id, s.start_abscissa)
+        AND least(o.end_abscissa, s.end_abscissa) - greatest(o.start_abscissa, s.start_abscissa)
+            > (s.end_abscissa - s.start_abscissa) / 2)),
 -- A side of which a footway runs along a part is as wide as its footways are on the whole.
 mapped_sidewalk AS MATERIALIZED (
     SELECT number AS mapped_number, max(width) FILTER (WHERE side = 'left') AS mapped_left,
@@ -52,9 +67,9 @@ mapped_sidewalk AS MATERIALIZED (
     FROM (SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, 0 AS width, true AS enough
         FROM walked_side s JOIN beside_footway e USING (place)
         WHERE s.apart AND (SELECT value = 'none' FROM {model}.setting WHERE name = 'mapped_sidewalk_missing')
-        UNION ALL SELECT s.number, s.side, sum(s.width * (s.end_abscissa - s.start_abscissa))
-                / sum(s.end_abscissa - s.start_abscissa) AS width,
-            sum(s.end_abscissa - s.start_abscissa) >= least(20, 0.3 * ST_Length2D(min(e.geom))) AS enough
+        UNION ALL SELECT s.number, s.side, sum(s.width * (s.end_abscissa - s.start_abscissa) ORDER BY s.footway_id,
+                s.start_abscissa) / sum(s.end_abscissa - s.start_abscissa ORDER BY s.footway_id, s.start_abscissa),
+            sum(s.end_abscissa - s.start_abscissa) >= least(20, 0.3 * min(ST_Length2D(e.geom)))
         FROM found_source s JOIN beside_footway e USING (number) GROUP BY s.number, s.side) m
     WHERE enough GROUP BY number)
 

@@ -18,7 +18,7 @@ COMMENT ON COLUMN :"model".sidewalk_source.footway_id IS 'the footway';
 COMMENT ON COLUMN :"model".sidewalk_source.start_abscissa IS 'from where along the edge, metres';
 COMMENT ON COLUMN :"model".sidewalk_source.end_abscissa IS 'to where along the edge, metres';
 COMMENT ON COLUMN :"model".sidewalk_source.distance IS
-    'from the kerb to the line of the footway, the median, metres; below 0: it lies in the roadway';
+    'from the kerb, or the back of the bays beside the roadway, to the footway, the median, metres; below 0: before it';
 COMMENT ON COLUMN :"model".sidewalk_source.width IS
-    'width of the sidewalk that this stretch asks for, metres: that of the footway, or twice the distance within '
-    'settings mapped_sidewalk_minimal and mapped_sidewalk_maximal';
+    'width that this stretch asks for, with the bays before it, metres: that of the footway, or twice the distance '
+    'within settings mapped_sidewalk_minimal and _maximal, and half the least width beyond the footway at least';
