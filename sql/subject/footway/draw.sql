@@ -12,12 +12,12 @@ END $$;
 COMMENT ON FUNCTION streetgen._footway_drawn(name, geometry, text[]) IS
     'What can be drawn of footways in a box: footway, by use.';
 
-INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'footway', 5000, 0, '#cbc3b4', '#cbc3b4', 0.7, 'pixel', 'footway'),
-    ('dark', 'footway', 5000, 0, '#6b727c', '#6b727c', 0.7, 'pixel', 'footway'),
-    ('print', 'footway', 5000, 0, '#ececec', '#ececec', 0.7, 'pixel', 'footway'),
-    ('construction', 'footway', 11000, 0, '#efe3c8', '#c9b791', 0.4, 'pixel', 'footway');
+-- One walks there as on a sidewalk, and cycles there as on a lane for bicycles: in the same colours.
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
+    SELECT theme, 'footway', to_scale, place, fill, line, width, unit, 'footway' FROM streetgen.symbol_rule
+    WHERE layer = 'sidewalk';
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'footway', 'cycle', 5000, 0, '#b5695a', '#b5695a', 0.7, 'pixel', 'cycle track'),
-    ('dark', 'footway', 'cycle', 5000, 0, '#7d4a40', '#7d4a40', 0.7, 'pixel', 'cycle track'),
-    ('construction', 'footway', 'cycle', 11000, 0, '#d9a79c', '#b5695a', 0.4, 'pixel', 'cycle track');
+    ('street', 'footway', 'cycle', 5000, 0, '#a94f3d', '#a94f3d', 0.7, 'pixel', 'cycle track'),
+    ('dark', 'footway', 'cycle', 5000, 0, '#a04c38', '#a04c38', 0.7, 'pixel', 'cycle track'),
+    ('print', 'footway', 'cycle', 5000, 0, '#a8a8a8', '#a8a8a8', 0.7, 'pixel', 'cycle track'),
+    ('construction', 'footway', 'cycle', 11000, 0, '#a94f3d', '#a94f3d', 0.4, 'pixel', 'cycle track');
