@@ -54,3 +54,14 @@ TRUNCATE town.node CASCADE;
 SELECT FROM streetgen.generate('town', wait => true) \g /dev/null
 SELECT 'from scratch it is the same', NOT EXISTS (SELECT FROM stood JOIN town.street_object o USING (street_object_id) WHERE stood.geom <> o.geom::bytea);
 SELECT 'nothing is wrong there', count(*) = 0 FROM streetgen.check_model('town') WHERE severity = 'error';
+
+-- Two axes become one, as clients merge them: a stretch along the border goes over to that one, whose border runs away there.
+SELECT streetgen.create_model('heir', 2154, subjects => '{kerb,object}', driving_side => 'right') \g /dev/null
+INSERT INTO heir.axis (axis_id, geom, width, importance, lane_count) VALUES (18, 'SRID=2154;LINESTRING(650580 6859994,650660 6859988)', 14, 2, 4), (19, 'SRID=2154;LINESTRING(650660 6859988,650740 6859985)', 14, 2, 4),
+  (20, 'SRID=2154;LINESTRING(650660 6859988,650664 6859910)', 6, 5, 2), (21, 'SRID=2154;LINESTRING(650740 6859985,650800 6859984)', 8, 3, 2);
+INSERT INTO heir.street_object (type, placement, axis_id, abscissa, abscissa_end, side, axis_offset) VALUES ('guard_rail', 'border', 19, 7.2, 67.2, 'right', -1);
+UPDATE heir.axis SET geom = 'SRID=2154;LINESTRING(650580 6859994,650660 6859988,650740 6859985)' WHERE axis_id = 18;
+DELETE FROM heir.axis WHERE axis_id = 19;
+CREATE TABLE taken_over AS SELECT axis_id, geom FROM heir.street_object;
+SELECT count(*) FROM streetgen.generate('heir', wait => true) \g /dev/null
+SELECT 'an object that another axis takes over lies along the border of that one', axis_id = 18 AND t.geom = o.geom AND ST_NPoints(o.geom) > 2 FROM heir.street_object o JOIN taken_over t USING (axis_id);

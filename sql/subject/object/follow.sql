@@ -104,6 +104,7 @@ BEGIN
     #variable_conflict use_column
     DECLARE
         tolerance constant float8 := streetgen._tolerance(current_schema());
+        heirs bigint[];
     BEGIN
         -- Objects of changed axes are taken with the place of the old axis at which they stood.
         WITH changed AS MATERIALIZED (
@@ -144,8 +145,8 @@ BEGIN
                     - streetgen._direction_on(line::bytea, a, 0)) < 0, false) AS turned) t,
                 LATERAL (SELECT CASE WHEN abs(least(a, b) - i.abscissa) < 1e-6 THEN i.abscissa ELSE least(a, b) END
                     AS abscissa, CASE WHEN b IS NOT NULL THEN CASE WHEN abs(greatest(a, b) - i.abscissa_end) < 1e-6
-                    THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at)
-        UPDATE street_object o SET method = CASE WHEN lost THEN 'orphaned' ELSE 'relative' END,
+                    THEN i.abscissa_end ELSE greatest(a, b) END END AS abscissa_end) at),
+        carried AS (UPDATE street_object o SET method = CASE WHEN lost THEN 'orphaned' ELSE 'relative' END,
             axis_id = CASE WHEN lost THEN o.axis_id ELSE n.heir END,
             abscissa = CASE WHEN lost THEN o.abscissa ELSE n.abscissa END,
             abscissa_end = CASE WHEN lost THEN o.abscissa_end ELSE n.abscissa_end END,
@@ -156,7 +157,8 @@ BEGIN
             orientation = CASE WHEN o.orientation_kind = 'axis' AND NOT lost THEN n.orientation ELSE o.orientation END
         FROM new n
         WHERE o.street_object_id = n.street_object_id AND (lost OR turned OR (o.axis_id, o.abscissa, o.abscissa_end)
-            IS DISTINCT FROM (n.heir, n.abscissa, n.abscissa_end));
+            IS DISTINCT FROM (n.heir, n.abscissa, n.abscissa_end)) RETURNING o.axis_id)
+        SELECT coalesce(array_agg(DISTINCT axis_id), '{}') FROM carried WHERE axis_id <> ALL (axes) INTO heirs;
         DELETE FROM object_edge e USING street_object o WHERE o.street_object_id = e.street_object_id
             AND o.axis_id = ANY (axes) AND o.method = 'orphaned';
         -- An orphan takes an axis that comes by where it stood at its own.
@@ -190,9 +192,11 @@ BEGIN
                 (SELECT ST_Force2D(geom)::bytea FROM axis a WHERE a.axis_id = f.axis_id), f.abscissa, 0))::numeric, 9)
                 ELSE o.orientation END
         FROM found f WHERE o.street_object_id = f.street_object_id;
-        -- Streets that follow take their objects along.
+        -- Streets that follow take their objects along, but one that took over ground may be as it was.
         IF NOT streetgen._live(current_schema()) OR streetgen._setting_changed(current_schema()) THEN
-            PERFORM FROM _place_objects(axes);
+            PERFORM FROM _place_objects(axes || heirs);
+        ELSIF heirs <> '{}' THEN
+            PERFORM FROM _place_objects(heirs);
         END IF;
     END $body$;
     PERFORM streetgen._own_function(model, '_carry_objects(bigint[], geometry[], geometry[])',
