@@ -41,6 +41,18 @@ CREATE OR REPLACE FUNCTION streetgen._osm_off_street(tags jsonb) RETURNS boolean
 COMMENT ON FUNCTION streetgen._osm_off_street(jsonb) IS
     'Does a way lie within a building, or on another floor than that of the street?';
 
+CREATE OR REPLACE FUNCTION streetgen._unread_walk_tags(tags jsonb) RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_agg(key) FROM (SELECT key FROM (VALUES
+        ('footway', '{sidewalk,crossing,traffic_island,island,access_aisle,link,connection,alley,passage,platform,'
+            'sidepath,yes,no}'::text[]),
+        ('indoor', '{yes,no,room,area,corridor,wall,door,level,column}'),
+        ('location', '{indoor,outdoor,underground,overground,surface,roof,bridge,kiosk}')) v(key, words)
+        WHERE tags ->> key <> ALL (words)
+    UNION ALL SELECT 'level' WHERE tags ->> 'level' !~ '^[-+\d.;, ]+$') unread $$;
+COMMENT ON FUNCTION streetgen._unread_walk_tags(jsonb) IS
+    'The tags of what is walked or cycled on whose words mean nothing; NULL: none.';
+
 CREATE OR REPLACE FUNCTION streetgen._osm_table(suffix text, prefix text, schemas name[]) RETURNS regclass
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
@@ -133,7 +145,8 @@ BEGIN
                 AND streetgen._within(streetgen._metres(said_walk_left), 0, 50) IS NULL
                 OR said_walk_right IS NOT NULL
                 AND streetgen._within(streetgen._metres(said_walk_right), 0, 50) IS NULL
-                THEN 'sidewalk width' END], NULL) AS unread, lanes.unread_tags, lanes.unread_reasons
+                THEN 'sidewalk width' END], NULL) || streetgen._unread_walk_tags(tags) AS unread,
+        lanes.unread_tags, lanes.unread_reasons
     FROM (SELECT DISTINCT class, tags FROM pg_temp._import_line) tagged
     LEFT JOIN (SELECT c.class, c.width AS class_width, c.speed AS class_speed, c.lanes_by_width,
         c.lanes_one_way
