@@ -106,7 +106,7 @@ DECLARE
     foreign_table record;
 BEGIN
     FOR missing IN
-        SELECT statement FROM streetgen._stated(model) WHERE statement ~ '^ALTER TABLE \S+ ADD COLUMN IF NOT EXISTS'
+        SELECT statement FROM streetgen._stated(model) WHERE statement ~ '^ALTER TABLE \S+\s+ADD COLUMN IF NOT EXISTS'
             AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = input
                 AND attname = substring(statement, 'IF NOT EXISTS (\w+)') AND NOT attisdropped)
     LOOP
