@@ -26,6 +26,7 @@ SELECT 'corners of 15 m leave the line at the kerb', near(to_road(6), 0.5);
 SELECT 'carriageways that come together wait where they begin to share ground', near(ST_Distance(ST_LineInterpolatePoint(geom, 0.5), at(600, 0)), (3 + 2 * cos(pi() / 9)) / sin(pi() / 9) + 0.75) FROM line WHERE axis_id = 7;
 SELECT 'at a ring as far from its roadway', count(*) = 1 AND bool_and(abs(ST_Distance(ST_LineInterpolatePoint(geom, 0.5), at(300, -220)) - 20 - 3.5 - 0.75) < 0.1) FROM line WHERE axis_id = 6 AND ST_Y(ST_Centroid(geom)) < 6859900;
 SELECT 'no line lies beside the roadway', NOT EXISTS (SELECT FROM line l WHERE NOT ST_Covers((SELECT ST_Buffer(ST_Union(surface), 1e-4) FROM held.roadway), l.surface));
+UPDATE held.axis SET turn_forward = 'left;right', turn_backward = CASE axis_id WHEN 6 THEN 'right' END WHERE axis_id IN (5, 6, 7);
 SELECT 'the arrow lies before the line, or before the end of its lane', count(*) > 3 AND bool_and(least(ST_Distance(ST_EndPoint(m.geom), l.geom), 5 + ST_Distance(l.geom, lane.geom)) > 4.9)
   FROM line l JOIN held.marking m USING (edge_id, lane_position, along_axis) JOIN held.lane USING (edge_id, lane_position) WHERE m.kind = 'arrow';
 SELECT 'all is as from scratch', test.followed('held', 'anew');

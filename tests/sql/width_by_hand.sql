@@ -77,7 +77,7 @@ SELECT 'a model of a build before gets them', (width_by_hand, source_width) = (t
 CREATE TABLE small AS SELECT i AS id, w AS width, w2 AS width_end, n AS lanes, k AS class, ST_SetSRID(ST_MakeLine(ST_MakePoint(670000, 6860000 + 50 * i), ST_MakePoint(670100, 6860000 + 50 * i)), 2154) AS geom
   FROM (VALUES (1, 1::float8, NULL::float8, 2, 'primary'), (2, 1.5, NULL, NULL, 'residential'), (3, 3.9, 6, 2, 'service'), (4, 4, 3, 2, 'service'), (5, 1, NULL, 2, 'cycleway'), (6, 7, NULL, 12, 'primary')) v(i, w, w2, n, k);
 SELECT streetgen.create_model('alley', 2154) \g /dev/null
-UPDATE alley.axis_class c SET width = w, taken = true, lanes_by_width = true FROM (VALUES ('cycleway', 2), ('primary', 8), ('residential', 6), ('service', 5)) v(class, w) WHERE c.class = v.class;
+UPDATE alley.axis_class c SET width = w, taken = true, use = 'roadway', lanes_by_width = true FROM (VALUES ('cycleway', 2), ('primary', 8), ('residential', 6), ('service', 5)) v(class, w) WHERE c.class = v.class;
 CREATE TABLE narrow AS SELECT * FROM streetgen.import_axes('alley', 'small', '{"source_ref": "id", "width": "width", "width_end": "width_end", "lane_count": "lanes", "kind": "class"}');
 SELECT streetgen.generate('alley') \g /dev/null
 SELECT 'a roadway has room for a car on each lane, and for one, but none beyond its class', string_agg(concat(source_ref, ': ', e.width, ' to ', e.width_end), ', ' ORDER BY source_ref)
