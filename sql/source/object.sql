@@ -122,7 +122,8 @@ COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
     'a bad row or mapping: 22023; a model without the subject: 55000; then the model stays as it was. Needs the rights '
     'of the owner (42501).';
 
-CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text DEFAULT 'osm')
+CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text DEFAULT 'osm',
+    schemas name[] DEFAULT current_schemas(true))
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -130,16 +131,17 @@ DECLARE
     points regclass;
     others text;
 BEGIN
-    PERFORM streetgen._require_owner(model), streetgen._check_given('prefix', prefix);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('prefix', prefix, 'schemas', schemas::text);
     PERFORM streetgen._require_subject(model, 'object');
-    points := to_regclass(format('%I', prefix || '_object'));
+    points := streetgen._osm_table('_object', prefix, schemas);
     IF points IS NULL THEN
         SELECT string_agg(format('"%s"', left(c.relname, -7)), ', ' ORDER BY c.relname) INTO others FROM pg_class c
-        WHERE c.relname LIKE '%\_object' AND pg_table_is_visible(c.oid)
+            JOIN pg_namespace n ON n.oid = c.relnamespace
+        WHERE c.relname LIKE '%\_object' AND n.nspname = ANY (schemas)
             AND 2 = (SELECT count(*) FROM pg_attribute a WHERE a.attrelid = c.oid
                 AND a.attname IN ('class', 'node_id'));
         RAISE EXCEPTION 'there is no table "%"', prefix || '_object' USING ERRCODE = '42P01',
-            HINT = coalesce(format('Prefixes that have one: %s.', others),
+            HINT = coalesce('Prefixes that have one: ' || others || '.',
                 'Load the file again with data/osm2pgsql_flex.lua of this build, which makes it.');
     END IF;
     RETURN QUERY SELECT * FROM streetgen._import_objects(model, points::text, format($sql$
@@ -148,8 +150,9 @@ SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' TH
     CASE WHEN direction ~ '^\d{1,3}(\.\d+)?$' AND direction::numeric <= 360 THEN direction END AS orientation,
     NULL::text AS name, node_id::text AS source_ref FROM %s$sql$, points));
 END $$;
-COMMENT ON FUNCTION streetgen.import_osm_objects(name, text) IS
+COMMENT ON FUNCTION streetgen.import_osm_objects(name, text, name[]) IS
     'Imports lamps, trees, benches, bollards, bus stops, crossings, signals and signs of an OSM file, from the table '
-    'PREFIX_object that data/osm2pgsql_flex.lua writes, as streetgen.import_objects: crossings, signals and signs '
+    'PREFIX_object that data/osm2pgsql_flex.lua writes, found in the schemas of search_path or named with its schema '
+    '(gis.osm), as streetgen.import_objects: crossings, signals and signs '
     'point to the control point that streetgen.import_osm made of their node. No such table: 42P01; a model '
     'without the subject: 55000. Needs the rights of the owner (42501).';

@@ -149,3 +149,11 @@ SELECT 'nothing was lost', count = (SELECT count(*) FROM town.street_object) FRO
 SET streetgen_test.subjects = 'asked';
 SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without the subject', test.state($$SELECT streetgen.import_osm_objects('bare')$$) = '55000';
+-- A table of a schema beside public.
+CREATE SCHEMA gis_objects;
+CREATE TABLE gis_objects.city_object (node_id bigint, class text, direction text, geom geometry);
+SELECT streetgen.create_model('beside', 2154, subjects => '{object}') \g /dev/null
+INSERT INTO gis_objects.city_object VALUES (1, 'street_lamp', NULL, 'SRID=2154;POINT(650000 6860000)');
+SELECT 'a table of another schema is named with it', sum(count) FILTER (WHERE class = 'lamp') > 0 FROM streetgen.import_osm_objects('beside', 'gis_objects.city');
+SELECT 'where no schema has one, the flex file makes it', test.hint($$SELECT streetgen.import_osm_objects('beside', 'elsewhere', '{gis_none}')$$) LIKE 'Load the file again%';
+DROP SCHEMA gis_objects CASCADE;
