@@ -1,6 +1,7 @@
--- Whether kerbs at both ends of crossings are as their source says: psql -v model=NAME -f tests/measure/crossing_kerbs.sql
--- Of crossings with a control point and a roadway, prints model, what the source says (- : nothing), what the cross-section has at an end in the middle of
--- the crossing (none: no kerb is there), and how many ends.
+-- Whether kerbs at both ends of crossings are as their source says: psql -v model=NAME -f
+-- tests/measure/crossing_kerbs.sql Of crossings with a control point and a roadway, prints model, what the source says
+-- (- : nothing), what the cross-section has at an end in the middle of the crossing (none: no kerb is there), and how
+-- many ends.
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '

@@ -1,11 +1,12 @@
 -- Of the footways of a model that say that they are sidewalks, the metres at street level, and the share of these on
 -- sidewalks, on roadway, and elsewhere; psql -v model=NAME -f tests/measure/mapped_sidewalks.sql. Places every metre,
--- so that a share is that of the length. What lies beyond 10 m of every street of the model is no sidewalk of it.
+-- so that a share is that of the length. off_all_streets lies beyond 30 m of every edge: the extract lacks its street.
 WITH place AS MATERIALIZED (
     SELECT footway_id, f.level, (ST_DumpPoints(ST_LineInterpolatePoints(geom, least(1, 1 / ST_Length(geom))))).geom
     FROM :"model".footway f WHERE role = 'sidewalk' AND ST_Length(geom) > 0),
 seen AS (
-    SELECT EXISTS (SELECT FROM :"model".sidewalk w WHERE w.surface && p.geom AND ST_Covers(w.surface, p.geom)) AS walked,
+    SELECT EXISTS (SELECT FROM :"model".sidewalk w WHERE w.surface && p.geom
+        AND ST_Covers(w.surface, p.geom)) AS walked,
         EXISTS (SELECT FROM :"model".section s JOIN :"model".edge e USING (edge_id)
             WHERE s.surface && p.geom AND ST_Covers(s.surface, p.geom) AND e.level = p.level
             UNION ALL SELECT FROM :"model".intersection i

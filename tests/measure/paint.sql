@@ -1,5 +1,5 @@
--- Whether paint lies where something says so: psql -v model=NAME -f tests/measure/paint.sql
--- Prints model, arrows, those on lanes without a turn, of these those on streets of importance 5 and 6, and those that do not come to signals;
+-- Whether paint lies where something says so: psql -v model=NAME -f tests/measure/paint.sql Prints model, arrows, those
+-- on lanes without a turn, of these those on streets of importance 5 and 6, and those that do not come to signals;
 -- lanes of streets where lane_markings is no, and the square metres painted there.
 \pset format unaligned
 \pset tuples_only on
@@ -21,7 +21,8 @@ SELECT :'model', count(*), count(*) FILTER (WHERE l.turn IS NULL),
     (SELECT count(*) FROM bare JOIN :"model".edge USING (axis_id) JOIN :"model".lane USING (edge_id)),
     (SELECT round(coalesce(sum(ST_Area(surface)), 0)) FROM (
         SELECT surface FROM bare JOIN :"model".edge USING (axis_id) JOIN :"model".lane_separator s USING (edge_id)
-        UNION ALL SELECT m.surface FROM bare JOIN :"model".edge USING (axis_id) JOIN :"model".marking m USING (edge_id)) p)
+        UNION ALL SELECT m.surface FROM bare JOIN :"model".edge USING (axis_id)
+            JOIN :"model".marking m USING (edge_id)) p)
 FROM :"model".marking m JOIN :"model".lane l USING (edge_id, lane_position) JOIN :"model".edge e USING (edge_id)
     JOIN :"model".axis_used u USING (axis_id)
 WHERE m.kind = 'arrow';
