@@ -39,9 +39,10 @@ walked_side AS MATERIALIZED (
             sidewalk_apart IN ('right', 'both'), parking_right FROM beside_footway WHERE beside_right = 'outer') s),
 along_side AS MATERIALIZED (
     SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, f.footway_id, m.start_abscissa,
-        m.end_abscissa, m.distance - s.bay AS distance, f.role IS NULL AS only_apart, s.bay + least(50 - s.bay,
-            coalesce(f.width, greatest(r.minimal, least(r.maximal, 2 * (m.distance - s.bay)),
-                m.distance - s.bay + r.minimal / 2))) AS width
+        m.end_abscissa, d.distance, f.role IS NULL AS only_apart, s.bay + least(50 - s.bay, CASE
+            WHEN f.width IS NULL THEN greatest(r.minimal, least(r.maximal, 2 * d.distance), d.distance + r.minimal / 2)
+            -- One that lies beyond its own width has ground before it that leads to it.
+            WHEN d.distance > f.width THEN d.distance + f.width / 2 ELSE f.width END) AS width
     FROM footway_rule r,
         (SELECT array_agg(ST_Force2D(geom)::bytea ORDER BY place) AS lines, array_agg(level ORDER BY place) AS levels
             FROM beside_footway) g,
@@ -51,7 +52,8 @@ along_side AS MATERIALIZED (
             array_agg(at_start ORDER BY number) AS at_start, array_agg(at_end ORDER BY number) AS at_end
             FROM walked_side) t,
         LATERAL streetgen._sidewalk_sources(g.lines, g.levels, w.lines, w.levels, t.edges, t.lefts, t.at_start,
-            t.at_end, r.distance) m, walked_side s, beside_footway e, near_footway f
+            t.at_end, r.distance) m, walked_side s, beside_footway e, near_footway f,
+        LATERAL (SELECT m.distance - s.bay AS distance) d
     WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway AND (f.role = 'sidewalk' OR s.apart)),
 -- Of two footways beside each other one that says that it is a sidewalk counts, else the nearer one.
 found_source AS MATERIALIZED (

@@ -20,5 +20,6 @@ COMMENT ON COLUMN :"model".sidewalk_source.end_abscissa IS 'to where along the e
 COMMENT ON COLUMN :"model".sidewalk_source.distance IS
     'from the kerb, or the back of the bays beside the roadway, to the footway, the median, metres; below 0: before it';
 COMMENT ON COLUMN :"model".sidewalk_source.width IS
-    'width that this stretch asks for, with the bays before it, metres: that of the footway, or twice the distance '
-    'within settings mapped_sidewalk_minimal and _maximal, and half the least width beyond the footway at least';
+    'width that this stretch asks for, with the bays before it, metres: that of the footway, with the ground '
+    'before one that lies farther off than that; else twice the distance within settings mapped_sidewalk_minimal and '
+    '_maximal, and half the least width beyond the footway at least';
