@@ -51,8 +51,8 @@ struct StreetCrossing {
 std::optional<Polygon> crossing_ground(const Line& axis, const WidthProfile& borders,
                                        const StreetCrossing& crossing);
 
-// How a crossing is painted: stripes along the axis; the same between two lines across; the lines
-// alone; the lines broken into dashes; dots along them.
+// The paint of a crossing is stripes along the axis; the same between two lines across; the lines
+// alone; the lines broken into dashes; or dots along them.
 enum class CrossingPaint { zebra, ladder, lines, dashes, dots };
 
 // Its paint. Stripes, dashes and dots: half a metre of paint, half a metre of roadway, from the

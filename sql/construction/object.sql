@@ -62,13 +62,14 @@ COMMENT ON FUNCTION streetgen._crossing_stripes(bytea, float8[], float8, float8,
 CREATE OR REPLACE FUNCTION streetgen._crossing_marking_pattern() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$';
+COMMENT ON FUNCTION streetgen._crossing_marking_pattern() IS
+    'The words for the paint of a crossing, as a regular expression: yes is paint of which no more is known.';
+
 CREATE OR REPLACE FUNCTION streetgen._crossing_kerb_pattern() RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN '^(raised|lowered|rolled|flush|no)$';
 COMMENT ON FUNCTION streetgen._crossing_kerb_pattern() IS
     'The words for the kerbs at both ends of a crossing, as a regular expression.';
-COMMENT ON FUNCTION streetgen._crossing_marking_pattern() IS
-    'The words for the paint of a crossing, as a regular expression: yes is paint of which no more is known.';
 
 CREATE OR REPLACE FUNCTION streetgen._to_border(width float8, width_end float8, length float8, roadway_offset float8,
     borders float8[], abscissa float8, side text) RETURNS float8

@@ -68,7 +68,7 @@ BEGIN
     END IF;
     ALTER TABLE axis_class ADD use text NOT NULL DEFAULT 'roadway'
         CHECK (use IN ('roadway', 'cycle', 'walk', 'steps', 'rail', 'none'));
-    -- What was taken as an axis stays one.
+    -- A class that was taken as axes stays so.
     UPDATE axis_class c SET use = d.use FROM streetgen._default_axis_class() d WHERE d.class = c.class AND NOT c.taken;
 END $$;
 COMMENT ON FUNCTION streetgen._add_class_use(name) IS

@@ -21,7 +21,7 @@ FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level OR
 
 --{sidewalk_stands
 
-    -- Where bays changed, their sidewalks are cut after this statement.
+    -- Sidewalks of bays that changed are cut after this statement.
     LEFT JOIN LATERAL (SELECT s.surface, s.strip FROM {of_model}sidewalk s
         WHERE (s.edge_id, s.side, s.part) = (k.edge_id, k.side, k.part) AND coalesce(s.strip, s.surface) = w.surface
         OFFSET 0) s ON true

@@ -18,7 +18,7 @@ constexpr double step = 2;      // metres along a footway from one look at the s
 constexpr double gap = 6;       // metres along an edge that part two stretches
 constexpr double slack = 1e-6;  // metres
 
-// Where a place of a footway lies beside a side.
+// The place of a side beside which a place of a footway lies.
 struct Beside {
   double abscissa = 0;
   double distance = 0;
