@@ -86,7 +86,7 @@ BEGIN
             HINT = 'Mend the vertex in the source.';
     END IF;
 
-    RETURN QUERY SELECT CASE WHEN c.taken AND c.use IN ('walk', 'cycle', 'steps') THEN 'taken as footway'
+    RETURN QUERY SELECT CASE WHEN c.taken AND c.use = ANY (streetgen._footway_uses()) THEN 'taken as footway'
         WHEN coalesce(c.taken, any_class OR i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
         THEN 'not taken: unknown class' ELSE 'not taken: class' END,
         i.class, count(*), CASE WHEN NOT any_class AND i.class IS NOT NULL AND max(c.class) IS NULL

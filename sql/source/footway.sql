@@ -15,8 +15,8 @@ BEGIN
     DELETE FROM pg_temp._import i USING pg_temp._import_class c WHERE c.class = i.class AND c.use <> 'roadway';
     RETURN QUERY SELECT 'no roadway, and nothing is made of it', f.kind, count(*),
         array_agg(f.source_ref ORDER BY f.source_ref) FROM pg_temp._import_footway f
-        WHERE f.use NOT IN ('walk', 'cycle', 'steps') GROUP BY f.kind ORDER BY f.kind;
-    DELETE FROM pg_temp._import_footway f WHERE f.use NOT IN ('walk', 'cycle', 'steps');
+        WHERE f.use <> ALL (streetgen._footway_uses()) GROUP BY f.kind ORDER BY f.kind;
+    DELETE FROM pg_temp._import_footway f WHERE f.use <> ALL (streetgen._footway_uses());
 END $$;
 COMMENT ON FUNCTION streetgen._part_footways(name) IS
     'Parts the lines of the import whose class is no roadway from those that become axes.';

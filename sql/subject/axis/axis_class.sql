@@ -51,6 +51,12 @@ CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
 COMMENT ON FUNCTION streetgen._default_axis_class() IS
     'The classes of OSM, BD TOPO and Lille''s lines that a new model knows, and what each means.';
 
+CREATE OR REPLACE FUNCTION streetgen._footway_uses() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN ARRAY['cycle', 'walk', 'steps'];
+COMMENT ON FUNCTION streetgen._footway_uses() IS
+    'The uses of classes whose lines are footways, in the order in which these take ground from each other.';
+
 CREATE OR REPLACE FUNCTION streetgen._class_by_hand() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$

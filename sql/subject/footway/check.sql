@@ -1,4 +1,4 @@
--- What is checked of footways, and counted.
+-- Checks and counts of footways.
 
 CREATE OR REPLACE FUNCTION streetgen._check_footway(model name) RETURNS SETOF streetgen.finding
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public

@@ -16,13 +16,14 @@ BEGIN
             LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom FROM streetgen.model m
                 WHERE m.name = model) l,
             LATERAL (SELECT * FROM edge e WHERE e.geom && ST_Expand(l.geom, reach + widest.half) OFFSET 0) e
-            WHERE ST_DWithin(e.geom, l.geom, reach + greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)))
+            WHERE f ->> 'role' IS DISTINCT FROM 'crossing'
+                AND ST_DWithin(e.geom, l.geom, reach + greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)))
             INTO axes;
     END IF;
     RETURN axes;
 END $$;
 COMMENT ON FUNCTION streetgen._axes_of_footway(name, jsonb[]) IS
-    'The axes beside which footways lie or lay: a run for these finds their sidewalks anew.';
+    'The axes beside which footways lie or lay, but for crossings: a run for these finds their sidewalks anew.';
 
 CREATE OR REPLACE FUNCTION streetgen._footway_decision()
     RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,

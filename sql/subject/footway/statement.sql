@@ -55,7 +55,7 @@ along_side AS MATERIALIZED (
             t.at_end, r.distance) m, walked_side s, beside_footway e, near_footway f,
         LATERAL (SELECT m.distance - s.bay AS distance) d
     WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway AND (f.role = 'sidewalk' OR s.apart)),
--- Of two footways beside each other one that says that it is a sidewalk counts, else the nearer one.
+-- One of two footways beside each other counts: that of role sidewalk, else the nearer one.
 found_source AS MATERIALIZED (
     SELECT * FROM along_side s WHERE NOT EXISTS (SELECT FROM along_side o WHERE (o.number, o.side) = (s.number, s.side)
         AND (o.only_apart, o.distance, o.footway_id, o.start_abscissa)
@@ -93,13 +93,12 @@ FROM found_source s
 --{footway_surface
 CREATE OR REPLACE VIEW footway_surface WITH (security_invoker = true) AS
 WITH ground AS NOT MATERIALIZED (
-    SELECT f.footway_id, f.level, f.geom, coalesce(c.use, 'walk') AS use, w.width,
-        array_position(ARRAY['cycle', 'walk', 'steps'], coalesce(c.use, 'walk')) AS rank,
+    SELECT f.footway_id, f.level, f.geom, u.use, w.width, array_position(streetgen._footway_uses(), u.use) AS rank,
         ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
-    FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (
-        SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
-        WHERE name = 'mapped_sidewalk_minimal') w
-    WHERE coalesce(c.use, 'walk') IN ('walk', 'cycle', 'steps'))
+    FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
+        LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
+            WHERE name = 'mapped_sidewalk_minimal') w
+    WHERE u.use = ANY (streetgen._footway_uses()))
 SELECT g.footway_id, g.use, g.level, g.width, g.geom, ST_Multi(r.surface)::geometry(MultiPolygon, {srid}) AS surface
 FROM ground g, LATERAL (
     SELECT ST_Union(surface, 0.0001) AS surface FROM (
