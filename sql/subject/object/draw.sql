@@ -34,9 +34,15 @@ BEGIN
     RETURN QUERY SELECT 'bay', '', coalesce(level, 0), surface::geometry, street_object_id
         FROM parking_bay JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
         WHERE 'bay' = ANY (layers) AND surface && box;
+    IF 'bus_stop_box' = ANY (layers) AND to_regclass('bus_stop_box') IS NOT NULL THEN
+        RETURN QUERY SELECT 'bus_stop_box', b.kind, b.level, b.paint::geometry, b.street_object_id
+            FROM bus_stop_box b WHERE b.street_object_id = ANY (ARRAY(SELECT o.street_object_id FROM street_object o
+                WHERE o.geom && ST_Expand(box, 100))) AND b.surface && box;
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
-    'What can be drawn of objects in a box: object, by type; crossing, the stripes, by what they are; and bay.';
+    'What can be drawn of objects in a box: object, by type; crossing, the stripes, by what they are; bay; and '
+    'bus_stop_box, the paint where buses stand, on a bay or on a lane.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_kept_clear(model name, box geometry) RETURNS SETOF geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
@@ -95,6 +101,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning)
     ('street', 'crossing', 5000, 7, '#fbfbf8', 'crossing'),
     ('dark', 'object', 1500, 952, '#21262d', 'object'),
     ('dark', 'crossing', 5000, 7, '#dfe2e6', 'crossing');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
+    ('street', 'bus_stop_box', 2500, 7, '#f2c230', 'where buses stop'),
+    ('dark', 'bus_stop_box', 2500, 7, '#b8942a', 'where buses stop'),
+    ('construction', 'bus_stop_box', 2000, 7, '#eab308', 'where buses stop'),
+    ('print', 'bus_stop_box', 2500, 7, '#000000', 'where buses stop');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'bay', 1500, 3.5, '#73777f', '#fbfbf8', 0.1, 'metre', 'parking bay'),
     ('dark', 'bay', 1500, 3.5, '#454b54', '#dfe2e6', 0.1, 'metre', 'parking bay'),

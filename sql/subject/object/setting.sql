@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._object_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 9 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 10 SET search_path = pg_catalog
     AS $$ VALUES
     ('placement_function', 'none', NULL::text,
         'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
@@ -21,12 +21,13 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting()
     ('crossing_marking_at_signals', 'zebra', NULL,
         'the same where signals stand at the crossing: such as dashes in Germany, dots in Great Britain, lines in the '
         'United States', NULL, NULL, ARRAY['zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface', 'no']),
+    ('bus_stop_length', '15', 'm', 'so long is the ground that a bus takes at its stop', 5, 100, NULL),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL) $$;
 COMMENT ON FUNCTION streetgen._object_setting() IS 'The settings of objects, with their defaults and ranges.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_setting_beside() RETURNS TABLE(name text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES ('object_names'), ('object_snap') $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES ('bus_stop_length'), ('object_names'), ('object_snap') $$;
 COMMENT ON FUNCTION streetgen._object_setting_beside() IS 'The settings of objects that streets do not depend on.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_setting_function()

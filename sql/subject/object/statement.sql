@@ -110,3 +110,33 @@ BEGIN
     SELECT 'object_edge', count(*) FILTER (WHERE before IS NULL), count(*) FILTER (WHERE before <> edge_id),
         (SELECT count(*) FROM gone), count(*) FILTER (WHERE before = edge_id), 0::bigint FROM compared;
 END
+
+--{bus_stop_box
+CREATE OR REPLACE VIEW bus_stop_box WITH (security_invoker = true) AS
+WITH RECURSIVE stop_type AS (
+    SELECT type FROM object_type WHERE type = 'bus_stop'
+    UNION SELECT o.type FROM object_type o JOIN stop_type s ON o.parent = s.type)
+SELECT o.street_object_id, e.edge_id, l.lane_id, e.level, CASE l.kind WHEN 'parking' THEN 'bay' ELSE 'mark' END AS kind,
+    l.width, ST_Buffer(b.middle, l.width / 2, 'endcap=flat')::geometry(Polygon, {srid}) AS surface,
+    streetgen._zigzag(b.middle, l.width)::geometry(MultiPolygon, {srid}) AS paint
+FROM street_object o JOIN stop_type USING (type) JOIN object_edge USING (street_object_id) JOIN edge e USING (edge_id),
+    LATERAL (SELECT * FROM lane l WHERE l.edge_id = e.edge_id AND l.kind IN ('general', 'bus', 'parking')
+            AND l.method <> 'crossed_limits'
+        ORDER BY abs(l.axis_offset - e.roadway_offset) * CASE WHEN (l.axis_offset > e.roadway_offset)
+            = (streetgen._side_of_street(o.side, o.axis_offset, e.roadway_offset) = 'left') THEN 1 ELSE -1 END DESC
+        LIMIT 1) l,
+    LATERAL (SELECT value::float8 AS length FROM setting WHERE name = 'bus_stop_length') s,
+    LATERAL (SELECT ST_Length2D(l.geom) AS whole, CASE WHEN l.along_axis THEN 1 ELSE -1 END AS ahead) w,
+    -- Metres in the direction of the bus, from the start of the lane's line.
+    LATERAL (SELECT ahead * whole * ST_LineLocatePoint(l.geom, o.geom) AS at) p,
+    LATERAL (SELECT min(mouth - c.width / 2 - 1) FILTER (WHERE mouth >= at) AS before,
+            max(mouth + c.width / 2 + 1) FILTER (WHERE mouth < at) AS behind
+        FROM object_edge b JOIN pedestrian_crossing c USING (street_object_id)
+            JOIN street_object there USING (street_object_id),
+            LATERAL (SELECT ahead * whole * ST_LineLocatePoint(l.geom, there.geom) AS mouth) m
+        WHERE b.edge_id = e.edge_id) c,
+    LATERAL (SELECT least(at + 1, before, greatest(0, ahead * whole)) AS front) f,
+    LATERAL (SELECT greatest(front - s.length, behind, least(0, ahead * whole)) AS back) k,
+    LATERAL (SELECT ST_LineSubstring(l.geom, least(ahead * front, ahead * back) / whole,
+        greatest(ahead * front, ahead * back) / whole) AS middle) b
+WHERE front - back >= 5
