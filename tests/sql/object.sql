@@ -191,6 +191,17 @@ DELETE FROM cut.axis WHERE axis_id = 4;
 SELECT 'one that ends there has none', array_agg(axis_id ORDER BY axis_id) = '{1,2}' FROM cut.street_object;
 INSERT INTO cut.axis (geom, width) VALUES (pg_temp.line('LINESTRING(100 6, 100 80)'), 6);
 SELECT 'until it goes on', array_agg(axis_id ORDER BY axis_id) = '{1,2,3}' FROM cut.street_object;
+-- An arm that has a crossing of others gets none, within 20 m on its street.
+CREATE FUNCTION pg_temp.crossed(OUT of_rule bigint[], OUT by_hand bigint[]) LANGUAGE sql AS $$ SELECT array_agg(axis_id ORDER BY axis_id) FILTER (WHERE placed_by = 'rule'), array_agg(axis_id ORDER BY axis_id) FILTER (WHERE placed_by <> 'rule') FROM cut.street_object WHERE type = 'crossing' $$;
+INSERT INTO cut.pedestrian_crossing_editing (geom) VALUES (pg_temp.line('POINT(80 0)'));
+SELECT 'where one walks over a street by hand, no rule places a second crossing of the arm', of_rule = '{2,3}' AND by_hand = '{1}' FROM pg_temp.crossed();
+SELECT 'a run leaves it so', sum(inserted + updated + deleted) = 0 FROM streetgen.generate('cut', wait => true);
+UPDATE cut.pedestrian_crossing_editing SET abscissa = 60 WHERE axis_id = 1;
+SELECT 'one farther off is none of the arm', of_rule = '{1,2,3}' AND by_hand = '{1}' FROM pg_temp.crossed();
+UPDATE cut.pedestrian_crossing_editing SET abscissa = 85 WHERE axis_id = 1 AND abscissa = 60;
+SELECT 'it is when it comes nearer', of_rule = '{2,3}' FROM pg_temp.crossed();
+DELETE FROM cut.pedestrian_crossing_editing WHERE axis_id = 1;
+SELECT 'that of the rule comes back', of_rule = '{1,2,3}' AND by_hand IS NULL FROM pg_temp.crossed();
 -- Streets of 30 to 69 m between two junctions, whose limits lie 18.5 m from a node: from 38 m on there is a section.
 SELECT streetgen.create_model('short', 2154, subjects => '{object}') \g /dev/null
 INSERT INTO short.axis (axis_id, geom, width) SELECT 10 * k + n, pg_temp.line(format(line, 400 * k, 30 + k)), 7 FROM generate_series(0, 39) k,

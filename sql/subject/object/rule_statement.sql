@@ -274,6 +274,11 @@ END
             WHERE o.type = ANY (bus_stops) AND o.placed_by <> 'rule' AND o.method = 'relative'
                 AND b.at_side = streetgen._side_of_street(o.side, o.axis_offset, s.roadway_offset)
                 AND abs(o.abscissa - b.abscissa) < b.reach + 15
+        -- Nobody walks over one street twice within 20 m: an arm that has a crossing of others gets none.
+        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN street s USING (edge_id)
+            JOIN street_object o ON o.axis_id = t.axis_id AND o.abscissa BETWEEN s.start_abscissa AND s.end_abscissa
+            WHERE t.along = 'arm' AND t.type = ANY (crossings) AND o.type = ANY (crossings) AND o.placed_by <> 'rule'
+                AND o.method = 'relative' AND abs(o.abscissa - t.abscissa) < 20
         -- Behind the kerb it leaves room for who comes to a crossing that others placed.
         UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN street_object o USING (axis_id)
             JOIN pedestrian_crossing c USING (street_object_id)
