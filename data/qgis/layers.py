@@ -203,7 +203,7 @@ EDITED = (
     Layer('edit', 'turn_restriction', 'turn_restriction_id', 'geom', mark('octagon', 3, 'forbidden'),
           ('from_axis', 'to_axis', 'kind', 'turn', 'except_kinds', 'source', 'source_ref'), scale=2500),
     Layer('edit', 'control_point', 'control_point_id', 'geom', control_point, ('kind', 'direction', 'marking', 'kerb', 'axis_id', 'source', 'source_ref'), scale=5000),
-    Layer('edit', 'footway', 'footway_id', 'geom', lambda look: single(line(look.handle(), 0.5, '2;1')), ('kind', 'role', 'width', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
+    Layer('edit', 'footway', 'footway_id', 'geom', lambda look: single(line(look.handle(), 0.5, '2;1')), ('kind', 'role', 'marking', 'width', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
            'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'lane_markings', 'access', 'sidewalk_left', 'sidewalk_right', 'sidewalk_apart', 'parking_left', 'parking_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True, scale=5000),

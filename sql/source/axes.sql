@@ -49,11 +49,12 @@ BEGIN
         FROM (SELECT c.name, c.type, EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass
             AND attname = CASE c.name WHEN 'kind' THEN 'class' ELSE c.name END) AS there
         FROM streetgen._axis_input() c) m;
-    IF silent IS NOT NULL THEN
+    -- Footways have two more.
+    silent := concat_ws(', ', silent, (SELECT string_agg(format('ADD %I text', word), ', ')
+        FROM unnest('{role,marking}'::name[]) word WHERE NOT EXISTS (SELECT FROM pg_attribute
+            WHERE attrelid = 'pg_temp._import'::regclass AND attname = word)));
+    IF silent <> '' THEN
         EXECUTE 'ALTER TABLE pg_temp._import ' || replace(silent, 'ADD kind text', 'ADD class text');
-    END IF;
-    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass AND attname = 'role') THEN
-        ALTER TABLE pg_temp._import ADD role text;
     END IF;
     RETURN QUERY SELECT i.left_out || ', left out', NULL::text, count(*), NULL::text[] FROM pg_temp._import i
         WHERE i.left_out IS NOT NULL GROUP BY 1 ORDER BY 1;

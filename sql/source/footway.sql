@@ -9,7 +9,7 @@ BEGIN
     CREATE TEMPORARY TABLE _import_footway ON COMMIT DROP AS
         SELECT p.source_ref, p.source_geom, NULL::geometry AS cleaned, p.class AS kind,
             CASE WHEN p.role IN ('sidewalk', 'crossing') THEN p.role END AS role,
-            p.width, coalesce(p.level, 0) AS level, p.name, c.use
+            p.marking, p.width, coalesce(p.level, 0) AS level, p.name, c.use
         FROM pg_temp._import_part p JOIN pg_temp._import_class c ON c.class = p.class AND c.use <> 'roadway';
     DELETE FROM pg_temp._import_part p USING pg_temp._import_class c WHERE c.class = p.class AND c.use <> 'roadway';
     DELETE FROM pg_temp._import i USING pg_temp._import_class c WHERE c.class = i.class AND c.use <> 'roadway';

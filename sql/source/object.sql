@@ -81,7 +81,9 @@ BEGIN
     INSERT INTO parking_bay (street_object_id) SELECT o.street_object_id FROM street_object o
         WHERE o.source = origin AND o.type = ANY (_types_below('parking_bay')) ON CONFLICT DO NOTHING;
     SELECT array_agg(DISTINCT o.axis_id) INTO touched FROM street_object o WHERE o.source = origin;
-    PERFORM streetgen._find_control_points(model, source), streetgen._update_object(model, touched),
+    -- Many streets are brought up to date with all at less cost.
+    PERFORM streetgen._find_control_points(model, source), streetgen._update_object(model, CASE
+            WHEN cardinality(touched) < (SELECT count(*) FROM axis) / 4.0 THEN touched END),
         -- Also where a crossing is gone.
         streetgen._settle_lane(model, NULL);
     RETURN QUERY SELECT 'object nearer to another one than distance_least, kept', o.type, count(*),

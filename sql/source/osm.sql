@@ -41,6 +41,13 @@ CREATE OR REPLACE FUNCTION streetgen._osm_off_street(tags jsonb) RETURNS boolean
 COMMENT ON FUNCTION streetgen._osm_off_street(jsonb) IS
     'Does a way lie within a building, or on another floor than that of the street?';
 
+CREATE OR REPLACE FUNCTION streetgen._osm_walk_role(tags jsonb) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN 'crossing' IN (tags ->> 'footway', tags ->> 'cycleway', tags ->> 'path') THEN 'crossing'
+        ELSE tags ->> 'footway' END;
+COMMENT ON FUNCTION streetgen._osm_walk_role(jsonb) IS
+    'The role of what is walked or cycled on: crossing by tags footway, cycleway or path, else what footway says.';
+
 CREATE OR REPLACE FUNCTION streetgen._unread_walk_tags(tags jsonb) RETURNS text[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT array_agg(key) FROM (SELECT key FROM (VALUES
@@ -49,7 +56,9 @@ CREATE OR REPLACE FUNCTION streetgen._unread_walk_tags(tags jsonb) RETURNS text[
         ('indoor', '{yes,no,room,area,corridor,wall,door,level,column}'),
         ('location', '{indoor,outdoor,underground,overground,surface,roof,bridge,kiosk}')) v(key, words)
         WHERE tags ->> key <> ALL (words)
-    UNION ALL SELECT 'level' WHERE tags ->> 'level' !~ '^[-+\d.;, ]+$') unread $$;
+    UNION ALL SELECT 'level' WHERE tags ->> 'level' !~ '^[-+\d.;, ]+$'
+    UNION ALL SELECT 'crossing:markings' WHERE streetgen._osm_walk_role(tags) = 'crossing'
+        AND tags ? 'crossing:markings' AND streetgen._osm_marking(tags ->> 'crossing:markings') IS NULL) unread $$;
 COMMENT ON FUNCTION streetgen._unread_walk_tags(jsonb) IS
     'The tags of what is walked or cycled on whose words mean nothing; NULL: none.';
 
@@ -200,7 +209,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
-        parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text)
+        parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -211,9 +220,11 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     m.sidewalk_left, m.sidewalk_right, m.unread,
     CASE WHEN c.use <> 'roadway' AND streetgen._osm_off_street(l.tags) THEN 'within a building or on another floor' END,
     m.access, m.parking_left, m.parking_right,
-    m.lane_markings, m.sidewalk_apart, l.tags ->> 'footway'
+    m.lane_markings, m.sidewalk_apart, w.role, CASE w.role WHEN 'crossing' THEN coalesce(
+        streetgen._osm_marking(l.tags ->> 'crossing:markings'), streetgen._osm_crossing(l.tags ->> 'crossing')) END
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
-    LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class
+    LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class,
+    LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';

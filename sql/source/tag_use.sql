@@ -7,6 +7,10 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     UNION ALL VALUES
     ('OpenStreetMap, ways', 'footway',
         'Of what is walked or cycled on: sidewalk is the sidewalk of the street beside it, crossing leads over one.'),
+    ('OpenStreetMap, ways', 'cycleway, path',
+        'Of what is walked or cycled on: crossing leads over a street, as footway=crossing does.'),
+    ('OpenStreetMap, ways', 'crossing, crossing:markings',
+        'Of what leads over a street: how the crossing is painted, column marking of its footway, as of nodes.'),
     ('OpenStreetMap, ways', 'indoor, level, location',
         'Of what is walked or cycled on: within a building, or on another floor than 0, it is left out.'),
     ('OpenStreetMap, nodes', 'highway',

@@ -72,6 +72,10 @@ CREATE FUNCTION edits.inserted(rows text) RETURNS text LANGUAGE sql VOLATILE RET
 
 CREATE FUNCTION edits.drawn(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE RETURN edits.inserted(edits.drawn_row(axis_id, geom));
 
+-- A line over an axis.
+CREATE FUNCTION edits.way_across(axis geometry) RETURNS geometry LANGUAGE sql VOLATILE AS $$
+  SELECT ST_MakeLine(ST_Translate(place, -x, -y), ST_Translate(place, x, y)) FROM (SELECT ST_LineInterpolatePoint(axis, edits.between(0, 1)) AS place, edits.between(-12, 12) AS x, edits.between(3, 12) AS y) v $$;
+
 -- One edit of what stands at streets.
 CREATE FUNCTION edits.object_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
@@ -91,8 +95,9 @@ BEGIN
                             ST_AsEWKT(other.geom), other.type, ST_AsEWKT(CASE WHEN edits.chance(0.5) THEN edits.place_beside(a.geom) ELSE ST_Translate(other.geom, edits.between(-5, 5), edits.between(-5, 5)) END))];
       END IF;
     WHEN 'footway' THEN
-      RETURN ARRAY[format('INSERT INTO edited.footway (geom, kind, role, width, level) VALUES (%L, %L, %s, %s, %s)', ST_AsEWKT(CASE WHEN edits.chance(0.2) THEN ST_MakeLine(edits.place(), edits.place_beside(a.geom)) ELSE ST_Translate(ST_LineSubstring(a.geom, edits.between(0, 0.4),
-        edits.between(0.5, 1)), edits.between(-12, 12), edits.between(-12, 12)) END), edits.one_of('footway', 'footway', 'cycleway', 'steps'), edits.one_of($q$'sidewalk'$q$, $q$'sidewalk'$q$, $q$'crossing'$q$, 'NULL'), edits.one_of('NULL', 'NULL', '1.8'), edits.one_of('0', '0', '0', '1'))];
+      RETURN ARRAY[format('INSERT INTO edited.footway (geom, kind, role, marking, width, level) VALUES (%L, %L, %s, %s, %s, %s)', ST_AsEWKT(CASE WHEN edits.chance(0.2) THEN ST_MakeLine(edits.place(), edits.place_beside(a.geom))
+        WHEN edits.chance(0.4) THEN edits.way_across(a.geom) ELSE ST_Translate(ST_LineSubstring(a.geom, edits.between(0, 0.4),
+        edits.between(0.5, 1)), edits.between(-12, 12), edits.between(-12, 12)) END), edits.one_of('footway', 'footway', 'cycleway', 'steps'), edits.one_of($q$'sidewalk'$q$, $q$'sidewalk'$q$, $q$'crossing'$q$, 'NULL'), edits.one_of('NULL', $q$'ladder'$q$, $q$'no'$q$), edits.one_of('NULL', 'NULL', '1.8'), edits.one_of('0', '0', '0', '1'))];
     WHEN 'move footway', 'no footway' THEN
       SELECT f.geom INTO other FROM edited.footway f ORDER BY ST_X(ST_StartPoint(f.geom)), ST_Y(ST_StartPoint(f.geom)), ST_Length(f.geom) OFFSET floor(random() * (SELECT count(*) FROM edited.footway)) LIMIT 1;
       IF FOUND THEN

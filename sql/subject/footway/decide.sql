@@ -4,6 +4,7 @@ CREATE OR REPLACE FUNCTION streetgen._axes_of_footway(model name, footways jsonb
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    crossed constant boolean := 'object' = ANY (streetgen._subjects(model));
     reach float8;
     axes bigint[] := '{}';
 BEGIN
@@ -16,14 +17,15 @@ BEGIN
             LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom FROM streetgen.model m
                 WHERE m.name = model) l,
             LATERAL (SELECT * FROM edge e WHERE e.geom && ST_Expand(l.geom, reach + widest.half) OFFSET 0) e
-            WHERE f ->> 'role' IS DISTINCT FROM 'crossing'
+            -- One that leads over a street maps no sidewalk, and makes a crossing.
+            WHERE (f ->> 'role' IS DISTINCT FROM 'crossing' OR crossed AND ST_DWithin(e.geom, l.geom, 2))
                 AND ST_DWithin(e.geom, l.geom, reach + greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)))
             INTO axes;
     END IF;
     RETURN axes;
 END $$;
 COMMENT ON FUNCTION streetgen._axes_of_footway(name, jsonb[]) IS
-    'The axes beside which footways lie or lay, but for crossings: a run for these finds their sidewalks anew.';
+    'The axes beside or over which footways lie or lay: a run for these finds their sidewalks and crossings anew.';
 
 CREATE OR REPLACE FUNCTION streetgen._footway_decision()
     RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,

@@ -9,10 +9,13 @@ CREATE TABLE :"model".footway (
     width float8 CHECK (width BETWEEN 0.001 AND 200), level integer NOT NULL DEFAULT 0 CHECK (level BETWEEN -50 AND 50),
     name text, source text, source_ref text,
     UNIQUE (source, source_ref));
+ALTER TABLE :"model".footway ADD COLUMN IF NOT EXISTS marking text CONSTRAINT footway_marking_check
+    CHECK (marking ~ '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$');
 CREATE INDEX footway_geom ON :"model".footway USING gist (geom);
 COMMENT ON TABLE :"model".footway IS
     'Input: lines of what is walked or cycled on beside streets, of classes whose use is walk, cycle or steps. They '
-    'make nothing until subject footway is on. One that runs along the kerb of a street is the sidewalk of that side';
+    'make nothing until subject footway is on. One that runs along the kerb of a street is the sidewalk of that side, '
+    'and one over a street a pedestrian crossing';
 COMMENT ON COLUMN :"model".footway.footway_id IS 'key';
 COMMENT ON COLUMN :"model".footway.geom IS 'its middle';
 COMMENT ON CONSTRAINT geom_is_a_finite_line ON :"model".footway IS
@@ -22,6 +25,11 @@ COMMENT ON COLUMN :"model".footway.role IS
     'sidewalk: of the street beside it; crossing: over a street; NULL: another way, or nothing known';
 COMMENT ON CONSTRAINT footway_role_check ON :"model".footway IS
     'sidewalk or crossing. Leave it empty for a way of its own.';
+COMMENT ON COLUMN :"model".footway.marking IS
+    'of a crossing, how it is painted: zebra, ladder, lines, dashes, dots, surface, yes (as is usual) or no; NULL: '
+    'unknown';
+COMMENT ON CONSTRAINT footway_marking_check ON :"model".footway IS
+    'zebra, ladder, lines, dashes, dots, surface, yes or no. Leave it empty where it is unknown.';
 COMMENT ON COLUMN :"model".footway.width IS 'width that is stated, metres; NULL: unknown';
 COMMENT ON CONSTRAINT footway_width_check ON :"model".footway IS
     '0.001 to 200 m. Leave it empty where it is unknown.';

@@ -112,3 +112,101 @@ FROM ground g, LATERAL (
     LATERAL (SELECT CASE WHEN b.surface IS NULL THEN g.surface
         ELSE ST_CollectionExtract(ST_Difference(g.surface, b.surface, 0.0001), 3) END AS surface) r
 WHERE ST_Area(r.surface) > 0.01
+
+--{has_crossing_footways
+BEGIN
+    RETURN EXISTS (SELECT FROM footway) AND EXISTS (SELECT FROM setting
+        WHERE name = 'footway_crossings' AND value <> 'none');
+END
+
+--{footway_over
+BEGIN
+    RETURN (SELECT footway_id FROM footway f WHERE f.geom && ST_Expand(place, 1) AND ST_DWithin(f.geom, place, 1)
+        AND f.level = _footway_over.level
+        ORDER BY f.role IS DISTINCT FROM 'crossing', ST_Distance(f.geom, place), f.footway_id LIMIT 1);
+END
+
+--{footway_crossings
+#variable_conflict use_column
+DECLARE
+    mapped_alone constant boolean := (SELECT value = 'mapped' FROM setting WHERE name = 'footway_crossings');
+BEGIN
+    IF NOT _has_crossing_footways() THEN
+        RETURN;
+    END IF;
+    RETURN QUERY
+    WITH street AS MATERIALIZED (
+        SELECT e.edge_id, e.axis_id, e.level, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa,
+            ST_Force2D(e.geom) AS geom, ST_Force2D(a.geom) AS line, coalesce(c.walked_along, true) AS walked,
+            greatest(e.width, e.width_end) / 2 + e.roadway_offset AS to_left,
+            greatest(e.width, e.width_end) / 2 - e.roadway_offset AS to_right
+        FROM edge e JOIN axis a USING (axis_id) LEFT JOIN axis_class c ON c.class = a.kind
+        WHERE e.edge_id = ANY (edges)),
+    -- Where a footway meets the edge, or ends there, and how far it goes on to the left of it and to the right.
+    met AS MATERIALIZED (
+        SELECT s.edge_id, f.footway_id, f.marked, f.width, streetgen._locate_on(s.line::bytea, p.geom::bytea) AS at,
+            l.to_left, l.to_right
+        FROM street s, LATERAL (
+                SELECT footway_id, role = 'crossing' IS TRUE AS marked,
+                    coalesce(f.width, CASE c.use WHEN 'cycle' THEN c.width END) AS width, ST_Force2D(f.geom) AS way
+                FROM footway f LEFT JOIN axis_class c ON c.class = f.kind
+                WHERE f.geom && ST_Expand(s.geom, 0.05) AND f.level = s.level AND ST_DWithin(f.geom, s.geom, 0.05)
+                    AND (f.role = 'crossing' OR s.walked AND NOT mapped_alone)
+                    AND coalesce(c.use, 'walk') = ANY (streetgen._footway_uses()) OFFSET 0) f,
+            LATERAL (SELECT geom FROM ST_Dump(ST_Intersection(f.way, s.geom)) WHERE ST_Dimension(geom) = 0
+                UNION ALL SELECT geom FROM unnest(ARRAY[ST_StartPoint(f.way), ST_EndPoint(f.way)]) geom
+                WHERE ST_DWithin(geom, s.geom, 0.05)) p,
+            LATERAL (SELECT ST_LineLocatePoint(f.way, p.geom) AS share, ST_Length(f.way) AS size) w,
+            -- One that runs askew leaves the middle late.
+            LATERAL (SELECT (array_agg(geom) FILTER (WHERE aside > 0))[1] AS to_left,
+                    (array_agg(geom) FILTER (WHERE aside < 0))[1] AS to_right
+                FROM (VALUES (-1), (1)) v(ahead), LATERAL (
+                    SELECT geom, (streetgen._locate_on(s.line::bytea, geom::bytea))[2] AS aside
+                    FROM generate_series(1, 3) step, LATERAL (SELECT ST_LineInterpolatePoint(f.way, greatest(0, least(1,
+                        share + ahead * step * (greatest(s.to_left, s.to_right) + 0.5) / size))) AS geom) g
+                    WHERE (streetgen._locate_on(s.line::bytea, geom::bytea))[2] NOT BETWEEN
+                        -greatest(0.3, 0.4 * s.to_right) AND greatest(0.3, 0.4 * s.to_left)
+                    ORDER BY step LIMIT 1) g) l
+        WHERE size > 0),
+    grouped AS (
+        SELECT *, sum(apart) OVER (PARTITION BY edge_id ORDER BY at[1], footway_id) AS place FROM (
+            SELECT *, (at[1] - lag(at[1]) OVER (PARTITION BY edge_id ORDER BY at[1], footway_id) > 0.5)::integer
+                AS apart
+            FROM met WHERE num_nonnulls(to_left, to_right) > 0) m),
+    -- Footways that meet there are one crossing, of the one that says so, or else of the one that leads across.
+    place AS MATERIALIZED (
+        SELECT edge_id, (array_agg(footway_id ORDER BY turn))[1] AS footway_id, bool_or(marked) AS marked,
+            (array_agg(at[1] ORDER BY turn))[1] AS abscissa, (array_agg(width ORDER BY turn))[1] AS width,
+            (array_agg(to_left ORDER BY turn) FILTER (WHERE to_left IS NOT NULL))[1] AS to_left,
+            (array_agg(to_right ORDER BY turn) FILTER (WHERE to_right IS NOT NULL))[1] AS to_right
+        FROM (SELECT *, row_number() OVER (ORDER BY marked DESC, num_nonnulls(to_left, to_right) DESC, footway_id,
+            at[1]) AS turn FROM grouped) g
+        GROUP BY edge_id, place
+        HAVING bool_or(to_left IS NOT NULL) AND bool_or(to_right IS NOT NULL)),
+    across AS MATERIALIZED (
+        SELECT s.edge_id, s.axis_id, s.start_abscissa, s.end_abscissa, s.from_node, s.to_node, p.footway_id, p.marked,
+            greatest(s.start_abscissa, least(s.end_abscissa, round(p.abscissa::numeric, 6)::float8)) AS abscissa,
+            -- Nobody paints one that runs on nearly along the street.
+            round(greatest(30, least(150, degrees(ST_Angle(p.to_right, p.to_left, ST_LineInterpolatePoint(s.line,
+                b.share), ST_LineInterpolatePoint(s.line, b.share_behind)))))::numeric, 6)::float8 AS angle,
+            degrees(ST_Azimuth(p.to_right, p.to_left)) AS heading,
+            greatest(0.5, least(20, coalesce(p.width, (streetgen._usual_crossing()).width))) AS width
+        FROM place p JOIN street s USING (edge_id), LATERAL (SELECT greatest(0, p.abscissa - 1) / ST_Length(s.line)
+            AS share, least(1, (p.abscissa + 1) / ST_Length(s.line)) AS share_behind) b)
+    SELECT DISTINCT ON (x.axis_id, round(10 * x.abscissa)) x.edge_id, x.abscissa, x.angle, x.width FROM across x
+    -- Of two that lie on each other by half one is made.
+    WHERE NOT EXISTS (SELECT FROM across o WHERE o.edge_id = x.edge_id
+            AND abs(o.abscissa - x.abscissa) < greatest(o.width, x.width) / 2
+            AND (NOT o.marked, o.footway_id, o.abscissa) < (NOT x.marked, x.footway_id, x.abscissa))
+        -- At a node the edge is crossed that is met squarest.
+        AND NOT EXISTS (SELECT FROM (VALUES (x.from_node, x.abscissa - x.start_abscissa),
+                (x.to_node, x.end_abscissa - x.abscissa)) n(node_id, away),
+            LATERAL (SELECT edge_id FROM (SELECT *, 0 AS at, 1 AS ahead FROM edge WHERE from_node = n.node_id
+                    UNION ALL SELECT *, 1, -1 FROM edge WHERE to_node = n.node_id) o,
+                LATERAL (SELECT ST_Azimuth(ST_LineInterpolatePoint(geom, at), ST_LineInterpolatePoint(geom,
+                    at + ahead * least(1, 2 / ST_Length(geom)))) AS leaves) l
+                ORDER BY round(sind(x.heading - degrees(leaves))::numeric ^ 2, 2) DESC, axis_id, start_abscissa
+                LIMIT 1) squarest
+            WHERE n.away < 0.1 AND squarest.edge_id <> x.edge_id)
+    ORDER BY x.axis_id, round(10 * x.abscissa), x.edge_id;
+END

@@ -39,17 +39,28 @@ BEGIN
         END IF;
         WITH drawn AS MATERIALIZED (
             SELECT c.street_object_id, c.surface AS was, c.stripes AS stripes_were, c.painted_as AS painted_was,
-                l.painted_as, a.level, g.ground,
+                c.footway_id AS footway_was, f.footway_id, l.painted_as, a.level, g.ground,
                 CASE WHEN g.ground IS NOT NULL AND l.painted_as NOT IN ('surface', 'no')
                     THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle,
                         l.painted_as)::geometry END AS stripes
             FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
-                LEFT JOIN control_point p ON p.control_point_id = o.control_point_id
-                CROSS JOIN LATERAL (SELECT coalesce(nullif(coalesce(c.marking, p.marking), 'yes'), (
+                LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
+                LEFT JOIN footway f ON f.footway_id = _footway_over(o.geom, a.level)
+                LEFT JOIN LATERAL (SELECT p.* FROM control_point p WHERE p.control_point_id = o.control_point_id
+                    UNION ALL (SELECT p.* FROM control_point p WHERE o.rule_id = -1 AND p.kind = 'pedestrian_crossing'
+                        AND ST_DWithin(p.geom, o.geom, 1) ORDER BY ST_Distance(p.geom, o.geom), control_point_id
+                        LIMIT 1)) p ON true
+                CROSS JOIN LATERAL (SELECT coalesce(c.marking, nullif(f.marking, 'yes'), p.marking, f.marking,
+                    -- Where nobody says that people cross, or over a drive, nothing is painted.
+                    CASE WHEN o.rule_id = -1 AND p.geom IS NULL AND (f.role IS DISTINCT FROM 'crossing' OR EXISTS (
+                        SELECT FROM axis x JOIN axis_class k ON k.class = x.kind
+                        WHERE x.axis_id = o.axis_id AND NOT k.crossed_on_foot)) THEN 'no' END) AS said) s
+                CROSS JOIN LATERAL (SELECT coalesce(nullif(s.said, 'yes'), (
+                    -- A cycle track goes on between dashes.
+                    SELECT 'dashes' FROM axis_class k WHERE o.rule_id = -1 AND k.class = f.kind AND k.use = 'cycle'), (
                     SELECT value FROM setting WHERE name = CASE WHEN p.geom IS NOT NULL AND EXISTS (
                         SELECT FROM control_point s WHERE s.kind = 'signals' AND ST_DWithin(s.geom, p.geom, 1))
                         THEN 'crossing_marking_at_signals' ELSE 'crossing_marking' END)) AS painted_as OFFSET 0) l
-                LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
                 LEFT JOIN LATERAL (SELECT coalesce(a.borders, streetgen._even_borders(a.width, a.width_end,
                     ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
                 LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line::bytea, w.borders, o.abscissa, c.width,
@@ -65,15 +76,17 @@ BEGIN
                     AS kept) k ON d.ground IS NOT NULL),
         new AS MATERIALIZED (
             -- Stripe by stripe, since they may touch in a bend.
-            SELECT street_object_id, was, stripes_were, painted_was, painted_as, kept AS ground,
+            SELECT street_object_id, was, stripes_were, painted_was, painted_as, footway_was, footway_id,
+                kept AS ground,
                 CASE WHEN painted_as = 'surface' THEN ST_Multi(kept) WHEN kept = ground THEN stripes ELSE (
                     SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
                     FROM ST_Dump(stripes) s) END AS stripes FROM clipped),
         drawn_anew AS (
-            UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes, painted_as = n.painted_as
+            UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes, painted_as = n.painted_as,
+                footway_id = n.footway_id
             FROM new n WHERE n.street_object_id = c.street_object_id
-                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was)
-                    IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as)
+                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was, n.footway_was)
+                    IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as, n.footway_id)
             RETURNING n.was, n.ground)
         SELECT array_agg(was) FILTER (WHERE told) || array_agg(ground) FILTER (WHERE told) FROM drawn_anew INTO moved;
     END $body$;

@@ -115,7 +115,8 @@ COMMENT ON TABLE :"model".free_place IS
     'By hand: places that rules leave free, since an object of theirs was deleted or moved there. A rule places '
     'nothing within 3 m, nor within half of its distance between objects. Delete the row and the object comes back';
 COMMENT ON COLUMN :"model".free_place.free_place_id IS 'key';
-COMMENT ON COLUMN :"model".free_place.rule_id IS 'the rule; 0: the function that setting placement_function names';
+COMMENT ON COLUMN :"model".free_place.rule_id IS
+    'the rule; 0: the function that setting placement_function names; -1: a footway';
 COMMENT ON COLUMN :"model".free_place.geom IS 'where the object of the rule stood';
 
 CREATE TABLE :"model".street_object (
@@ -177,7 +178,8 @@ COMMENT ON CONSTRAINT street_object_orientation_kind_check ON :"model".street_ob
 COMMENT ON COLUMN :"model".street_object.placed_by IS 'user, import or rule';
 COMMENT ON CONSTRAINT street_object_placed_by_check ON :"model".street_object IS
     'user, import or rule. Leave it out for user.';
-COMMENT ON COLUMN :"model".street_object.rule_id IS 'the rule that placed it; 0: a function of the user; NULL: none';
+COMMENT ON COLUMN :"model".street_object.rule_id IS 
+    'the rule that placed it; 0: a function of the user; -1: a footway that leads over the street; NULL: none';
 COMMENT ON COLUMN :"model".street_object.rule_place IS 'number of its place in the rule';
 COMMENT ON COLUMN :"model".street_object.source IS 'dataset of an import';
 COMMENT ON COLUMN :"model".street_object.source_ref IS 'its identifier there';
@@ -201,7 +203,7 @@ CREATE TABLE :"model".pedestrian_crossing (
 ALTER TABLE :"model".pedestrian_crossing
     ADD COLUMN IF NOT EXISTS marking text CONSTRAINT pedestrian_crossing_marking_check
         CHECK (marking ~ '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$'),
-    ADD COLUMN IF NOT EXISTS painted_as text,
+    ADD COLUMN IF NOT EXISTS painted_as text, ADD COLUMN IF NOT EXISTS footway_id bigint,
     ADD COLUMN IF NOT EXISTS kerb text CONSTRAINT pedestrian_crossing_kerb_check
         CHECK (kerb ~ '^(raised|lowered|rolled|flush|no)$');
 COMMENT ON COLUMN :"model".pedestrian_crossing.kerb IS
@@ -211,12 +213,14 @@ COMMENT ON CONSTRAINT pedestrian_crossing_kerb_check ON :"model".pedestrian_cros
     'raised, lowered, rolled, flush or no. Leave it empty to follow the source.';
 COMMENT ON COLUMN :"model".pedestrian_crossing.marking IS
     'by hand, how it is painted: zebra, ladder, lines, dashes, dots, surface, yes (as is usual) or no; NULL: as its '
-    'control point says, else as settings crossing_marking and crossing_marking_at_signals do';
+    'footway or control point says, else as settings crossing_marking and crossing_marking_at_signals do';
 COMMENT ON CONSTRAINT pedestrian_crossing_marking_check ON :"model".pedestrian_crossing IS
     'zebra, ladder, lines, dashes, dots, surface, yes or no. Leave it empty to follow the source.';
 COMMENT ON COLUMN :"model".pedestrian_crossing.painted_as IS
     'zebra, ladder, lines, dashes, dots, surface (all of its ground), or no: people cross there without paint; '
     'computed';
+COMMENT ON COLUMN :"model".pedestrian_crossing.footway_id IS
+    'the footway that leads over it; NULL: none, or the model computes no footways; computed';
 CREATE INDEX pedestrian_crossing_surface ON :"model".pedestrian_crossing USING gist (surface);
 COMMENT ON TABLE :"model".pedestrian_crossing IS
     'Pedestrian crossings: objects of type crossing, or of a type below it, with their ground and stripes';

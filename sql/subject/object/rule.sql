@@ -92,7 +92,8 @@ BEGIN
         LANGUAGE sql STABLE SET search_path FROM CURRENT
         AS $body$
         SELECT EXISTS (SELECT FROM placement_rule WHERE active)
-            OR EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none') $body$;
+            OR EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none')
+            OR _has_crossing_footways() $body$;
     CREATE OR REPLACE FUNCTION _has_rules_at_kerbs() RETURNS boolean
         LANGUAGE sql STABLE SET search_path FROM CURRENT
         AS $body$ SELECT EXISTS (SELECT FROM placement_rule WHERE active AND along IN ('border', 'corner')) $body$;
@@ -114,7 +115,8 @@ BEGIN
             WHERE street_object_id = ANY (objects) AND placed_by = 'rule' ORDER BY street_object_id;
         UPDATE street_object SET placed_by = 'user', rule_id = NULL, rule_place = NULL
             WHERE street_object_id = ANY (objects) AND placed_by = 'rule' $body$;
-    PERFORM streetgen._own_function(model, '_has_rules()', 'Whether any rule places objects'),
+    PERFORM streetgen._own_function(model, '_has_rules()',
+        'Whether any rule places objects, or footways make crossings'),
         streetgen._own_function(model, '_has_rules_at_kerbs()', 'Whether any rule places objects beside kerbs'),
         streetgen._own_function(model, '_take_from_rules(bigint[])',
         'Makes objects of rules those of the user, and leaves their places free');

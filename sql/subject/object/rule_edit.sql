@@ -119,7 +119,7 @@ BEGIN
         LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
         AS $body$
     BEGIN
-        DELETE FROM free_place f WHERE f.rule_id <> 0 AND NOT EXISTS (SELECT FROM placement_rule r
+        DELETE FROM free_place f WHERE f.rule_id > 0 AND NOT EXISTS (SELECT FROM placement_rule r
             WHERE r.rule_id = f.rule_id);
         IF streetgen._live(current_schema()) THEN
             -- Strips behind bays are as wide as these need, if rules make any.

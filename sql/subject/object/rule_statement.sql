@@ -16,14 +16,20 @@ DECLARE
     bay_rules constant bigint := (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
         + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
     on_lanes constant boolean := lying AND EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane');
+    ruled constant boolean := EXISTS (SELECT FROM placement_rule WHERE active
+            AND (type = ANY (on_roadway)) = lying)
+        OR EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none');
+    -- Where footways lead over streets.
+    walked constant streetgen.footway_crossing[] := CASE WHEN lying THEN ARRAY(
+        SELECT f FROM _footway_crossings(ARRAY(SELECT edge_id FROM edge WHERE {of_streets})) f)
+        ELSE ARRAY[]::streetgen.footway_crossing[] END;
 {streets_beside}
     any_free constant boolean := EXISTS (SELECT FROM free_place);
     any_former constant boolean := EXISTS (SELECT FROM street_object WHERE placed_by <> 'rule'
         AND rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
         AND {of_streets});
 BEGIN
-    IF NOT EXISTS (SELECT FROM placement_rule WHERE active AND (type = ANY (on_roadway)) = lying)
-        AND NOT EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none')
+    IF NOT ruled AND cardinality(walked) = 0
         AND NOT EXISTS (SELECT FROM street_object WHERE rule_id IS NOT NULL AND (type = ANY (on_roadway)) = lying
             AND {of_streets}) THEN
         RETURN;
@@ -63,7 +69,9 @@ END
             LEFT JOIN streetgen._axis_borders(current_schema(), computed) b USING (axis_id)
             JOIN section_limit l ON l.edge_id = e.edge_id AND l.which = 'start'
             JOIN section_limit h ON h.edge_id = e.edge_id AND h.which = 'end'{from_away}
-        WHERE {of_edges}),
+        WHERE {of_edges}
+            -- No other street has a place where footways alone make objects.
+            AND (ruled OR e.edge_id IN (SELECT edge_id FROM unnest(walked)))),
     -- Lanes on which cars stand, and places for them beside the roadway: behind is how far these reach there.
     parking AS MATERIALIZED (
         SELECT p.edge_id, p.side, p.depth, p.borders, p.behind, b.*,
@@ -192,7 +200,25 @@ END
                 AND p.abscissa BETWEEN x.start_abscissa AND x.end_abscissa ORDER BY x.start_abscissa LIMIT 1) s
                 ON true,
             LATERAL (SELECT jsonb_populate_record(NULL::placement_rule, jsonb_build_object('rule_id', 0,
-                'type', p.type, 'density', 1)) AS rule) own),
+                'type', p.type, 'density', 1)) AS rule) own
+        UNION ALL
+        -- By a footway that leads over the street, as rule -1, numbered by decimetres along the axis.
+        SELECT (own.rule).*, 0, true, s.*, NULL, p.abscissa, round(10 * p.abscissa)::integer, 90 - p.angle, 0, NULL,
+            NULL, p.width
+        FROM unnest(walked) p JOIN street s USING (edge_id),
+            LATERAL (SELECT jsonb_populate_record(NULL::placement_rule, jsonb_build_object('rule_id', -1,
+                'type', 'crossing', 'along', 'footway', 'density', 1)) AS rule) own,
+            LATERAL (SELECT streetgen._place_on(s.line::bytea, p.abscissa, 0)::geometry AS foot,
+                streetgen._crossing_ground(s.line::bytea, coalesce(s.borders, streetgen._even_borders(s.width,
+                    s.width_end, ST_Length2D(s.line), s.roadway_offset)), p.abscissa, p.width, p.angle)::geometry
+                AS ground OFFSET 0) g
+        -- It is one with that of its node, or by hand, and lies on no other one by half, as where streets part.
+        WHERE NOT EXISTS (SELECT FROM street_object o WHERE o.placed_by <> 'rule' AND o.type = ANY (crossings)
+                AND o.method = 'relative' AND o.geom && ST_Expand(g.foot, 2)
+                AND ST_DWithin(o.geom, g.foot, CASE o.axis_id WHEN s.axis_id THEN 2 ELSE 1 END))
+            AND NOT EXISTS (SELECT FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
+                WHERE c.surface && g.ground AND o.placed_by <> 'rule' AND ST_Area(ST_Intersection(c.surface, g.ground))
+                    > least(ST_Area(c.surface), ST_Area(g.ground)) / 2)),
     taken AS MATERIALIZED (
         SELECT rule_id, type, along, every, distance_least, own, beside, {fresh} AS fresh, axis_id, level,
             edge_id, at_side, abscissa, rule_place, turned, aside, p.geom,
@@ -279,6 +305,9 @@ END
             JOIN street_object o ON o.axis_id = t.axis_id AND o.abscissa BETWEEN s.start_abscissa AND s.end_abscissa
             WHERE t.along = 'arm' AND t.type = ANY (crossings) AND o.type = ANY (crossings) AND o.placed_by <> 'rule'
                 AND o.method = 'relative' AND abs(o.abscissa - t.abscissa) < 20
+        UNION SELECT t.rule_id, t.axis_id, t.rule_place FROM taken t JOIN taken b USING (edge_id)
+            WHERE t.along = 'arm' AND t.type = ANY (crossings) AND b.along = 'footway'
+                AND abs(b.abscissa - t.abscissa) < 20
         -- Behind the kerb it leaves room for who comes to a crossing that others placed.
         UNION SELECT b.rule_id, b.axis_id, b.rule_place FROM bay b JOIN street_object o USING (axis_id)
             JOIN pedestrian_crossing c USING (street_object_id)
@@ -340,7 +369,7 @@ END
             h.street_object_id AS held, h.geom AS was,
             (f.type, f.geom::bytea, f.angle, f.abscissa, f.at_side, f.aside, f.turned, 'relative')
                 IS DISTINCT FROM (h.type, h.geom::bytea, h.angle, h.abscissa, h.side, h.axis_offset, h.orientation,
-                h.method) AS differs, f.bay_length, f.bay_width
+                h.method) AS differs, f.along, f.bay_length, f.bay_width
         FROM (SELECT * FROM free WHERE along <> 'lane' OR number NOT IN (SELECT number FROM counted)) f
             FULL JOIN held h USING (rule_id, axis_id, rule_place)),
     gone AS (
@@ -367,7 +396,13 @@ END
         WHERE c.type = ANY (bays)
         ON CONFLICT (street_object_id) DO UPDATE SET length = excluded.length, width = excluded.width,
             angle = excluded.angle
-        WHERE (b.length, b.width, b.angle) <> (excluded.length, excluded.width, excluded.angle))
+        WHERE (b.length, b.width, b.angle) <> (excluded.length, excluded.width, excluded.angle)),
+    put_crossing AS (
+    INSERT INTO pedestrian_crossing AS b (street_object_id, width, angle)
+        SELECT coalesce(c.held, p.street_object_id), c.bay_width, 90 - c.turned
+        FROM compared c LEFT JOIN put p USING (rule_id, axis_id, rule_place) WHERE c.along = 'footway'
+        ON CONFLICT (street_object_id) DO UPDATE SET width = excluded.width, angle = excluded.angle
+        WHERE (b.width, b.angle) <> (excluded.width, excluded.angle))
     {changed} INTO streets, moved;
 
 --{rule_streets_beside
