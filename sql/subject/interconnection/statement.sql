@@ -61,12 +61,15 @@ left_interconnection AS MATERIALIZED (
 
 --{conflict
 CREATE OR REPLACE VIEW conflict WITH (security_invoker = true) AS
-WITH path AS ({path})
 SELECT a.node_id, a.interconnection_id AS interconnection_a, b.interconnection_id AS interconnection_b, kind,
     CASE WHEN kind = 'merging' OR meets_in_out THEN ST_EndPoint(a.geom)
         WHEN kind = 'opposing' THEN ST_StartPoint(a.geom) ELSE ST_Intersection(a.geom, b.geom) END AS geom,
     a.junction_id, a.junction_movement_id AS junction_movement_a, b.junction_movement_id AS junction_movement_b
-FROM path a JOIN path b ON b.place = a.place AND a.number < b.number
+-- The others of its node, or of its junction, are looked up for each path: one path asks for no more than these.
+FROM ({path}) a CROSS JOIN LATERAL (
+    SELECT * FROM ({path}) p WHERE p.node_id = a.node_id
+    UNION ALL SELECT * FROM ({path}) p WHERE a.node_id IS NULL AND p.node_id IS NULL AND p.junction_id = a.junction_id
+    OFFSET 0) b
 -- A lane for both directions is entered and left at one end: the other way there.
 CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_in) AS meets_in_out,
     (a.lane_in, NOT a.along_in) = (b.lane_out, b.along_out) AS meets_in_in,
@@ -74,16 +77,16 @@ CROSS JOIN LATERAL (SELECT (a.lane_out, a.along_out) = (b.lane_in, NOT b.along_i
 CROSS JOIN LATERAL (
     SELECT CASE WHEN merges THEN 'merging' WHEN meets_in_out OR meets_in_in THEN 'opposing' ELSE 'crossing'
         END AS kind) k
-WHERE (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
+WHERE a.number < b.number AND (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
     AND (merges OR meets_in_out OR meets_in_in OR ST_Intersects(a.geom, b.geom))
 
 --{path_of_movement
 SELECT node_id, junction_id, CASE WHEN junction_movement_id IS NULL THEN interconnections[1] END AS interconnection_id,
     junction_movement_id, coalesce(junction_movement_id, interconnections[1]) AS number,
-    coalesce(-node_id, junction_id) AS place, lane_in, lane_out, along_in, along_out, geom
+    lane_in, lane_out, along_in, along_out, geom
 FROM movement WHERE connecting
 
 --{path_of_interconnection
 SELECT node_id, NULL::bigint AS junction_id, interconnection_id, NULL::bigint AS junction_movement_id,
-    interconnection_id AS number, node_id AS place, lane_in, lane_out, along_in, along_out, geom
+    interconnection_id AS number, lane_in, lane_out, along_in, along_out, geom
 FROM interconnection WHERE connecting

@@ -43,8 +43,9 @@ BEGIN
         (a.end_abscissa - i.start_abscissa) / (i.end_abscissa - i.start_abscissa) AS e,
         (a.start_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS os,
         (a.end_abscissa - o.start_abscissa) / (o.end_abscissa - o.start_abscissa) AS oe, a.lane_b AS l
-    FROM lane_adjacency a JOIN lane_extent i ON i.lane_id = a.lane_a
-        JOIN lane_extent o ON o.lane_id = a.lane_b
+    FROM lane_adjacency a
+        CROSS JOIN LATERAL (SELECT * FROM lane_extent x WHERE x.lane_id = a.lane_a OFFSET 0) i
+        CROSS JOIN LATERAL (SELECT * FROM lane_extent x WHERE x.lane_id = a.lane_b OFFSET 0) o
     WHERE i.end_abscissa > i.start_abscissa AND o.end_abscissa > o.start_abscissa AND a.change = 'allowed';
     COMMENT ON VIEW lane_interval IS
         'The adjacency intervals of the paper: from share s to share e of a lane, along the axis, lane l lies beside '

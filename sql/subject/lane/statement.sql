@@ -2,40 +2,41 @@
 
 --{lane_adjacency
 CREATE OR REPLACE VIEW lane_adjacency WITH (security_invoker = true) AS
-SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_id,
-    CASE v.side WHEN 'right' THEN l.lane_id ELSE r.lane_id END AS lane_a,
-    CASE v.side WHEN 'right' THEN r.lane_id ELSE l.lane_id END AS lane_b, v.side, p.start_abscissa, p.end_abscissa,
+SELECT 2 * s.lane_separator_id + (v.side = 'right')::integer AS lane_adjacency_id, a.lane_id AS lane_a,
+    b.lane_id AS lane_b, v.side, p.start_abscissa, p.end_abscissa,
     CASE WHEN s.kind = 'centre' THEN 'opposite'
         WHEN CASE v.side WHEN 'left' THEN s.leftwards ELSE s.rightwards END THEN 'allowed'
         ELSE 'forbidden' END AS change,
     s.kind <> 'centre' AND EXISTS (SELECT FROM lane_adjacency_override o
-        WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa
-            AND (o.lane_from, o.lane_to) = (CASE v.side WHEN 'right' THEN l.ordinality ELSE r.ordinality END,
-                CASE v.side WHEN 'right' THEN r.ordinality ELSE l.ordinality END)) AS by_hand, s.geom
-FROM lane_separator s {beside}
-    JOIN edge e ON e.edge_id = s.edge_id
-    JOIN lane_extent x ON x.lane_id = l.lane_id CROSS JOIN (VALUES ('left'), ('right')) v(side)
+        WHERE o.axis_id = x.axis_id AND o.abscissa >= x.from_abscissa AND o.abscissa < x.to_abscissa
+            AND (o.lane_from, o.lane_to) = (a.ordinality, b.ordinality)) AS by_hand, s.geom
+FROM lane a JOIN lane_separator s USING (edge_id) CROSS JOIN (VALUES ('left'), ('right')) v(side)
+    CROSS JOIN LATERAL ({beside}) l
+    JOIN lane b ON b.edge_id = a.edge_id
+        AND b.lane_position = CASE v.side WHEN 'left' THEN l.on_left ELSE l.on_right END
+    -- The extent of each lane is looked up by its key, however many the planner expects.
+    CROSS JOIN LATERAL (SELECT x.axis_id, x.start_abscissa, x.end_abscissa, e.start_abscissa AS from_abscissa,
+            e.end_abscissa AS to_abscissa
+        FROM lane_extent x JOIN edge e USING (edge_id) WHERE x.lane_id = a.lane_id OFFSET 0) x
     -- As far as both go: a merging lane is beside the others on a part of the edge.
-    CROSS JOIN LATERAL (SELECT greatest(x.start_abscissa, r.start_abscissa) AS start_abscissa,
-        least(x.end_abscissa, r.end_abscissa) AS end_abscissa) p
+    CROSS JOIN LATERAL (SELECT greatest(x.start_abscissa, b.start_abscissa) AS start_abscissa,
+        least(x.end_abscissa, b.end_abscissa) AS end_abscissa) p
+WHERE a.lane_position = CASE v.side WHEN 'left' THEN l.on_right ELSE l.on_left END
 
 --{lanes_beside
-JOIN lane l ON (l.edge_id, l.lane_position) = (s.edge_id, s.lane_position)
-JOIN lane r ON (r.edge_id, r.lane_position) = (s.edge_id, s.lane_position + 1)
+SELECT s.lane_position AS on_left, s.lane_position + 1 AS on_right
 
 --{lanes_beside_merging
 -- The outer one of two merging lanes on different parts of an edge lies beside the lanes that go all along.
-JOIN lane on_left ON (on_left.edge_id, on_left.lane_position) = (s.edge_id, s.lane_position)
-JOIN lane on_right ON (on_right.edge_id, on_right.lane_position)
-    = (s.edge_id, s.lane_position + 1)
-CROSS JOIN LATERAL (SELECT on_left.kind = 'merging' AND on_right.kind = 'merging' AND (on_left.start_abscissa,
-    on_left.end_abscissa) IS DISTINCT FROM (on_right.start_abscissa, on_right.end_abscissa) AS apart) m
-JOIN lane l ON l.lane_id = CASE WHEN apart AND on_left.side = 'right' THEN (SELECT lane_id FROM lane w
-    WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position DESC LIMIT 1)
-    ELSE on_left.lane_id END
-JOIN lane r ON r.lane_id = CASE WHEN apart AND on_left.side = 'left' THEN (SELECT lane_id FROM lane w
-    WHERE w.edge_id = s.edge_id AND w.kind <> 'merging' ORDER BY w.lane_position LIMIT 1)
-    ELSE on_right.lane_id END
+SELECT CASE WHEN apart AND at_left.side = 'right' THEN (SELECT max(w.lane_position) FROM lane w
+        WHERE w.edge_id = s.edge_id AND w.kind <> 'merging') ELSE s.lane_position END AS on_left,
+    CASE WHEN apart AND at_left.side = 'left' THEN (SELECT min(w.lane_position) FROM lane w
+        WHERE w.edge_id = s.edge_id AND w.kind <> 'merging') ELSE s.lane_position + 1 END AS on_right
+FROM lane at_left JOIN lane at_right USING (edge_id), LATERAL (
+    SELECT at_left.kind = 'merging' AND at_right.kind = 'merging' AND (at_left.start_abscissa, at_left.end_abscissa)
+        IS DISTINCT FROM (at_right.start_abscissa, at_right.end_abscissa) AS apart) m
+WHERE (at_left.edge_id, at_left.lane_position, at_right.lane_position)
+    = (s.edge_id, s.lane_position, s.lane_position + 1)
 
 --{marked_before
 marked_before => (

@@ -13,8 +13,11 @@ BEGIN
             SELECT coalesce(bool_or(o.edge_id = c.edge_id), false) AS crossed,
                 coalesce(bool_or(i.edge_id = c.edge_id OR o.edge_id = c.edge_id AND w.turn = 'through'
                     OR c.inside AND ST_DWithin(w.geom, c.geom, c.width / 2)), false) AS taken
-            FROM signal_movement m JOIN movement w USING (lane_in, lane_out, along_in, along_out)
-                JOIN lane i ON i.lane_id = m.lane_in JOIN lane o ON o.lane_id = m.lane_out
+            FROM signal_movement m JOIN lane i ON i.lane_id = m.lane_in JOIN lane o ON o.lane_id = m.lane_out
+                -- Each movement is looked up by its lanes, however many the planner expects.
+                CROSS JOIN LATERAL (SELECT w.turn, w.geom FROM movement w
+                    WHERE (w.lane_in, w.lane_out, w.along_in, w.along_out)
+                        = (m.lane_in, m.lane_out, m.along_in, m.along_out) OFFSET 0) w
             WHERE (m.controller_id, m.ordinality) = (s.controller_id, s.ordinality)) p
     WHERE CASE s.kind WHEN 'green' THEN NOT p.taken WHEN 'all_red' THEN s.duration >= c.seconds ELSE false END;
     COMMENT ON VIEW signal_crossing IS
