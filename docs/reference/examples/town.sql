@@ -5,3 +5,6 @@ INSERT INTO town.axis (geom, width, name) VALUES
     ('SRID=2154;LINESTRING(650100 6860000, 650200 6860000)', 7, 'high street'),
     ('SRID=2154;LINESTRING(650100 6860000, 650110 6859920)', 6, 'mill lane'),
     ('SRID=2154;LINESTRING(650200 6860000, 650280 6860040)', 5, 'hill road');
+-- The same streets with sidewalks, for what people walk on.
+SELECT streetgen.create_model('walked', srid => 2154, subjects => '{footway}');
+INSERT INTO walked.axis (geom, width, radius, name, importance) SELECT geom, width, radius, name, 4 FROM town.axis;

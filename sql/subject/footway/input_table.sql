@@ -38,3 +38,31 @@ COMMENT ON CONSTRAINT footway_level_check ON :"model".footway IS '-50 to 50. 0 i
 COMMENT ON COLUMN :"model".footway.name IS 'its name';
 COMMENT ON COLUMN :"model".footway.source IS 'table that it was imported from';
 COMMENT ON COLUMN :"model".footway.source_ref IS 'its identity in the source';
+ALTER TABLE :"model".footway ADD COLUMN IF NOT EXISTS surface text,
+    ADD COLUMN IF NOT EXISTS incline float8
+        CONSTRAINT footway_incline_check CHECK (incline BETWEEN -100 AND 100),
+    ADD COLUMN IF NOT EXISTS climb text CONSTRAINT footway_climb_check CHECK (climb ~ '^(up|down)$'),
+    ADD COLUMN IF NOT EXISTS wheelchair text
+        CONSTRAINT footway_wheelchair_check CHECK (wheelchair ~ '^(yes|limited|no)$'),
+    ADD COLUMN IF NOT EXISTS tactile_paving text
+        CONSTRAINT footway_tactile_paving_check CHECK (tactile_paving ~ '^(yes|no|incorrect)$'),
+    ADD COLUMN IF NOT EXISTS foot text
+        CONSTRAINT footway_foot_check CHECK (foot ~ '^(yes|designated|permissive|destination|private|no)$');
+COMMENT ON COLUMN :"model".footway.surface IS 'what it is paved with, in the words of the source; NULL: unknown';
+COMMENT ON COLUMN :"model".footway.incline IS
+    'how steep it is in the direction of geom, percent, up positive; NULL: unknown';
+COMMENT ON CONSTRAINT footway_incline_check ON :"model".footway IS
+    '-100 to 100 percent. Leave it empty where it is unknown.';
+COMMENT ON COLUMN :"model".footway.climb IS 'whether it leads up or down in the direction of geom; NULL: unknown';
+COMMENT ON CONSTRAINT footway_climb_check ON :"model".footway IS 'up or down. Leave it empty where it is unknown.';
+COMMENT ON COLUMN :"model".footway.wheelchair IS 'whether a wheelchair gets along: yes, limited or no; NULL: unknown';
+COMMENT ON CONSTRAINT footway_wheelchair_check ON :"model".footway IS
+    'yes, limited or no. Leave it empty where it is unknown.';
+COMMENT ON COLUMN :"model".footway.tactile_paving IS
+    'whether its paving guides the blind: yes, no or incorrect; NULL: unknown';
+COMMENT ON CONSTRAINT footway_tactile_paving_check ON :"model".footway IS
+    'yes, no or incorrect. Leave it empty where it is unknown.';
+COMMENT ON COLUMN :"model".footway.foot IS
+    'who may walk there: yes, designated, permissive, destination, private or no; NULL: nothing is said, and all may';
+COMMENT ON CONSTRAINT footway_foot_check ON :"model".footway IS
+    'yes, designated, permissive, destination, private or no. Leave it empty where nothing is said.';

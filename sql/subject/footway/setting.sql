@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._footway_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
     AS $$ VALUES
     ('mapped_sidewalk_distance', '12', 'm', 'farthest that a footway lies from the kerb whose sidewalk it is',
         0::float8, 50::float8, NULL::text[]),
@@ -15,5 +15,7 @@ CREATE OR REPLACE FUNCTION streetgen._footway_setting()
         NULL, NULL, '{none,estimated}'),
     ('footway_crossings', 'all', NULL,
         'footways that make pedestrian crossings where they lead over streets: all, mapped (of role crossing), or none',
-        NULL, NULL, '{all,mapped,none}') $$;
+        NULL, NULL, '{all,mapped,none}'),
+    ('walk_join_distance', '3', 'm', 'farthest that the loose end of a footway lies from the walk that it joins', 0, 20,
+        NULL) $$;
 COMMENT ON FUNCTION streetgen._footway_setting() IS 'The settings of footways, with their defaults and ranges.';

@@ -210,3 +210,9 @@ BEGIN
             WHERE n.away < 0.1 AND squarest.edge_id <> x.edge_id)
     ORDER BY x.axis_id, round(10 * x.abscissa), x.edge_id;
 END
+
+--{walk_link
+CREATE OR REPLACE VIEW walk_link WITH (security_invoker = true) AS
+SELECT walk_link_id, kind, from_node, to_node, level, metres, width, kerb_from, kerb_to, marking, surface, incline,
+    climb, tactile_paving, wheelchair, foot, barriers, footway_id, edge_id, side, street_object_id, geom
+FROM streetgen.walk_links({model})

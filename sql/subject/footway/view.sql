@@ -21,11 +21,51 @@ BEGIN
         'its width, or that of its class, or setting mapped_sidewalk_minimal, metres';
     COMMENT ON COLUMN footway_surface.geom IS 'its middle';
     COMMENT ON COLUMN footway_surface.surface IS 'its ground';
+    EXECUTE streetgen._fill_template(streetgen._part('walk_link'), jsonb_build_object('model', quote_literal(model)));
+    COMMENT ON VIEW walk_link IS
+        'The network of what people walk on, a row for each piece between two nodes, in metres along geom. Computed '
+        'when it is asked for, and so live; streetgen.walk_links has those of an extent alone';
+    COMMENT ON COLUMN walk_link.walk_link_id IS 'key, of its shape: kept while the link lies where it lies';
+    COMMENT ON COLUMN walk_link.kind IS
+        'sidewalk: along a street; crossing: of a roadway; walk: another way; steps; elevator; street: on a roadway '
+        'that has no sidewalk';
+    COMMENT ON COLUMN walk_link.from_node IS 'node at its start, as in walk_node';
+    COMMENT ON COLUMN walk_link.to_node IS 'node at its end';
+    COMMENT ON COLUMN walk_link.level IS 'level that it lies on; 0: the ground';
+    COMMENT ON COLUMN walk_link.metres IS 'length, metres';
+    COMMENT ON COLUMN walk_link.width IS 'width, metres; of a street that of its roadway; NULL: unknown';
+    COMMENT ON COLUMN walk_link.kerb_from IS
+        'kerb where a crossing starts: raised, lowered, rolled, flush or no; NULL: unknown, or no crossing';
+    COMMENT ON COLUMN walk_link.kerb_to IS 'the same where it ends';
+    COMMENT ON COLUMN walk_link.marking IS
+        'how a crossing is painted, as pedestrian_crossing.painted_as; NULL: nothing is known, or no crossing';
+    COMMENT ON COLUMN walk_link.surface IS 'what it is paved with, as footway.surface; NULL: unknown';
+    COMMENT ON COLUMN walk_link.incline IS 'how steep it is from start to end, percent, up positive; NULL: unknown';
+    COMMENT ON COLUMN walk_link.climb IS 'whether it leads up or down from start to end; NULL: unknown';
+    COMMENT ON COLUMN walk_link.tactile_paving IS 'whether its paving guides the blind, as footway.tactile_paving';
+    COMMENT ON COLUMN walk_link.wheelchair IS
+        'whether a wheelchair gets along: yes, limited or no, as is said or follows from steps, kerbs, width and '
+        'incline; NULL: nothing speaks against it';
+    COMMENT ON COLUMN walk_link.foot IS 'who may walk there, as footway.foot; NULL: nothing is said, and all may';
+    COMMENT ON COLUMN walk_link.barriers IS 'types of objects that protect, such as bollards, on it; NULL: none';
+    COMMENT ON COLUMN walk_link.footway_id IS 'the footway that maps it; NULL: no source does';
+    COMMENT ON COLUMN walk_link.edge_id IS 'the edge that it lies along or crosses; NULL: a mapped one';
+    COMMENT ON COLUMN walk_link.side IS 'of a sidewalk that no source maps, the side of its kerb, as kerb.side';
+    COMMENT ON COLUMN walk_link.street_object_id IS 'the object that the crossing is; NULL: none';
+    COMMENT ON COLUMN walk_link.geom IS 'its middle, from from_node to to_node';
+    CREATE OR REPLACE VIEW walk_node WITH (security_invoker = true) AS
+    SELECT node_id, count(*) AS links, (array_agg(place))[1] AS geom
+    FROM walk_link, LATERAL (VALUES (from_node, ST_StartPoint(geom)), (to_node, ST_EndPoint(geom))) v(node_id, place)
+    GROUP BY node_id;
+    COMMENT ON VIEW walk_node IS 'Where links of what people walk on meet or end';
+    COMMENT ON COLUMN walk_node.node_id IS 'key, of its place: kept while links meet there';
+    COMMENT ON COLUMN walk_node.links IS 'how many links start or end there';
+    COMMENT ON COLUMN walk_node.geom IS 'place';
 END $$;
 COMMENT ON FUNCTION streetgen._make_footway_views(name) IS
-    'Makes view footway_surface of a model, where it computes footways.';
+    'Makes the views of a model that computes footways: their ground, and the network of what people walk on.';
 
 CREATE OR REPLACE FUNCTION streetgen._footway_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES ('footway_surface'::name, 'footway') $$;
-COMMENT ON FUNCTION streetgen._footway_view() IS 'The view of footways, and the subject whose tables it reads.';
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    AS $$ VALUES ('footway_surface'::name, 'footway'), ('walk_node', 'footway'), ('walk_link', 'footway') $$;
+COMMENT ON FUNCTION streetgen._footway_view() IS 'The views of footways, and the subject whose tables they read.';

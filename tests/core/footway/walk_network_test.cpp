@@ -1,0 +1,97 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "geometry/polyline.hpp"
+#include "streetgen/walk_network.hpp"
+
+namespace streetgen {
+namespace {
+
+WalkLine mapped(Line line, double reach = 0, double excess = 0) {
+  return {std::move(line), 0, true, reach, reach, excess, excess};
+}
+WalkLine built(Line line) { return {std::move(line), 0, false, 0, 0, 0, 0}; }
+
+TEST(WalkNetwork, MappedLinesMeetAtVerticesThatTheyShare) {
+  const auto links = walk_network(
+      {mapped({{0, 0}, {10, 0}, {20, 0}}), mapped({{10, 0}, {10, 9}}), mapped({{5, -5}, {5, 5}})});
+  ASSERT_EQ(links.size(), 4u);
+  EXPECT_EQ(links[0].to_node, links[1].from_node);
+  EXPECT_EQ(links[0].to_node, links[2].from_node);
+  EXPECT_EQ(links[0].part, 1);
+  EXPECT_EQ(links[1].part, 2);
+  EXPECT_EQ(links[1].parts, 2);
+}
+
+TEST(WalkNetwork, LinesOfTwoLevelsMeetAtAVertexAndDoNotCross) {
+  WalkLine above = built({{5, -5}, {5, 5}});
+  above.level = 1;
+  EXPECT_EQ(walk_network({mapped({{0, 0}, {10, 0}}), above}).size(), 2u);
+  above.line = {{10, 0}, {10, 5}};
+  const auto links = walk_network({mapped({{0, 0}, {10, 0}}), above});
+  EXPECT_EQ(links[0].to_node, links[1].from_node);
+}
+
+TEST(WalkNetwork, WhatIsBuiltMeetsWhatItCrosses) {
+  EXPECT_EQ(walk_network({mapped({{0, 0}, {10, 0}}), built({{5, -5}, {5, 5}})}).size(), 4u);
+  EXPECT_EQ(walk_network({built({{0, 0}, {10, 0}}), built({{5, -5}, {5, 5}})}).size(), 4u);
+  // Beside an end it is that end.
+  const auto links = walk_network({mapped({{0, 0}, {10, 0}}), built({{9.8, -5}, {9.8, 5}})});
+  ASSERT_EQ(links.size(), 3u);
+  EXPECT_EQ(links[0].to_node, links[1].to_node);
+}
+
+TEST(WalkNetwork, ALooseEndIsLedOnToTheNearestLineAhead) {
+  const auto links = walk_network(
+      {mapped({{0, 0}, {8, 0}}, 3), built({{10, -5}, {10, 5}}), built({{-9, 0}, {-9, 5}})});
+  ASSERT_EQ(links.size(), 4u);
+  EXPECT_NEAR(length(links[0].geometry), 10, 1e-9);
+  EXPECT_EQ(links[0].to_node, links[1].to_node);
+  // One on another level is none.
+  WalkLine above = built({{10, -5}, {10, 5}});
+  above.level = 1;
+  EXPECT_NEAR(length(walk_network({mapped({{0, 0}, {8, 0}}, 3), above})[0].geometry), 8, 1e-9);
+}
+
+TEST(WalkNetwork, WhatLeadsBeyondTheLastWalkIsCutOff) {
+  const auto cut = walk_network({mapped({{0, 0}, {20, 0}}, 0, 6), built({{15, -5}, {15, 5}})});
+  ASSERT_EQ(cut.size(), 3u);
+  EXPECT_NEAR(length(cut[0].geometry), 15, 1e-9);
+  EXPECT_EQ(walk_network({mapped({{0, 0}, {20, 0}}, 0, 4), built({{15, -5}, {15, 5}})}).size(), 4u);
+}
+
+TEST(WalkNetwork, TwoLinesOfOneShapeAreOneLinkAndThoseWithoutLengthNone) {
+  EXPECT_EQ(walk_network({built({{0, 0}, {9, 0}}), built({{0, 0}, {9, 0}})}).size(), 1u);
+  EXPECT_TRUE(walk_network({built({{0, 0}, {0, 0}}), mapped({{1, 1}})}).empty());
+  EXPECT_TRUE(walk_network({}).empty());
+}
+
+TEST(WalkNetwork, OfRandomLinesNodesAreEndsLengthStaysAndIdsAreOnce) {
+  std::mt19937 random(48);
+  std::uniform_real_distribution<double> place(0, 100);
+  std::vector<WalkLine> lines;
+  double metres = 0;
+  for (int i = 0; i < 60; ++i) {
+    Line line;
+    for (int p = 0; p < 4; ++p) line.push_back({place(random), place(random)});
+    lines.push_back(i % 2 == 0 ? mapped(line) : built(line));
+    metres += length(line);
+  }
+  const auto links = walk_network(lines);
+  double sum = 0;
+  std::set<std::int64_t> ids;
+  for (const WalkLink& link : links) {
+    sum += length(link.geometry);
+    EXPECT_TRUE(ids.insert(link.id).second);
+    EXPECT_GE(link.from_node, 0);
+  }
+  // A crossing beside an end or a vertex bends its line there.
+  EXPECT_NEAR(sum, metres, 60);
+  EXPECT_GT(links.size(), 500u);
+}
+
+}  // namespace
+}  // namespace streetgen
