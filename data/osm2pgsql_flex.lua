@@ -18,7 +18,8 @@ end
 
 -- What footways, cycle tracks and steps say beside that.
 local walked = { footway = true, path = true, pedestrian = true, cycleway = true, steps = true, corridor = true }
-local walk_keys = { 'footway', 'path', 'crossing', 'crossing:markings', 'indoor', 'location', 'level' }
+local walk_keys = { 'footway', 'path', 'crossing', 'crossing:markings', 'indoor', 'location', 'level', 'surface', 'incline',
+                    'wheelchair', 'tactile_paving' }
 
 -- Words that are a letter away from each other are alike with a letter taken out of either.
 local function each_worn(word, take)

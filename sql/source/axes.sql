@@ -49,10 +49,10 @@ BEGIN
         FROM (SELECT c.name, c.type, EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass
             AND attname = CASE c.name WHEN 'kind' THEN 'class' ELSE c.name END) AS there
         FROM streetgen._axis_input() c) m;
-    -- Footways have two more.
-    silent := concat_ws(', ', silent, (SELECT string_agg(format('ADD %I text', word), ', ')
-        FROM unnest('{role,marking}'::name[]) word WHERE NOT EXISTS (SELECT FROM pg_attribute
-            WHERE attrelid = 'pg_temp._import'::regclass AND attname = word)));
+    -- Footways have more.
+    silent := concat_ws(', ', silent, (SELECT string_agg(format('ADD %I %s', name, type), ', ')
+        FROM streetgen._footway_input() WHERE name NOT IN (SELECT attname FROM pg_attribute
+            WHERE attrelid = 'pg_temp._import'::regclass)));
     IF silent <> '' THEN
         EXECUTE 'ALTER TABLE pg_temp._import ' || replace(silent, 'ADD kind text', 'ADD class text');
     END IF;

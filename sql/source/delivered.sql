@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS t
     AS $$ SELECT CASE relation WHEN 'axis' THEN ARRAY(SELECT name FROM streetgen._axis_input())
         WHEN 'control_point' THEN '{kind,direction,marking,kerb}'
         WHEN 'turn_restriction' THEN '{from_axis,to_axis,kind,turn,except_kinds,via_axes,via_geom,to_geom}'
-        WHEN 'footway' THEN '{kind,role,marking,width,level,name}'
+        WHEN 'footway' THEN '{kind,width,level,name}'::text[] || ARRAY(SELECT i.name FROM streetgen._footway_input() i)
         WHEN 'street_object' THEN '{type,orientation}' END || '{geom}' $$;
 COMMENT ON FUNCTION streetgen._delivered_columns(text) IS
     'The columns of a table of a model that a delivery may fill: axis, control_point, turn_restriction, footway or '
@@ -94,8 +94,8 @@ BEGIN
             said := (SELECT jsonb_object_agg(control_point_id, jsonb_build_object('kind', kind, 'direction', direction,
                 'geom', geom::text)) FROM after);
         ELSIF TG_TABLE_NAME = 'footway' THEN
-            said := (SELECT jsonb_object_agg(footway_id, jsonb_build_object('kind', kind, 'role', role, 'marking',
-                marking, 'width', width, 'level', level, 'name', name, 'geom', geom::text)) FROM after);
+            said := (SELECT jsonb_object_agg(footway_id, to_jsonb(a) || jsonb_build_object('geom', geom::text))
+                FROM after a);
         ELSE
             said := (SELECT jsonb_object_agg(turn_restriction_id, jsonb_build_object('from_axis', from_axis, 'to_axis',
                 to_axis, 'kind', kind, 'turn', turn, 'except_kinds', except_kinds, 'via_axes', via_axes, 'via_geom',

@@ -1,5 +1,12 @@
 -- Lines of classes that are no roadway: they become footways.
 
+CREATE OR REPLACE FUNCTION streetgen._footway_input() RETURNS TABLE(name text, type text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
+    AS $$ SELECT word, CASE word WHEN 'incline' THEN 'float8' ELSE 'text' END
+        FROM unnest('{role,marking,surface,incline,climb,wheelchair,tactile_paving,foot}'::text[]) word $$;
+COMMENT ON FUNCTION streetgen._footway_input() IS
+    'The columns that a footway has of a source and an axis has not, with their types.';
+
 CREATE OR REPLACE FUNCTION streetgen._part_footways(model name)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -8,8 +15,8 @@ CREATE OR REPLACE FUNCTION streetgen._part_footways(model name)
 BEGIN
     CREATE TEMPORARY TABLE _import_footway ON COMMIT DROP AS
         SELECT p.source_ref, p.source_geom, NULL::geometry AS cleaned, p.class AS kind,
-            CASE WHEN p.role IN ('sidewalk', 'crossing') THEN p.role END AS role,
-            p.marking, p.width, coalesce(p.level, 0) AS level, p.name, c.use
+            CASE WHEN p.role IN ('sidewalk', 'crossing') THEN p.role END AS role, p.marking, p.surface, p.incline,
+            p.climb, p.wheelchair, p.tactile_paving, p.foot, p.width, coalesce(p.level, 0) AS level, p.name, c.use
         FROM pg_temp._import_part p JOIN pg_temp._import_class c ON c.class = p.class AND c.use <> 'roadway';
     DELETE FROM pg_temp._import_part p USING pg_temp._import_class c WHERE c.class = p.class AND c.use <> 'roadway';
     DELETE FROM pg_temp._import i USING pg_temp._import_class c WHERE c.class = i.class AND c.use <> 'roadway';

@@ -54,9 +54,17 @@ CREATE OR REPLACE FUNCTION streetgen._unread_walk_tags(tags jsonb) RETURNS text[
         ('footway', '{sidewalk,crossing,traffic_island,island,access_aisle,link,connection,alley,passage,platform,'
             'sidepath,yes,no}'::text[]),
         ('indoor', '{yes,no,room,area,corridor,wall,door,level,column}'),
-        ('location', '{indoor,outdoor,underground,overground,surface,roof,bridge,kiosk}')) v(key, words)
+        ('location', '{indoor,outdoor,underground,overground,surface,roof,bridge,kiosk}'),
+        ('path', '{crossing,sidewalk,link,connection,mtb,desire,yes,no}'),
+        ('tactile_paving', '{yes,no,incorrect,partial,contrasted,primitive}'),
+        ('wheelchair', '{yes,designated,limited,bad,no,impassable}')) v(key, words)
         WHERE tags ->> key <> ALL (words)
+    UNION ALL SELECT 'foot' WHERE tags ->> 'foot' <> 'unknown' AND streetgen._osm_foot(tags ->> 'foot', NULL) IS NULL
+    UNION ALL SELECT 'incline' WHERE tags ->> 'incline' NOT IN ('up', 'down', 'yes', 'no', 'steep')
+        AND streetgen._osm_incline(tags ->> 'incline') IS NULL
     UNION ALL SELECT 'level' WHERE tags ->> 'level' !~ '^[-+\d.;, ]+$'
+    UNION ALL SELECT 'crossing' WHERE streetgen._osm_walk_role(tags) = 'crossing' AND tags ->> 'crossing' <> 'no'
+        AND streetgen._osm_crossing(tags ->> 'crossing') IS NULL
     UNION ALL SELECT 'crossing:markings' WHERE streetgen._osm_walk_role(tags) = 'crossing'
         AND tags ? 'crossing:markings' AND streetgen._osm_marking(tags ->> 'crossing:markings') IS NULL) unread $$;
 COMMENT ON FUNCTION streetgen._unread_walk_tags(jsonb) IS
@@ -209,7 +217,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
-        parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text)
+        parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text,
+        surface text, incline float8, climb text, wheelchair text, tactile_paving text, foot text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -221,7 +230,11 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     CASE WHEN c.use <> 'roadway' AND streetgen._osm_off_street(l.tags) THEN 'within a building or on another floor' END,
     m.access, m.parking_left, m.parking_right,
     m.lane_markings, m.sidewalk_apart, w.role, CASE w.role WHEN 'crossing' THEN coalesce(
-        streetgen._osm_marking(l.tags ->> 'crossing:markings'), streetgen._osm_crossing(l.tags ->> 'crossing')) END
+        streetgen._osm_marking(l.tags ->> 'crossing:markings'), streetgen._osm_crossing(l.tags ->> 'crossing')) END,
+    l.tags ->> 'surface', streetgen._osm_incline(l.tags ->> 'incline'), streetgen._osm_climb(l.tags ->> 'incline'),
+    streetgen._osm_wheelchair(l.tags ->> 'wheelchair'), CASE WHEN l.tags ->> 'tactile_paving'
+        IN ('yes', 'no', 'incorrect') THEN l.tags ->> 'tactile_paving' END,
+    streetgen._osm_foot(l.tags ->> 'foot', l.tags ->> 'access')
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class,
     LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w

@@ -7,6 +7,10 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     UNION ALL VALUES
     ('OpenStreetMap, ways', 'footway',
         'Of what is walked or cycled on: sidewalk is the sidewalk of the street beside it, crossing leads over one.'),
+    ('OpenStreetMap, ways', 'surface, incline, wheelchair, tactile_paving',
+        'Of what is walked or cycled on: columns of its footway; incline as percent, or up and down.'),
+    ('OpenStreetMap, ways', 'foot',
+        'Of what is walked or cycled on: column foot of its footway, as tag access where that says nothing.'),
     ('OpenStreetMap, ways', 'cycleway, path',
         'Of what is walked or cycled on: crossing leads over a street, as footway=crossing does.'),
     ('OpenStreetMap, ways', 'crossing, crossing:markings',

@@ -58,9 +58,11 @@ BEGIN
     RETURN QUERY SELECT keys_of FROM unnest(string_to_array(parts[2], '|')) word, pg_temp.keys_of(parts[1] || word || parts[3]);
   END IF;
 END $$;
-CREATE TABLE every_line AS SELECT row_number() OVER () AS way_id, 'primary' AS class, NULL::text AS name, NULL::text AS ref, jsonb_build_object(key, 'xyzzy') AS tags, key,
+CREATE TABLE every_line AS SELECT row_number() OVER () AS way_id, CASE WHEN walked THEN 'footway' ELSE 'primary' END AS class, NULL::text AS name, NULL::text AS ref,
+  CASE WHEN walked THEN '{"footway": "crossing"}' ELSE '{}' END::jsonb || jsonb_build_object(key, 'xyzzy') AS tags, key,
   ST_SetSRID(ST_MakeLine(ST_MakePoint(500000, 300 * row_number() OVER ()), ST_MakePoint(500120, 300 * row_number() OVER ())), 32631) AS geom
-FROM (SELECT key FROM streetgen.tag_use() u, regexp_split_to_table(u.tag, ',\s*') part, pg_temp.keys_of(btrim(part)) key WHERE u.source ~ '^OpenStreetMap, (lanes|ways)' GROUP BY key HAVING bool_and(u.becomes NOT LIKE 'Nothing%')) k;
+-- Of what is walked on a crossing has all tags; any word is a surface.
+FROM (SELECT key, bool_and(u.becomes LIKE 'Of what%' AND u.becomes NOT LIKE '%left out%') AS walked FROM streetgen.tag_use() u, regexp_split_to_table(u.tag, ',\s*') part, pg_temp.keys_of(btrim(part)) key WHERE u.source ~ '^OpenStreetMap, (lanes|ways)' AND key <> 'surface' GROUP BY key HAVING bool_and(u.becomes NOT LIKE 'Nothing%')) k;
 SELECT streetgen.create_model('every_tag', 32631, subjects => '{lane}') \g /dev/null
 CREATE TEMPORARY TABLE every_told AS SELECT * FROM streetgen.import_osm('every_tag', 'every');
 -- Texts of any words, values beside those that say something of a street, and widths of lanes that are not there.

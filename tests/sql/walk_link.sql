@@ -103,3 +103,16 @@ DO $$ BEGIN PERFORM streetgen.switch_subject('bare', 'footway', true); END $$;
 SELECT 'with it there is one, empty', (SELECT count(*) = 0 FROM bare.walk_link);
 DO $$ BEGIN PERFORM streetgen.switch_subject('bare', 'footway', false); END $$;
 SELECT 'and without it again none', to_regclass('bare.walk_link') IS NULL;
+
+-- Attributes of OpenStreetMap.
+CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry(LineString, 2154));
+INSERT INTO osm_line VALUES (1, 'residential', NULL, NULL, '{"width": "8"}', 2, pg_temp.line('LINESTRING(0 0,200 0)')), (2, 'footway', NULL, NULL, '{"surface": "asphalt", "incline": "-5 %", "wheelchair": "designated", "tactile_paving": "yes", "foot": "official"}', 2, pg_temp.line('LINESTRING(20 8,20 80)')),
+  (3, 'steps', NULL, NULL, '{"incline": "up", "access": "private"}', 2, pg_temp.line('LINESTRING(40 8,40 80)')), (4, 'path', NULL, NULL, '{"incline": "10°", "wheelchair": "perhaps", "foot": "no", "tactile_paving": "partial"}', 2, pg_temp.line('LINESTRING(60 8,60 80)')), (5, 'cycleway', NULL, NULL, '{"access": "yes"}', 2, pg_temp.line('LINESTRING(80 8,80 80)'));
+DO $$ BEGIN PERFORM streetgen.create_model('mapped', 2154, subjects => '{footway}'); END $$;
+CREATE TEMP TABLE told AS SELECT * FROM streetgen.import_osm('mapped', 'osm');
+SELECT 'tags of a walk are columns of its footway', array_agg(concat_ws(':', source_ref, surface, round(incline::numeric, 1), climb, wheelchair, tactile_paving, foot) ORDER BY source_ref) = '{"2:asphalt:-5.0:down:yes:yes:designated","3:up:private","4:17.6:up:no","5"}' FROM mapped.footway;
+SELECT 'a word that means nothing is told', count(*) = 1 AND bool_and(source_refs = '{4}') FROM told WHERE what LIKE 'wheelchair not understood%';
+UPDATE mapped.footway SET surface = 'sett' WHERE source_ref = '2';
+UPDATE osm_line SET tags = tags || '{"surface": "concrete", "incline": "3"}' WHERE way_id = 2;
+SELECT count(*) FROM streetgen.import_osm('mapped', 'osm') \g /dev/null
+SELECT 'what is by hand stays at the next delivery, and what is not follows', surface = 'sett' AND incline = 3 FROM mapped.footway WHERE source_ref = '2';
