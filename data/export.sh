@@ -31,9 +31,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.symuvia.xml | *.xodr | *.lanelet2.osm) ;;
+      *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .opensidewalks.geojson the network on foot" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -86,6 +86,7 @@ write_file() {
     *.symuvia.xml) write_lines "$file" "streetgen.export_symuvia($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.lanelet2.osm) write_lines "$file" "streetgen.export_lanelet2($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.xodr) write_lines "$file" "streetgen.export_opendrive($(quoted "$model"), $(quoted "$export_options"))" ;;
+    *.opensidewalks.geojson) write_lines "$file" "streetgen.export_opensidewalks($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.geojson) write_layer "$file" "$model" "$layer" true -f GeoJSON -a_srs EPSG:4326 -lco RFC7946=YES -lco COORDINATE_PRECISION=11 ;;
   esac
 }

@@ -37,8 +37,8 @@ struct BuiltWalk {
 
 // Walks behind kerbs that follow each other share their ends, and so do crossings of arms with
 // them. Kerbs follow each other where they share an end. An arm is crossed from the first walk on
-// one side to the first one on the other; one that has a walk on one side alone, and is itself
-// walked along, is entered from there.
+// one side to the first one on the other, by way of its street where that is walked along; one that
+// has a walk on one side alone, and is itself walked along, is entered from there.
 std::vector<BuiltWalk> built_walks(const std::vector<WalkedKerb>& kerbs,
                                    const std::vector<CrossedArm>& arms);
 
@@ -46,12 +46,12 @@ struct WalkLine {
   Line line;
   int level = 0;
   bool mapped = false;  // by a source: it meets other such lines at vertices that they share alone
-  // Metres over which a loose end is led on to the nearest walk; 0: it stays loose.
-  double reach_start = 0;
-  double reach_end = 0;
   // Metres that are cut off a loose end which leads beyond the last walk that the line meets.
   double excess_start = 0;
   double excess_end = 0;
+  // Metres over which another loose end is led on to the nearest walk; 0: it stays loose.
+  double reach_start = 0;
+  double reach_end = 0;
 };
 
 // A piece of a line between two nodes.

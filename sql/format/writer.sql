@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
-    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf}'::text[], 'box', 'null'::jsonb, 'm',
+    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,opensidewalks}'::text[], 'box', 'null'::jsonb, 'm',
         'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all', -1e12::float8,
         1e12::float8, NULL::text[]),
     ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf}', 'integer', 'null', '',

@@ -28,7 +28,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_foot(foot text, access text) RETURNS t
     RETURN CASE coalesce(foot, nullif(access, 'yes')) WHEN 'yes' THEN 'yes' WHEN 'designated' THEN 'designated'
         WHEN 'official' THEN 'designated' WHEN 'permissive' THEN 'permissive' WHEN 'destination' THEN 'destination'
         WHEN 'customers' THEN 'destination' WHEN 'delivery' THEN 'destination' WHEN 'private' THEN 'private'
-        WHEN 'discouraged' THEN 'yes' WHEN 'permit' THEN 'private' WHEN 'residents' THEN 'private' WHEN 'no' THEN 'no' WHEN 'use_sidepath' THEN 'no' END;
+        WHEN 'discouraged' THEN 'yes' WHEN 'permit' THEN 'private' WHEN 'residents' THEN 'private'
+        WHEN 'no' THEN 'no' WHEN 'use_sidepath' THEN 'no' END;
 COMMENT ON FUNCTION streetgen._osm_foot(text, text) IS
     'Who may walk on a way, by tag foot, else by tag access: yes, designated, permissive, destination, private or no; '
     'NULL: nothing is said, or another word.';

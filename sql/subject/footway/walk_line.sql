@@ -219,11 +219,12 @@ BEGIN
     line AS (
         SELECT 1 AS turn, footway_id AS id, kind, level, width, true AS mapped, reach AS reach_start,
             reach AS reach_end,
-            streetgen._excess_on_roadway(model, ST_StartPoint(geom), level) AS excess_start,
-            streetgen._excess_on_roadway(model, ST_EndPoint(geom), level) AS excess_end,
+            greatest(streetgen._excess_on_roadway(model, ST_StartPoint(geom), level), excess) AS excess_start,
+            greatest(streetgen._excess_on_roadway(model, ST_EndPoint(geom), level), excess) AS excess_end,
             footway_id, NULL::bigint AS edge_id, NULL::text AS side, NULL::bigint AS street_object_id, geom
         FROM mapped_walk,
-            LATERAL (SELECT CASE WHEN kind IN ('crossing', 'sidewalk') THEN far ELSE near END AS reach) r
+            LATERAL (SELECT CASE WHEN kind IN ('crossing', 'sidewalk') THEN far ELSE near END AS reach,
+                CASE kind WHEN 'crossing' THEN near ELSE 0 END AS excess) r
         UNION ALL SELECT 2, k.number, 'sidewalk', k.level, k.width, false, CASE WHEN b.loose_start THEN far ELSE 0 END,
             CASE WHEN b.loose_end THEN far ELSE 0 END, 0, 0, NULL, k.edge_id, k.side, NULL, b.geom
         FROM built b JOIN walk_kerb k ON k.number = b.kerb

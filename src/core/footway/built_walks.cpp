@@ -51,6 +51,7 @@ class Walks {
     BuiltWalk walk;
     if (from >= 0 && to >= 0 && from != to) {
       walk.line = {end_of(from, from == arm.arrives), end_of(to, to != arm.leaves)};
+      if (!arm.street.empty()) lead_over(arm.street, walk.line);
       walk.loose_start = mapped_at(from, from == arm.arrives);
       walk.loose_end = mapped_at(to, to != arm.leaves);
     } else if ((from >= 0 || to >= 0) && !arm.street.empty()) {
@@ -94,6 +95,14 @@ class Walks {
       kerb = ahead ? next_[kerb] : previous_[kerb];
     } while (kerb >= 0 && kerb != first && kerbs_[kerb].leads_on);
     return kerb >= 0 && kerb != first && kerbs_[kerb].offset > 0 ? kerb : -1;
+  }
+
+  // The straight way from side to side may lead past the end of a street, as where streets bend.
+  static void lead_over(const Line& street, Line& across) {
+    for (std::size_t i = 1; i < street.size(); ++i)
+      if (crossing(across[0], across[1], street[i - 1], street[i])) return;
+    const Point middle = (across[0] + across[1]) * 0.5;
+    across.insert(across.begin() + 1, position_at(street, nearest_abscissa(middle, street)).point);
   }
 
   // A corner is walked round where somebody walks at both of its ends, and a walk is missing there.

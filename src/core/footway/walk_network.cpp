@@ -71,8 +71,8 @@ class Network {
 
   std::vector<WalkLink> links() {
     cut_crossings();
-    each_loose_end([&](int l, bool at_end) { lead_on(l, at_end); });
     each_loose_end([&](int l, bool at_end) { cut_off(l, at_end); });
+    each_loose_end([&](int l, bool at_end) { lead_on(l, at_end); });
     std::vector<WalkLink> links;
     std::set<std::int64_t> known;
     for (std::size_t l = 0; l < lines_.size(); ++l)
@@ -144,7 +144,7 @@ class Network {
 
   void lead_on(int l, bool at_end) {
     const double reach = at_end ? given_[l].reach_end : given_[l].reach_start;
-    if (reach <= 0) return;
+    if (reach <= 0 || ends_before_.count({l, at_end}) > 0) return;
     if (const std::optional<Foot> foot = onwards_from(l, at_end, reach)) {
       cut(foot->line, foot->cut.segment, foot->cut.place);
       led_on_[{l, at_end}] = foot->cut.place;
@@ -166,7 +166,8 @@ class Network {
       if (distance(foot, b) < one_place) foot = b;
       const double away = distance(end, foot);
       if (away > reach || (nearest && away >= nearest->away)) continue;
-      if (away > 1 && dot(unit(foot - end), runs) < -0.5) continue;
+      if (away > one_place && dot(unit(foot - end), runs) < -0.5) continue;
+      if (is_cut_off(other, {j, distance(a, foot), foot})) continue;
       nearest = Foot{other, {j, distance(a, foot), foot}, away};
     }
     return nearest;
@@ -175,12 +176,18 @@ class Network {
   // The piece beyond the last node before a loose end goes, where it is short.
   void cut_off(int l, bool at_end) {
     const double excess = at_end ? given_[l].excess_end : given_[l].excess_start;
-    if (excess <= 0 || led_on_.count({l, at_end})) return;
+    if (excess <= 0) return;
     const std::vector<Cut> nodes = nodes_along(l);
     if (nodes.size() < 3) return;
     const Cut& last = at_end ? nodes[nodes.size() - 2] : nodes[1];
     const double whole = length(lines_[l]), at = abscissa_of(l, last);
     if ((at_end ? whole - at : at) <= excess) ends_before_[{l, at_end}] = at;
+  }
+
+  bool is_cut_off(int l, const Cut& cut) const {
+    const auto before = ends_before_.find({l, false}), after = ends_before_.find({l, true});
+    return (before != ends_before_.end() && abscissa_of(l, cut) < before->second) ||
+           (after != ends_before_.end() && abscissa_of(l, cut) > after->second);
   }
 
   double abscissa_of(int l, const Cut& cut) const {

@@ -90,6 +90,17 @@ TEST(BuiltWalks, AStreetWithAWalkBesideOneSideIsEnteredFromThere) {
   EXPECT_NEAR(walks[1].line.back().x, 0, 1e-9);
 }
 
+TEST(BuiltWalks, TheCrossingBeforeABendLeadsOverTheEndOfTheStreetBeyond) {
+  // A street with walks from the left ends at a bend; beyond it one walks on the roadway.
+  const std::vector<WalkedKerb> kerbs{{{{-60, 4}, {-5, 4}}, 1, false, {}},
+                                      {{{-5, 4}, {-2, 60}}, 0, false, {}},
+                                      {{{2, 60}, {2, -4}, {-5, -4}}, 0, true, {}},
+                                      {{{-5, -4}, {-60, -4}}, 1, false, {}}};
+  const auto walks = built_walks(kerbs, {{0, 3, {{0, 0}, {0, 60}}}});
+  ASSERT_EQ(walks.back().line.size(), 3u);
+  EXPECT_NEAR(walks.back().line[1].x, 0, 1e-9);
+}
+
 TEST(BuiltWalks, ARingOfCornersAloneAndKerbsWithoutNeighboursEnd) {
   EXPECT_TRUE(built_walks({{{{0, 0}, {5, 0}}, 1, true, {}}, {{{5, 0}, {0, 0}}, 1, true, {}}},
                           {{0, 1, {}}, {-1, -1, {}}})

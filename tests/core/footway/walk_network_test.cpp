@@ -11,7 +11,7 @@ namespace streetgen {
 namespace {
 
 WalkLine mapped(Line line, double reach = 0, double excess = 0) {
-  return {std::move(line), 0, true, reach, reach, excess, excess};
+  return {std::move(line), 0, true, excess, excess, reach, reach};
 }
 WalkLine built(Line line) { return {std::move(line), 0, false, 0, 0, 0, 0}; }
 
@@ -61,6 +61,12 @@ TEST(WalkNetwork, WhatLeadsBeyondTheLastWalkIsCutOff) {
   ASSERT_EQ(cut.size(), 3u);
   EXPECT_NEAR(length(cut[0].geometry), 15, 1e-9);
   EXPECT_EQ(walk_network({mapped({{0, 0}, {20, 0}}, 0, 4), built({{15, -5}, {15, 5}})}).size(), 4u);
+}
+
+TEST(WalkNetwork, ALooseEndDoesNotTurnBackToWhatItsLineCrosses) {
+  const auto links = walk_network({mapped({{0, 0}, {20, 0}}, 12), built({{18.5, -5}, {18.5, 5}})});
+  ASSERT_EQ(links.size(), 4u);
+  for (const WalkLink& link : links) EXPECT_NE(link.from_node, link.to_node);
 }
 
 TEST(WalkNetwork, TwoLinesOfOneShapeAreOneLinkAndThoseWithoutLengthNone) {
