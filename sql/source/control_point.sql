@@ -42,6 +42,13 @@ COMMENT ON FUNCTION streetgen._check_control_points() IS
     'Raises 22023 for the first control point of the import of an unknown kind, direction, marking or kerb, or '
     'without a sound place, and for a source_ref that comes twice.';
 
+CREATE OR REPLACE FUNCTION streetgen._crossing_off_axis() RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN 0.5::float8;
+COMMENT ON FUNCTION streetgen._crossing_off_axis() IS
+    'A node of OpenStreetMap farther from an axis than this, metres, is no crossing of it: importers move no axis so '
+    'far.';
+
 CREATE OR REPLACE FUNCTION streetgen._import_control_points(model name, source text, query text, only_on_axes boolean)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -59,6 +66,11 @@ BEGIN
     UPDATE pg_temp._import_control_point c SET geom = streetgen._transformed(
         'control point ' || c.label, ST_Force2D(c.geom), m.srid) FROM streetgen.model m WHERE m.name = model;
     UPDATE pg_temp._import_control_point c SET axis_id = streetgen._axis_beside(model, c.geom);
+    -- A crossing of a source of streets is a vertex of what is crossed: off all axes that is another way, such as a
+    -- cycle track beside the street.
+    UPDATE pg_temp._import_control_point c SET axis_id = NULL FROM axis a
+        WHERE only_on_axes AND a.axis_id = c.axis_id AND NOT ST_DWithin(a.geom, c.geom, streetgen._crossing_off_axis())
+            AND (c.kind = 'pedestrian_crossing' OR c.source_ref LIKE '%/lights');
     RETURN QUERY SELECT 'control point off all axes, ' || CASE WHEN only_on_axes THEN 'left out' ELSE 'kept' END,
         c.kind, count(*), array_agg(c.label ORDER BY c.label) FROM pg_temp._import_control_point c
         WHERE c.axis_id IS NULL GROUP BY c.kind ORDER BY c.kind;

@@ -34,7 +34,7 @@ COMMENT ON FUNCTION streetgen._check_objects(name) IS
     'Raises 22023 for the first object of the import of an unknown type, with a bad orientation or without a sound '
     'place, and for a source_ref that comes twice.';
 
-CREATE OR REPLACE FUNCTION streetgen._import_objects(model name, source text, query text)
+CREATE OR REPLACE FUNCTION streetgen._import_objects(model name, source text, query text, crossings_on_axes boolean)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.computes = 'on'
     AS $$
@@ -63,6 +63,15 @@ BEGIN
     EXECUTE format('UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM axis a WHERE ST_DWithin('
         'a.geom, o.geom, (SELECT value::float8 FROM setting WHERE name = ''object_snap'')) '
         'ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %s), a.axis_id LIMIT 1)', alike);
+    IF crossings_on_axes THEN
+        CREATE TEMPORARY TABLE _import_elsewhere ON COMMIT DROP AS SELECT o.label, o.type FROM pg_temp._import_object o
+            WHERE o.type = ANY (_types_below('crossing')) AND NOT EXISTS (SELECT FROM axis a
+                WHERE ST_DWithin(a.geom, o.geom, streetgen._crossing_off_axis()));
+        RETURN QUERY SELECT 'crossing on no axis, left out', e.type, count(*), (array_agg(e.label ORDER BY
+            e.label))[:1000] FROM pg_temp._import_elsewhere e GROUP BY e.type ORDER BY e.type;
+        DELETE FROM pg_temp._import_object o USING pg_temp._import_elsewhere e WHERE e.label = o.label;
+        DROP TABLE pg_temp._import_elsewhere;
+    END IF;
     RETURN QUERY SELECT 'object off all axes, kept where it lies', o.type, count(*), (array_agg(o.label ORDER BY
         o.label))[:1000] FROM pg_temp._import_object o WHERE o.axis_id IS NULL GROUP BY o.type ORDER BY o.type;
     PERFORM streetgen._place_import(model);
@@ -95,11 +104,11 @@ BEGIN
         ORDER BY o.type;
     DROP TABLE pg_temp._import_object;
 END $$;
-COMMENT ON FUNCTION streetgen._import_objects(name, text, text) IS
+COMMENT ON FUNCTION streetgen._import_objects(name, text, text, boolean) IS
     'Upserts the objects of a prepared query by source and source_ref, each at the nearest axis within object_snap, '
     'and reports how many; those off all axes stay where they lie and are listed (the first thousand), and so are '
-    'those nearer to another object than distance_least of their type. What is '
-    'by hand stays as in axes. Bad rows: 22023, and the model as it was.';
+    'those nearer to another object than distance_least of their type. crossings_on_axes: a crossing on no axis is left '
+    'out and listed. What is by hand stays as in axes. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_objects(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
@@ -109,7 +118,7 @@ BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     PERFORM streetgen._require_subject(model, 'object');
     RETURN QUERY SELECT * FROM streetgen._import_objects(model, source::text, streetgen._point_query('street_object',
-        '{geom,type,orientation,name,source_ref}', '{geom,type}', source, mapping));
+        '{geom,type,orientation,name,source_ref}', '{geom,type}', source, mapping), crossings_on_axes => false);
 END $$;
 COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
     'Imports a table of points as objects of subject object. mapping: geom, type, orientation (degrees clockwise from '
@@ -150,11 +159,13 @@ BEGIN
 SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' THEN 'traffic_light'
         WHEN 'stop' THEN 'sign' WHEN 'give_way' THEN 'sign' ELSE class::text END AS type,
     CASE WHEN direction ~ '^\d{1,3}(\.\d+)?$' AND direction::numeric <= 360 THEN direction END AS orientation,
-    NULL::text AS name, node_id::text AS source_ref FROM %s$sql$, points));
+    NULL::text AS name, node_id::text AS source_ref FROM %s$sql$, points),
+        crossings_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm_objects(name, text, name[]) IS
     'Imports lamps, trees, benches, bollards, bus stops, crossings, signals and signs of an OSM file, from the table '
     'PREFIX_object that data/osm2pgsql_flex.lua writes, found in the schemas of search_path or named with its schema '
     '(gis.osm), as streetgen.import_objects: crossings, signals and signs '
-    'point to the control point that streetgen.import_osm made of their node. No such table: 42P01; a model '
+    'point to the control point that streetgen.import_osm made of their node. A crossing on no axis is one of another '
+    'way, such as a cycle track, and is left out and listed. No such table: 42P01; a model '
     'without the subject: 55000. Needs the rights of the owner (42501).';

@@ -143,6 +143,14 @@ SELECT 'no such column', test.state($$SELECT streetgen.import_objects('town', 'l
 SELECT 'a mapping of something else', test.state($$SELECT streetgen.import_objects('town', 'lamp', '{"colour": "id"}')$$) = '22023';
 SELECT 'a source_ref that comes twice', test.state($$SELECT streetgen.import_objects('town', 'lamp', '{"type": {"value": "lamp"}, "source_ref": {"value": "x"}}')$$) = '22023';
 SELECT 'a line is no object', test.state($$SELECT streetgen.import_objects('town', 'town.axis', '{"type": {"value": "lamp"}}')$$) = '22023';
+-- A crossing of a cycle track beside the street, as a source of OpenStreetMap has it.
+INSERT INTO osm_object VALUES (16, 'crossing', NULL, 'SRID=2154;POINT(650050 6860004)');
+SELECT 'a crossing of OpenStreetMap on no axis is left out and told', count = 1 AND source_refs = '{16}' FROM streetgen.import_osm_objects('town') WHERE what = 'crossing on no axis, left out';
+SELECT 'it stands nowhere', count(*) = 0 FROM town.street_object WHERE source_ref = '16';
+CREATE TABLE off_axis AS SELECT 'crossing' AS type, 'a' AS ref, 'SRID=2154;POINT(650050 6860004)'::geometry AS geom;
+SELECT count(*) FROM streetgen.import_objects('town', 'off_axis', '{"geom": "geom", "type": "type", "source_ref": "ref"}') \g /dev/null
+SELECT 'one of a table of one''s own is placed by the axis', method = 'relative' AND abs(axis_offset) = 4 FROM town.street_object WHERE source_ref = 'a';
+DELETE FROM osm_object WHERE node_id = 16;
 SELECT 'no table of an OSM file', test.state($$SELECT streetgen.import_osm_objects('town', 'elsewhere')$$) = '42P01';
 SELECT 'and those that are there', test.hint($$SELECT streetgen.import_osm_objects('town', 'elsewhere')$$) = 'Prefixes that have one: "osm".';
 SELECT 'nothing was lost', count = (SELECT count(*) FROM town.street_object) FROM kept;

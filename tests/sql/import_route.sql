@@ -151,6 +151,11 @@ INSERT INTO town_control (node_id, class, geom, lights) VALUES (3, 'traffic_sign
 SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 SELECT 'signals with a crossing are signals and a crossing', (SELECT string_agg(source_ref || kind, ' ' ORDER BY source_ref) = '3signals 3/crossingpedestrian_crossing 4signals' FROM town.control_point WHERE source_ref ~ '^[34]');
 DELETE FROM town_control WHERE node_id > 2;
+-- Those of a cycle track, 4 m beside the axis of its street.
+INSERT INTO town_control (node_id, class, geom, lights) VALUES (5, 'crossing', 'SRID=2154;POINT(650088 6860004)', true), (6, 'traffic_signals', 'SRID=2154;POINT(650089 6860004)', false);
+SELECT 'a crossing on no axis is none of the street beside it, nor are its lights', source_refs = '{5}' FROM streetgen.import_osm('town', 'town') WHERE (what, class) = ('control point off all axes, left out', 'pedestrian_crossing');
+SELECT 'signals beside the roadway are', string_agg(source_ref || kind, ' ' ORDER BY source_ref) = '6signals' FROM town.control_point WHERE source_ref ~ '^[56]';
+DELETE FROM town_control WHERE node_id > 2;
 UPDATE town_control SET lights = false;
 SELECT FROM streetgen.import_osm('town', 'town') \g /dev/null
 SELECT 'which go with the tag', (SELECT array_agg(DISTINCT kind) = '{pedestrian_crossing}' FROM town.control_point);
