@@ -180,7 +180,7 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'lights', type = 'boolean' }, -- a crossing with lights, or signals with a crossing
     { column = 'crossing', type = 'text' },
     { column = 'markings', type = 'text' }, -- of the crossing
-    { column = 'kerb', type = 'text' }, -- at both of its ends
+    { column = 'kerb', type = 'text' }, -- at both of its ends; of class kerb: where a footway comes over it
     { column = 'kerb_height', type = 'text' },
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
@@ -210,7 +210,7 @@ end
 local known_of_node = known_tags({
     highway = { 'traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing', 'turning_circle', 'turning_loop',
                 'passing_place', 'street_lamp', 'bus_stop' },
-    natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard' },
+    natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard', 'kerb' },
     crossing = { 'traffic_signals', 'uncontrolled', 'unmarked', 'zebra' }, ['crossing:signals'] = { 'yes' },
     ['crossing:markings'] = { 'zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface' },
     direction = { 'forward', 'backward', 'both' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },
@@ -233,6 +233,9 @@ function osm2pgsql.process_node(object)
                          lights = has_lights(object.tags),
                          crossing = object.tags.crossing, markings = object.tags['crossing:markings'],
                          kerb = object.tags.kerb, kerb_height = object.tags['kerb:height'],
+                         geom = object:as_point() })
+    elseif object.tags.barrier == 'kerb' or object.tags.kerb then
+        control:insert({ class = 'kerb', kerb = object.tags.kerb, kerb_height = object.tags['kerb:height'],
                          geom = object:as_point() })
     end
 end

@@ -49,3 +49,38 @@ END $$;
 COMMENT ON FUNCTION streetgen._deliver_footways(name, text, text[]) IS
     'Brings the footways of a source, or those among some source_refs, up to date with the lines that were parted from '
     'its axes; reports what is by hand.';
+
+CREATE OR REPLACE FUNCTION streetgen._import_osm_kerbs(model name, control regclass)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    -- Tables written by an older flex file have no kerbs.
+    IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = control AND attname = 'kerb' AND NOT attisdropped) THEN
+        RETURN;
+    END IF;
+    PERFORM streetgen._use_model(model);
+    EXECUTE format('CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS SELECT node_id::text AS source_ref, '
+        'streetgen._transformed(''kerb '' || node_id, ST_Force2D(geom), $1) AS source_geom, NULL::geometry AS cleaned, '
+        'streetgen._osm_kerb(kerb, kerb_height) AS kerb FROM %s WHERE class = ''kerb''', control)
+        USING (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    RETURN QUERY WITH unknown AS (DELETE FROM pg_temp._import_part p WHERE kerb IS NULL RETURNING source_ref)
+        SELECT 'kerb of which nothing is said, left out', 'kerb', count(*), array_agg(source_ref ORDER BY source_ref)
+        FROM unknown HAVING count(*) > 0;
+    RETURN QUERY WITH aside AS (DELETE FROM pg_temp._import_part p WHERE NOT EXISTS (
+            SELECT FROM footway f WHERE ST_DWithin(f.geom, p.source_geom, 0.5)) RETURNING source_ref)
+        SELECT 'kerb on no footway, left out', 'kerb', count(*), array_agg(source_ref ORDER BY source_ref)
+        FROM aside HAVING count(*) > 0;
+    RETURN QUERY SELECT 'kerbs on footways', kerb, count(*), NULL::text[] FROM pg_temp._import_part GROUP BY kerb
+        ORDER BY kerb;
+    IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
+        WHERE d.relation = 'footway_kerb' AND d.source = control::text) THEN
+        RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'footway_kerb', control::text);
+    ELSE
+        DROP TABLE pg_temp._import_part;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._import_osm_kerbs(name, regclass) IS
+    'Takes the kerbs of an OSM table of nodes that lie on footways of the model; those that say nothing, or lie on '
+    'none, are reported. Importing again follows the table.';

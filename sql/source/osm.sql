@@ -309,6 +309,7 @@ BEGIN
         streetgen._osm_table('_restriction', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model,
         streetgen._osm_table('_control', prefix, schemas), streetgen._osm_table('_crossing_way', prefix, schemas));
+    RETURN QUERY SELECT * FROM streetgen._import_osm_kerbs(model, streetgen._osm_table('_control', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_routes(model, source, streetgen._osm_table('_route', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._tell_misspelt(model, streetgen._osm_table('_misspelt', prefix, schemas));
 END $$;

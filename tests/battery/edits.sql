@@ -79,7 +79,7 @@ CREATE FUNCTION edits.way_across(axis geometry) RETURNS geometry LANGUAGE sql VO
 -- One edit of what stands at streets.
 CREATE FUNCTION edits.object_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway', 'move footway', 'no footway');
+  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway', 'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb');
   other record;
 BEGIN
   CASE edit
@@ -98,6 +98,10 @@ BEGIN
       RETURN ARRAY[format('INSERT INTO edited.footway (geom, kind, role, marking, width, level) VALUES (%L, %L, %s, %s, %s, %s)', ST_AsEWKT(CASE WHEN edits.chance(0.2) THEN ST_MakeLine(edits.place(), edits.place_beside(a.geom))
         WHEN edits.chance(0.4) THEN edits.way_across(a.geom) ELSE ST_Translate(ST_LineSubstring(a.geom, edits.between(0, 0.4),
         edits.between(0.5, 1)), edits.between(-12, 12), edits.between(-12, 12)) END), edits.one_of('footway', 'footway', 'cycleway', 'steps'), edits.one_of($q$'sidewalk'$q$, $q$'sidewalk'$q$, $q$'crossing'$q$, 'NULL'), edits.one_of('NULL', $q$'ladder'$q$, $q$'no'$q$), edits.one_of('NULL', 'NULL', '1.8'), edits.one_of('0', '0', '0', '1'))];
+    WHEN 'footway kerb' THEN
+      RETURN ARRAY[format('INSERT INTO edited.footway_kerb (geom, kerb) VALUES (%L, %L)', ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('raised', 'lowered', 'no'))];
+    WHEN 'other footway kerb' THEN
+      RETURN ARRAY[edits.one_of($q$UPDATE edited.footway_kerb SET kerb = 'rolled', geom = ST_Translate(geom, 1, 1)$q$, 'DELETE FROM edited.footway_kerb')];
     WHEN 'move footway', 'no footway' THEN
       SELECT f.geom INTO other FROM edited.footway f ORDER BY ST_X(ST_StartPoint(f.geom)), ST_Y(ST_StartPoint(f.geom)), ST_Length(f.geom) OFFSET floor(random() * (SELECT count(*) FROM edited.footway)) LIMIT 1;
       IF FOUND THEN
@@ -365,7 +369,7 @@ CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql V
 DECLARE
   input regclass;
 BEGIN
-  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point', 'footway') OR relname LIKE '%\_override') LOOP
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb') OR relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
   DELETE FROM edited.placement_rule;

@@ -158,8 +158,8 @@ coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(c
 --{cross_section_flush
 (SELECT CASE says WHEN 'raised' THEN 'standing' WHEN 'no' THEN 'flush' ELSE says END
     FROM street_object o JOIN pedestrian_crossing c USING (street_object_id)
-    LEFT JOIN control_point p USING (control_point_id)
-    CROSS JOIN LATERAL (SELECT coalesce(c.kerb, p.kerb, 'flush') AS says) w
+    CROSS JOIN LATERAL (SELECT coalesce(CASE v.side WHEN 'left' THEN c.kerb_left ELSE c.kerb_right END, 'flush')
+        AS says) w
     CROSS JOIN LATERAL streetgen._crossing_mouth(o.abscissa - e.first, c.width, c.angle, v.outwards
         * streetgen._border_at(e.borders, o.abscissa - e.first, v.side)) m
     WHERE o.axis_id = e.axis_id AND o.method = 'relative' AND c.surface IS NOT NULL

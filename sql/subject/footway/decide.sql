@@ -27,11 +27,30 @@ END $$;
 COMMENT ON FUNCTION streetgen._axes_of_footway(name, jsonb[]) IS
     'The axes beside or over which footways lie or lay: a run for these finds their sidewalks and crossings anew.';
 
+CREATE OR REPLACE FUNCTION streetgen._axes_of_footway_kerb(model name, kerbs jsonb[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF '{footway,object}' <@ streetgen._subjects(model) THEN
+        RETURN ARRAY(SELECT DISTINCT o.axis_id FROM unnest(kerbs) k, LATERAL (
+                SELECT ST_SetSRID(ST_GeomFromGeoJSON(k ->> 'geom'), m.srid) AS geom FROM streetgen.model m
+                WHERE m.name = model) l,
+            LATERAL (SELECT street_object_id FROM pedestrian_crossing c WHERE c.surface && ST_Expand(l.geom, 7)
+                AND ST_DWithin(c.surface, l.geom, 7) OFFSET 0) c JOIN street_object o USING (street_object_id)
+        WHERE o.method = 'relative');
+    END IF;
+    RETURN '{}';
+END $$;
+COMMENT ON FUNCTION streetgen._axes_of_footway_kerb(name, jsonb[]) IS
+    'The axes with a crossing beside which kerbs of footways lie or lay: a run for these draws the crossings anew.';
+
 CREATE OR REPLACE FUNCTION streetgen._footway_decision()
     RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
         hash_place integer, hash text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES
-    ('footway'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false, NULL::integer, NULL::text) $$;
+    ('footway'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false, NULL::integer, NULL::text),
+    ('footway_kerb', 'ground', '{}', '0', '{}', false, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._footway_decision() IS
-    'Streets follow footways as they follow decisions about ground.';
+    'Streets follow footways and kerbs on them as they follow decisions about ground.';

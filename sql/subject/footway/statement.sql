@@ -216,3 +216,9 @@ CREATE OR REPLACE VIEW walk_link WITH (security_invoker = true) AS
 SELECT walk_link_id, kind, from_node, to_node, level, metres, width, kerb_from, kerb_to, marking, surface, incline,
     climb, tactile_paving, wheelchair, foot, barriers, footway_id, edge_id, side, street_object_id, geom
 FROM streetgen.walk_links({model})
+--{footway_kerb_at
+BEGIN
+    RETURN (SELECT kerb FROM footway_kerb k WHERE k.geom && ST_Expand(place, 6) AND ST_DWithin(k.geom, place, 6)
+        AND ST_Distance(k.geom, place) < ST_Distance(k.geom, across)
+        ORDER BY ST_Distance(k.geom, place), footway_kerb_id LIMIT 1);
+END

@@ -39,7 +39,8 @@ BEGIN
         END IF;
         WITH drawn AS MATERIALIZED (
             SELECT c.street_object_id, c.surface AS was, c.stripes AS stripes_were, c.painted_as AS painted_was,
-                c.footway_id AS footway_was, f.footway_id, l.painted_as, a.level, g.ground,
+                c.footway_id AS footway_was, f.footway_id, ARRAY[c.kerb_left, c.kerb_right] AS kerbs_were, k.kerbs,
+                l.painted_as, a.level, g.ground,
                 CASE WHEN g.ground IS NOT NULL AND l.painted_as NOT IN ('surface', 'no')
                     THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle,
                         l.painted_as)::geometry END AS stripes
@@ -65,6 +66,14 @@ BEGIN
                     ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
                 LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line::bytea, w.borders, o.abscissa, c.width,
                     c.angle)::geometry AS ground OFFSET 0) g ON true
+                CROSS JOIN LATERAL (SELECT array_agg(coalesce(c.kerb, _footway_kerb_at(foot, across), p.kerb, 'flush')
+                    ORDER BY side) AS kerbs FROM (
+                        SELECT side, foot, coalesce(lead(foot) OVER by_side, lag(foot) OVER by_side) AS across
+                        FROM (VALUES ('left', 1), ('right', -1)) v(side, outwards),
+                            LATERAL (SELECT outwards * streetgen._border_at(w.borders, o.abscissa, side) AS aside) b,
+                            LATERAL (SELECT streetgen._place_on(a.line::bytea, o.abscissa + aside * cotd(c.angle),
+                                aside)::geometry AS foot) e
+                        WINDOW by_side AS (ORDER BY side)) e) k
             WHERE c.street_object_id = ANY (objects)),
         -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
         clipped AS MATERIALIZED (
@@ -77,16 +86,16 @@ BEGIN
         new AS MATERIALIZED (
             -- Stripe by stripe, since they may touch in a bend.
             SELECT street_object_id, was, stripes_were, painted_was, painted_as, footway_was, footway_id,
-                kept AS ground,
+                kerbs_were, kerbs, kept AS ground,
                 CASE WHEN painted_as = 'surface' THEN ST_Multi(kept) WHEN kept = ground THEN stripes ELSE (
                     SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
                     FROM ST_Dump(stripes) s) END AS stripes FROM clipped),
         drawn_anew AS (
             UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes, painted_as = n.painted_as,
-                footway_id = n.footway_id
+                footway_id = n.footway_id, kerb_left = n.kerbs[1], kerb_right = n.kerbs[2]
             FROM new n WHERE n.street_object_id = c.street_object_id
-                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was, n.footway_was)
-                    IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as, n.footway_id)
+                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was, n.footway_was, n.kerbs_were)
+                    IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as, n.footway_id, n.kerbs)
             RETURNING n.was, n.ground)
         SELECT array_agg(was) FILTER (WHERE told) || array_agg(ground) FILTER (WHERE told) FROM drawn_anew INTO moved;
     END $body$;

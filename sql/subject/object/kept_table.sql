@@ -204,11 +204,16 @@ ALTER TABLE :"model".pedestrian_crossing
     ADD COLUMN IF NOT EXISTS marking text CONSTRAINT pedestrian_crossing_marking_check
         CHECK (marking ~ '^(zebra|ladder|lines|dashes|dots|surface|yes|no)$'),
     ADD COLUMN IF NOT EXISTS painted_as text, ADD COLUMN IF NOT EXISTS footway_id bigint,
+    ADD COLUMN IF NOT EXISTS kerb_left text, ADD COLUMN IF NOT EXISTS kerb_right text,
     ADD COLUMN IF NOT EXISTS kerb text CONSTRAINT pedestrian_crossing_kerb_check
         CHECK (kerb ~ '^(raised|lowered|rolled|flush|no)$');
 COMMENT ON COLUMN :"model".pedestrian_crossing.kerb IS
-    'by hand, the kerbs at both of its ends: raised, lowered, rolled, flush or no; NULL: as its control point says, '
-    'else flush';
+    'by hand, the kerbs at both of its ends: raised, lowered, rolled, flush or no; NULL: as a footway_kerb there says, '
+    'else its control point, else flush';
+COMMENT ON COLUMN :"model".pedestrian_crossing.kerb_left IS
+    'the kerb at its end to the left of the axis: raised, lowered, rolled, flush or no; computed';
+COMMENT ON COLUMN :"model".pedestrian_crossing.kerb_right IS
+    'the kerb at its end to the right of the axis; computed';
 COMMENT ON CONSTRAINT pedestrian_crossing_kerb_check ON :"model".pedestrian_crossing IS
     'raised, lowered, rolled, flush or no. Leave it empty to follow the source.';
 COMMENT ON COLUMN :"model".pedestrian_crossing.marking IS

@@ -70,7 +70,7 @@ BEGIN
       FROM @.signal_movement m JOIN @.controller c USING (controller_id) JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'signal_head', e.axis_id, e.start_abscissa, l.ordinality, h.along_axis, h.angle, h.geom::text) FROM @.signal_head h JOIN @.lane l USING (lane_id) JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.street_object', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.angle, c.painted_as, c.surface::text, c.stripes::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
+    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.angle, c.painted_as, c.kerb_left, c.kerb_right, c.surface::text, c.stripes::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
       LEFT JOIN @.parking_bay b USING (street_object_id)$q$ END
     || CASE WHEN to_regclass(format('%I.bridge', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'bridge', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.bridge b JOIN @.edge e USING (edge_id)
@@ -100,7 +100,7 @@ $$;
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
-  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway') OR relname LIKE '%\_override')
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
   with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;
