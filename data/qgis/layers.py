@@ -203,6 +203,7 @@ EDITED = (
     Layer('edit', 'turn_restriction', 'turn_restriction_id', 'geom', mark('octagon', 3, 'forbidden'),
           ('from_axis', 'to_axis', 'kind', 'turn', 'except_kinds', 'source', 'source_ref'), scale=2500),
     Layer('edit', 'control_point', 'control_point_id', 'geom', control_point, ('kind', 'direction', 'marking', 'kerb', 'axis_id', 'source', 'source_ref'), scale=5000),
+    Layer('edit', 'footway_kerb', 'footway_kerb_id', 'geom', mark('diamond', 2), ('kerb', 'source', 'source_ref'), scale=1000),
     Layer('edit', 'footway', 'footway_id', 'geom', lambda look: single(line(look.handle(), 0.5, '2;1')), ('kind', 'role', 'marking', 'width', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
@@ -244,6 +245,7 @@ COMPUTED = (
     Layer('construction', 'intersection', 'node_id', 'surface', drawn('intersection', fill, INTERSECTION_KIND)),
     Layer('construction', 'section', 'edge_id', 'surface', drawn('section', fill, SECTION_KIND)),
     Layer('construction', 'sidewalk', 'sidewalk_id', 'surface', drawn('sidewalk', fill)),
+    Layer('construction', 'crossover', 'edge_id', 'surface', drawn('crossover', fill), scale=5000),
     Layer('construction', 'footway_surface', 'footway_id', 'surface', drawn('footway', fill, 'use'), scale=5000),
     Layer('construction', 'block', 'block_id', 'surface', drawn('block', fill, 'kind')),
 )

@@ -216,6 +216,7 @@ CREATE OR REPLACE VIEW walk_link WITH (security_invoker = true) AS
 SELECT walk_link_id, kind, from_node, to_node, level, metres, width, kerb_from, kerb_to, marking, surface, incline,
     climb, tactile_paving, wheelchair, foot, barriers, footway_id, edge_id, side, street_object_id, geom
 FROM streetgen.walk_links({model})
+
 --{footway_kerb_at
 BEGIN
     RETURN (SELECT kerb FROM footway_kerb k WHERE k.geom && ST_Expand(place, 6) AND ST_DWithin(k.geom, place, 6)

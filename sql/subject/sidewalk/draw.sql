@@ -6,14 +6,21 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_drawn(model name, box geometry, l
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'crossover', '', level, c.surface::geometry, edge_id FROM crossover c
+        WHERE 'crossover' = ANY (layers) AND c.place && ST_Expand(box, 30) AND c.surface && box;
     RETURN QUERY SELECT 'sidewalk', '', level, w.surface::geometry, sidewalk_id FROM sidewalk w
         JOIN kerb USING (edge_id, side, part) WHERE 'sidewalk' = ANY (layers) AND w.surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._sidewalk_drawn(name, geometry, text[]) IS
-    'What can be drawn of sidewalks in a box: sidewalk.';
+    'What can be drawn of sidewalks in a box: sidewalk; crossover, where one goes on over a drive.';
 
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'sidewalk', 5000, 0, '#bbb5aa', '#bbb5aa', 0.7, 'pixel', 'sidewalk'),
     ('dark', 'sidewalk', 5000, 0, '#7d848e', '#7d848e', 0.7, 'pixel', 'sidewalk'),
     ('print', 'sidewalk', 5000, 0, '#e0e0e0', '#e0e0e0', 0.7, 'pixel', 'sidewalk'),
     ('construction', 'sidewalk', 11000, 0, '#e9d6ac', '#c9b791', 0.4, 'pixel', 'sidewalk');
+
+-- One walks on there, above the roadway and below what is painted on it.
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
+    SELECT theme, 'crossover', to_scale, 3.2, fill, line, width, unit, 'sidewalk' FROM streetgen.symbol_rule
+    WHERE layer = 'sidewalk';

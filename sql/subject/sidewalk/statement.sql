@@ -132,3 +132,34 @@ CROSS JOIN LATERAL (
         (array_agg(width ORDER BY id DESC) FILTER (WHERE side = 'right'))[1] AS sidewalk_right_by_hand
     FROM (SELECT sidewalk_override_id AS id, side, width FROM {model}.sidewalk_override o
         WHERE o.axis_id = e.axis_id AND o.abscissa >= e.start_abscissa AND o.abscissa < e.end_abscissa) o) h
+
+--{crossover
+CREATE OR REPLACE VIEW crossover WITH (security_invoker = true) AS
+SELECT d.edge_id, n.node_id, d.level, 'lowered' AS kerb, ST_MakeLine(m.before, m.behind) AS kerb_line,
+    least(w.before, w.behind) AS width, n.geom AS place, ST_Multi(g.surface)::geometry(MultiPolygon, {srid}) AS surface
+-- Counter-clockwise about the node: the street before the mouth, the drive, the street behind it.
+FROM node n JOIN corner b ON b.node_id = n.node_id JOIN corner c ON (c.node_id, c.edge_a, c.end_a)
+        = (n.node_id, b.edge_b, b.end_b)
+    JOIN edge d ON d.edge_id = b.edge_b JOIN axis a ON a.axis_id = d.axis_id
+    JOIN axis_class k ON k.class = a.kind AND k.walked_along AND NOT k.crossed_on_foot
+    JOIN edge x ON x.edge_id = b.edge_a JOIN edge y ON y.edge_id = c.edge_b
+    JOIN intersection i ON i.node_id = n.node_id JOIN section s ON s.edge_id = d.edge_id
+    CROSS JOIN LATERAL (SELECT CASE b.end_a WHEN 'start' THEN x.sidewalk_left ELSE x.sidewalk_right END AS before,
+        CASE c.end_b WHEN 'start' THEN y.sidewalk_right ELSE y.sidewalk_left END AS behind) w
+    CROSS JOIN LATERAL (SELECT ST_StartPoint(b.arc) AS before, ST_EndPoint(c.arc) AS behind) m
+    -- Away from the street.
+    CROSS JOIN LATERAL (SELECT ST_Azimuth(m.before, m.behind) AS along, ST_Distance(m.before, m.behind) AS mouth) t
+    CROSS JOIN LATERAL (SELECT sin(along + pi() / 2) AS east, cos(along + pi() / 2) AS north) o
+    CROSS JOIN LATERAL (SELECT ST_MakePolygon(ST_MakeLine(ARRAY[m.before, m.behind, ST_Translate(m.behind,
+        east * w.behind, north * w.behind), ST_Translate(m.before, east * w.before, north * w.before), m.before]))
+        AS strip) p
+    CROSS JOIN LATERAL (SELECT ST_CollectionExtract(ST_Intersection(p.strip, ST_Union(i.surface, s.surface)), 3)
+        AS surface) g
+WHERE b.arc IS NOT NULL AND c.arc IS NOT NULL AND w.before > 0 AND w.behind > 0 AND t.mouth BETWEEN 0.5 AND 30
+    AND NOT EXISTS (SELECT FROM axis JOIN axis_class ON class = kind WHERE axis_id IN (x.axis_id, y.axis_id)
+        AND NOT crossed_on_foot)
+    -- Where another street meets it, who drives there comes to a junction.
+    AND NOT EXISTS (SELECT FROM edge e JOIN axis USING (axis_id) LEFT JOIN axis_class ON class = kind
+        WHERE (e.from_node = n.node_id OR e.to_node = n.node_id) AND e.edge_id NOT IN (x.edge_id, y.edge_id)
+            AND crossed_on_foot IS NOT FALSE)
+    AND ST_Area(g.surface) > 0.5
