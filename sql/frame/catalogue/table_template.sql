@@ -107,8 +107,8 @@ DECLARE
 BEGIN
     FOR missing IN
         SELECT statement FROM streetgen._stated(model) WHERE statement ~ '^ALTER TABLE \S+\s+ADD COLUMN IF NOT EXISTS'
-            AND NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = input
-                AND attname = substring(statement, 'IF NOT EXISTS (\w+)') AND NOT attisdropped)
+            AND EXISTS (SELECT FROM regexp_matches(statement, 'ADD COLUMN IF NOT EXISTS (\w+)', 'g') later
+                WHERE later[1] NOT IN (SELECT attname FROM pg_attribute WHERE attrelid = input AND NOT attisdropped))
     LOOP
         EXECUTE streetgen._fill_table(missing, said);
     END LOOP;
@@ -141,4 +141,4 @@ END $$;
 COMMENT ON FUNCTION streetgen._complete_tables(name) IS
     'Gives the tables that a model has the later columns, indexes, triggers and comments of this build: another one '
     'may have made them, or somebody may have taken some away. A column comes by ALTER TABLE … ADD COLUMN IF NOT '
-    'EXISTS, a statement each. A table that lacks others is none of the model: 42809.';
+    'EXISTS. A table that lacks others is none of the model: 42809.';
