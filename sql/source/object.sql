@@ -85,8 +85,15 @@ BEGIN
             placed_by, source_hash, method, origin
         FROM pg_temp._import_row WHERE source_ref IS NULL ORDER BY label;
     DROP TABLE pg_temp._import_row;
-    INSERT INTO pedestrian_crossing (street_object_id) SELECT o.street_object_id FROM street_object o
-        WHERE o.source = origin AND o.type = ANY (_types_below('crossing')) ON CONFLICT DO NOTHING;
+    -- A new crossing leads where the footway does that lies on it.
+    INSERT INTO pedestrian_crossing (street_object_id, angle)
+        SELECT o.street_object_id, coalesce(w.angle, (streetgen._usual_crossing()).angle)
+        FROM (SELECT * FROM street_object WHERE source = origin AND type = ANY (_types_below('crossing'))) o
+            LEFT JOIN axis a ON a.axis_id = o.axis_id AND o.method = 'relative'
+            LEFT JOIN footway f ON f.role = 'crossing' AND f.footway_id = _footway_over(o.geom, a.level)
+            LEFT JOIN LATERAL (SELECT streetgen._way_across(ST_Force2D(a.geom), o.abscissa, ST_Force2D(f.geom)) AS angle
+                WHERE f.footway_id IS NOT NULL) w ON true
+        WHERE NOT EXISTS (SELECT FROM pedestrian_crossing c WHERE c.street_object_id = o.street_object_id);
     INSERT INTO parking_bay (street_object_id) SELECT o.street_object_id FROM street_object o
         WHERE o.source = origin AND o.type = ANY (_types_below('parking_bay')) ON CONFLICT DO NOTHING;
     SELECT array_agg(DISTINCT o.axis_id) INTO touched FROM street_object o WHERE o.source = origin;

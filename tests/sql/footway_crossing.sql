@@ -98,4 +98,11 @@ DO $$ BEGIN PERFORM streetgen.create_model('mapped', 2154, subjects => '{footway
 SELECT streetgen.import_osm('mapped', 'osm') \g /dev/null
 SELECT streetgen.generate('mapped') \g /dev/null
 SELECT 'ways of crossings and what paints them', string_agg(concat_ws(':', f.source_ref, f.role, f.marking, c.painted_as), ' ' ORDER BY f.source_ref) = '2:crossing:ladder:ladder 3:crossing:yes:dashes 4:crossing:no:no 5:no' FROM mapped.footway f JOIN mapped.pedestrian_crossing c USING (footway_id);
+CREATE TABLE osm_object (node_id bigint, class text, direction text, geom geometry(Point, 2154));
+INSERT INTO osm_line VALUES (6, 'footway', NULL, NULL, '{"footway": "crossing"}', 2, pg_temp.line('LINESTRING(115 -8,125 8)'));
+INSERT INTO osm_object VALUES (1, 'crossing', NULL, ST_SetSRID(ST_MakePoint(650120, 6860000), 2154)), (2, 'crossing', NULL, ST_SetSRID(ST_MakePoint(650150, 6860000), 2154));
+SELECT streetgen.import_osm('mapped', 'osm') \g /dev/null
+SELECT count(*) FROM streetgen.generate('mapped', wait => true) \g /dev/null
+SELECT streetgen.import_osm_objects('mapped', 'osm') \g /dev/null
+SELECT 'a node on a footway leads where that does, another one square across', string_agg(round(c.angle) || ' ' || coalesce(f.source_ref, '-'), ', ' ORDER BY o.source_ref) = '58 6, 90 -' AND bool_and(c.surface IS NOT NULL) FROM mapped.pedestrian_crossing c JOIN mapped.street_object o USING (street_object_id) LEFT JOIN mapped.footway f USING (footway_id) WHERE o.placed_by = 'import';
 SELECT 'a marking that nobody knows is refused', test.state($$UPDATE mapped.footway SET marking = 'stars'$$) = '23514';

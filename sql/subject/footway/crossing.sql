@@ -1,5 +1,18 @@
 -- Where footways lead over streets: the pedestrian crossings that they make, of models that compute objects too.
 
+CREATE OR REPLACE FUNCTION streetgen._way_across(axis geometry, abscissa float8, way geometry) RETURNS float8
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
+    -- Nobody paints one that runs on nearly along the street.
+    AS $$ SELECT greatest(30, least(150, round((across - 180 * floor(across / 180))::numeric, 6)))::float8
+        FROM (SELECT ST_LineLocatePoint(way, ST_LineInterpolatePoint(axis, least(1, abscissa / ST_Length(axis))))
+                AS share, 4 / ST_Length(way) AS step) w,
+            LATERAL (SELECT streetgen._direction_on(axis::bytea, abscissa, 0) - degrees(ST_Azimuth(
+                ST_LineInterpolatePoint(way, greatest(0, share - step)),
+                ST_LineInterpolatePoint(way, least(1, share + step)))) AS across) a $$;
+COMMENT ON FUNCTION streetgen._way_across(geometry, float8, geometry) IS
+    'The angle at which a way (LINESTRING) leads over an axis at an abscissa, degrees counter-clockwise from the axis, '
+    '30 to 150, by how it runs within 4 m of there.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_footway_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

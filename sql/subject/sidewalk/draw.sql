@@ -20,7 +20,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
     ('print', 'sidewalk', 5000, 0, '#e0e0e0', '#e0e0e0', 0.7, 'pixel', 'sidewalk'),
     ('construction', 'sidewalk', 11000, 0, '#e9d6ac', '#c9b791', 0.4, 'pixel', 'sidewalk');
 
--- One walks on there, above the roadway and below what is painted on it.
+-- One walks on there, above lines at the end of the drive, which nobody paints on a sidewalk.
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
-    SELECT theme, 'crossover', to_scale, 3.2, fill, line, width, unit, 'sidewalk' FROM streetgen.symbol_rule
+    SELECT theme, 'crossover', to_scale, 4.2, fill, line, width, unit, 'sidewalk' FROM streetgen.symbol_rule
     WHERE layer = 'sidewalk';
