@@ -86,11 +86,11 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
   const auto behind_border = [](const Arm& arm, const Point& p) {
     return dot(p - arm.border[0], left_normal(arm.border[1] - arm.border[0])) > 0;
   };
-  // On the section of a neighbour behind its limit, up to what parts it from the arm's own.
-  const auto in_neighbour = [&](std::size_t k, const Point& p) {
-    const std::size_t before = (k + arms.size() - 1) % arms.size();
-    return (!gaps[k].parting.empty() && beyond_limit(arms[(k + 1) % arms.size()], p)) ||
-           (!gaps[before].parting.empty() && beyond_limit(arms[before], p));
+  // On the section of another arm, behind its limit.
+  const auto in_section = [&](std::size_t k, const Point& p) {
+    for (std::size_t i = 0; i < arms.size(); ++i)
+      if (i != k && beyond_limit(arms[i], p)) return true;
+    return false;
   };
   std::vector<double> cuts;
   // Straight lines that cross nothing are inside where their ends are.
@@ -115,7 +115,7 @@ bool covers(const MultiPolygon& surface, const std::vector<Arm>& arms,
     const int steps = static_cast<int>(std::ceil(arm.limit / step));
     for (int i = 0; i <= steps; ++i)
       for (const Point& p : lines_at(k, clamped(arm.limit * i / steps)))
-        if (!behind_border(arm, p) && !held(k, p) && !in_neighbour(k, p)) return false;
+        if (!behind_border(arm, p) && !held(k, p) && !in_section(k, p)) return false;
   }
   return true;
 }

@@ -106,8 +106,12 @@ Parting parting_of(const Gap& gap, bool first) {
 
 bool beyond_limit(const Arm& arm, const Point& place) {
   const Point &left = arm.border[0], &right = arm.border[1];
-  return cross(left - right, place - left) < 0 &&
-         distance_to_line(place, arm.line) < half_towards(arm, place) - same_place;
+  if (cross(left - right, place - left) >= 0) return false;
+  const double abscissa = nearest_abscissa(place, arm.line);
+  if (abscissa >= length(arm.line) - coordinate_margin) return false;
+  const LinePosition foot = position_at(arm.line, abscissa);
+  const int side = cross(foot.direction, place - foot.point) > 0 ? +1 : -1;
+  return distance(place, planar(foot.point)) < half_at(arm, abscissa, side) - same_place;
 }
 
 }  // namespace streetgen

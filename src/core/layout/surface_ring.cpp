@@ -52,6 +52,22 @@ void append_corner(Ring& ring, const CornerArc& corner) {
   ring.insert(ring.end(), arc.begin() + (starts_there ? 1 : 0), arc.end());
 }
 
+// From the foot of an arc to a limit beyond it: the foot may lie on the round outside of a bend.
+KerbLine kerb_beyond(const Arm& arm, double foot_abscissa, const Point& foot, int side) {
+  const double from = std::max(0.0, foot_abscissa);
+  const auto [start, end] = halves(arm, from, arm.limit, side);
+  KerbLine kerb = kerb_line(arm.line, from, arm.limit, start, end, side);
+  if (from == 0 || from > arm.limit - least_piece) return kerb;
+  const Point bend = planar(position_at(arm.line, from).point), first = kerb.line.front();
+  if (distance(foot, first) <= same_place ||
+      std::abs(distance(foot, bend) - distance(first, bend)) > same_place)
+    return kerb;
+  Line round{foot};
+  append_arc(round, bend, foot, first, cross(foot - bend, first - bend) > 0, join_quarter);
+  kerb.line.insert(kerb.line.begin(), round.begin(), round.end());
+  return kerb;
+}
+
 // Where the circle touches the round end of an arm behind the node: along that end.
 void append_round_end(Ring& ring, Point node, const Point& from, const Point& to) {
   ring.push_back(from);
@@ -115,13 +131,15 @@ void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
     return;
   }
   const CornerArc& corner = gap.corner;
-  outline.follow(a, a.limit, std::max(0.0, corner.abscissa_a), +1, false, false);
+  KerbLine towards = kerb_beyond(a, corner.abscissa_a, corner.arc.start, +1);
+  towards.line = reversed(std::move(towards.line));
+  outline.follow(towards, false, false);
   if (corner.abscissa_a == 0)
     append_round_end(outline.ring, node, kerb_at_node(a, +1), corner.arc.start);
   append_corner(outline.ring, corner);
   if (corner.abscissa_b == 0)
     append_round_end(outline.ring, node, corner.arc.end, kerb_at_node(b, -1));
-  outline.follow(b, std::max(0.0, corner.abscissa_b), b.limit, -1, false, false);
+  outline.follow(kerb_beyond(b, corner.abscissa_b, corner.arc.end, -1), false, false);
 }
 
 // Between the two axes and the arc: the ground that the corner adds.

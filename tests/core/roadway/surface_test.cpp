@@ -176,6 +176,30 @@ TEST(IntersectionSurface, HoldsAStreetThatKeepsItsWidthBesideAStraighterRamp) {
   }
 }
 
+// The wide street's flat end leans over the kerb across; its nose touches the outside of its bend.
+TEST(IntersectionSurface, LeavesTheFarKerbStraightWhereAnArcTouchesTheOutsideOfABend) {
+  const Line through_north{{0, 0, 0}, {3.2, 59.2, 0}}, through_south{{0, 0, 0}, {-1.5, -28, 0}},
+      side{{0, 0, 0}, {4.867, 6.592, 0}, {11.769, 7.397, 0}, {18.707, 5.327, 0}};
+  const MultiPolygon surface =
+      intersection_surface({side, through_north, through_south}, {7, 4, 4}, {0.75, 0, 6.25});
+  ASSERT_EQ(surface.size(), 1u);
+  for (const Point& p : surface.front().front()) EXPECT_GT(p.x, p.y / 18.5 - 2.01);
+}
+
+// The end of an arm behind the node lies on the section of the street that it leaves.
+TEST(IntersectionSurface, EndsAtTheLimitsOfAFork) {
+  constexpr double half = 5.5, degree = M_PI / 180;
+  const MultiPolygon surface =
+      intersection_surface({ray(180 * degree, 60), ray(38 * degree, 60), ray(-7 * degree, 60)},
+                           {11, 9.8, 11}, {3, 3, 3});
+  double limit = 0, farthest = 0;
+  for (const Point& p : surface.front().front()) {
+    farthest = std::max(farthest, -p.x);
+    if (std::abs(p.y) > half - 1e-6) limit = std::max(limit, -p.x);
+  }
+  EXPECT_NEAR(farthest, limit, 1e-6);
+}
+
 TEST(IntersectionSurface, OfABendStaysNearItsAxes) {
   for (double bend = -0.3; bend <= 0.3; bend += 0.001) {
     Line a = ray(0.7, 80), b = ray(0.7 + M_PI + bend, 80);
