@@ -17,6 +17,8 @@ namespace streetgen {
 
 namespace {
 
+constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
+
 // A ring in the making; `whole` ends once a piece did not fit.
 struct Outline {
   Ring ring;
@@ -94,6 +96,24 @@ Polygon outside_of_bend(const Arm& a, const Arm& b, const Gap& gap) {
            left_normal(position_at(arm.line, 0).direction) * (side * gap.taper.half_at_node());
   };
   return fan(node, kerb(a, +1), kerb(b, -1));
+}
+
+// The ground outside of the slight bends of streets that keep their width past other arms.
+std::vector<Polygon> outside_of_streets(const std::vector<Arm>& arms,
+                                        const std::vector<Gap>& gaps) {
+  const std::size_t count = arms.size();
+  const Point node = planar(arms.front().line.front());
+  std::vector<Polygon> grounds;
+  for (std::size_t i = 0; i < count; ++i) {
+    double angle = gaps[i].angle;
+    for (std::size_t k = 2; k < count; ++k) {
+      angle += gaps[(i + k - 1) % count].angle;
+      const Arm &a = arms[i], &b = arms[(i + k) % count];
+      if (as_wide(a, b) && angle > M_PI + same_angle && angle < M_PI + nearly_straight)
+        grounds.push_back(fan(node, kerb_at_node(a, +1), kerb_at_node(b, -1)));
+    }
+  }
+  return grounds;
 }
 
 // From one arm through the node to the other, within their limits; straight where the bend between
@@ -337,6 +357,8 @@ Built build_intersection(Geos& geos, const std::vector<Arm>& arms, const std::ve
       parts.push_back({join});
     }
   }
+  for (Polygon& ground : outside_of_streets(arms, gaps))
+    if (!ground.front().empty()) parts.push_back({std::move(ground)});
   if (parts.empty()) return {};
   return {whole(parts), true};
 }

@@ -200,6 +200,16 @@ TEST(IntersectionSurface, EndsAtTheLimitsOfAFork) {
   EXPECT_NEAR(farthest, limit, 1e-6);
 }
 
+// A narrow street crosses a wide one so slightly that the wide one's kerb lies outside, all round.
+TEST(IntersectionSurface, IsRoundOutsideOfAStreetThatBendsWhereANarrowOneCrossesIt) {
+  constexpr double half = 5.25, degree = M_PI / 180;
+  const MultiPolygon surface = intersection_surface(
+      {ray(14 * degree, 60), ray(176 * degree, 60), ray(190 * degree, 60), ray(-10 * degree, 60)},
+      {2 * half, 2 * half, 7, 7}, {3, 3, 3, 3});
+  for (double angle = 266 * degree + 0.01; angle < 284 * degree; angle += 0.02)
+    EXPECT_TRUE(inside(ray(angle, half - 0.02)[1], surface.front())) << angle / degree;
+}
+
 TEST(IntersectionSurface, OfABendStaysNearItsAxes) {
   for (double bend = -0.3; bend <= 0.3; bend += 0.001) {
     Line a = ray(0.7, 80), b = ray(0.7 + M_PI + bend, 80);
