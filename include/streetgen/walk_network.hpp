@@ -69,4 +69,10 @@ struct WalkLink {
 // cross on one level and one of them is not mapped. A line without length has no link.
 std::vector<WalkLink> walk_network(const std::vector<WalkLine>& lines);
 
+// Both nodes of a link.
+using WalkEnds = std::pair<std::int64_t, std::int64_t>;
+
+// The part of the network that each link belongs to, named by its first link.
+std::vector<int> walk_parts(const std::vector<WalkEnds>& links);
+
 }  // namespace streetgen

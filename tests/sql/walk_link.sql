@@ -47,6 +47,11 @@ SELECT 'over the junction it is not far', pg_temp.way(pg_temp.near(0, 5), pg_tem
 SELECT 'an extent gives the links that touch it, as they are', count(*) > 5 AND count(*) = (SELECT count(*) FROM town.walk_link WHERE geom && pg_temp.line('LINESTRING(90 -10,110 12)')) AND bool_and(EXISTS (SELECT FROM town.walk_link l WHERE l.walk_link_id = w.walk_link_id AND (l.from_node, l.to_node) = (w.from_node, w.to_node)))
   FROM streetgen.walk_links('town', ST_Envelope(pg_temp.line('LINESTRING(90 -10,110 12)'))) w;
 
+-- A line of a crossing that ends within the roadway is led on to the sidewalk ahead, one beyond it ends there.
+INSERT INTO town.footway (footway_id, geom, kind, role) VALUES (20, pg_temp.line('LINESTRING(30 -6,30 3)'), 'footway', 'crossing');
+SELECT 'a mapped crossing leads from sidewalk to sidewalk', count(*) = 1 AND bool_and(metres BETWEEN 9.9 AND 10.1) FROM town.walk_link WHERE footway_id = 20;
+DELETE FROM town.footway WHERE footway_id = 20;
+
 -- Crossings that are known, and mapped walks.
 INSERT INTO town.pedestrian_crossing_editing (geom, marking, kerb) VALUES (pg_temp.line('POINT(50 0)'), 'zebra', 'lowered'), (pg_temp.line('POINT(250 0)'), 'lines', 'raised');
 SELECT 'a crossing of a street joins its sides', count(*) = 2 AND bool_and(street_object_id IS NOT NULL AND metres BETWEEN 9.9 AND 10.1 AND width = 4 AND kerb_from = kerb_to) AND array_agg(marking || ' ' || kerb_from ORDER BY edge_id) = '{"zebra lowered","lines raised"}' FROM town.walk_link WHERE street_object_id IS NOT NULL;
@@ -89,7 +94,19 @@ DO $$ BEGIN
     (4, pg_temp.line('LINESTRING(0 500,100 500)'), 12, 1, NULL, NULL, 'motorway');
 END $$;
 SELECT 'a street between sidewalks is entered from them', pg_temp.parts('odd') = 1 AND pg_temp.way(pg_temp.near(0, 5, 'odd'), pg_temp.near(300, -5, 'odd'), 'odd') BETWEEN 300 AND 330;
+INSERT INTO odd.footway (footway_id, geom, kind, role) VALUES (2, pg_temp.line('LINESTRING(108 -8,108 8)'), 'footway', 'crossing');
+SELECT 'also beside a crossing that is known', pg_temp.way(pg_temp.near(0, 5, 'odd'), pg_temp.near(300, -5, 'odd'), 'odd') BETWEEN 300 AND 330;
+DELETE FROM odd.footway WHERE footway_id = 2;
 SELECT 'nobody walks along a motorway', NOT EXISTS (SELECT FROM odd.walk_link JOIN odd.edge USING (edge_id) WHERE axis_id = 4);
+
+-- What hangs alone is told.
+SELECT 'a network in one part has nothing to tell', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule ~ 'on foot|joins to the others');
+INSERT INTO odd.footway (footway_id, geom, kind) VALUES (1, pg_temp.line('LINESTRING(0 900,30 900,60 900)'), 'footway');
+INSERT INTO odd.axis (axis_id, geom, width, importance, sidewalk_left, sidewalk_right, kind) VALUES (5, pg_temp.line('LINESTRING(0 700,100 700)'), 8, 4, 2, 2, 'tertiary');
+SELECT 'parts and sides that nothing joins are told', (SELECT array_agg(round(measure) ORDER BY measure) FROM streetgen.check_model('odd') WHERE rule = 'walks that nothing joins to the others, m') = (SELECT '{60}'::float8[] || round(sum(metres)) FROM odd.walk_link JOIN odd.edge USING (edge_id) WHERE axis_id = 5)
+  AND (SELECT count(*) = 2 AND bool_and(relation = 'edge' AND measure BETWEEN 95 AND 105) FROM streetgen.check_model('odd') WHERE rule = 'sidewalk that nobody reaches on foot, m');
+UPDATE odd.axis SET geom = pg_temp.line('LINESTRING(100 0,100 80)') WHERE axis_id = 5;
+SELECT 'joined it is told no more', count(*) = 1 FROM streetgen.check_model('odd') WHERE rule ~ 'on foot|joins to the others';
 
 -- Nothing there, and refusals.
 CREATE FUNCTION pg_temp.refused(statement text) RETURNS text LANGUAGE plpgsql AS $$ BEGIN EXECUTE statement; RETURN 'taken'; EXCEPTION WHEN OTHERS THEN RETURN SQLSTATE; END $$;

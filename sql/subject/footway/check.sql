@@ -26,6 +26,8 @@ BEGIN
         FROM edge e JOIN axis a USING (axis_id), LATERAL (VALUES ('left', e.sidewalk_left),
             ('right', e.sidewalk_right)) v(side, width)
         WHERE a.sidewalk_apart IN (v.side, 'both') AND v.width = 0 AND ST_Length(e.geom) >= 10
+    UNION ALL
+    SELECT * FROM streetgen._walks_apart(model)
     LOOP
         RETURN NEXT finding;
     END LOOP;
@@ -52,6 +54,12 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('sidewalk drawn along a part of its side, m',
         'footways run along less than half of the side, and its sidewalk lies all along it',
         'draw the rest in `footway`, or type the width in `sidewalk_editing`'),
+    ('walks that nothing joins to the others, m',
+        'a part of the network on foot, `walk_link`, that no link joins to the largest part',
+        'draw a way to the others in `footway`, or a crossing; raise setting walk_join_distance where ends lie near'),
+    ('sidewalk that nobody reaches on foot, m',
+        'the sidewalk of a side lies in a part of the network on foot that nothing joins to the largest part',
+        'draw a crossing in `pedestrian_crossing_editing`, or a way to it in `footway`'),
     ('side whose sidewalk apart is not drawn, m',
         '`axis.sidewalk_apart` names the side, and no footway runs along it: it has no sidewalk',
         'draw the sidewalk in `footway`, or empty `axis.sidewalk_apart`');

@@ -37,6 +37,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT edge_id, from_node, to_node, e.level, e.geom, e.width, walked,
             coalesce(c.crossed_on_foot, true), walked AND e.sidewalk_left = 0 AND e.sidewalk_right = 0
+                AND a.sidewalk_apart IS NULL AND 'outer' IN (e.beside_left, e.beside_right)
                 AND NOT EXISTS (SELECT FROM sidewalk_source s WHERE s.edge_id = e.edge_id)
         FROM edge e JOIN axis a USING (axis_id) LEFT JOIN axis_class c ON c.class = a.kind,
             LATERAL (SELECT coalesce(c.walked_along, true) AS walked) w
@@ -44,7 +45,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._walk_edges(name, geometry) IS
     'The edges of a model whose box meets that around; NULL: all. walked_along, crossed_on_foot: as its class says; '
-    'street: people walk on the roadway, since it has no sidewalk.';
+    'street: people walk on the roadway, since it has no sidewalk, is not said to have one apart, and leads not across '
+    'a median.';
 
 CREATE OR REPLACE FUNCTION streetgen._mapped_walks(model name, around geometry)
     RETURNS TABLE(footway_id bigint, kind text, level integer, width float8, geom geometry)
@@ -120,7 +122,7 @@ COMMENT ON FUNCTION streetgen._known_crossings(name, geometry) IS
     'The pedestrian crossings of a model within a box, NULL: all: objects, and control points where none stands. '
     'abscissa: metres along the edge.';
 
-CREATE OR REPLACE FUNCTION streetgen._excess_on_roadway(model name, place geometry, level integer) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._across_roadway(model name, place geometry, level integer) RETURNS float8
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -134,9 +136,9 @@ BEGIN
         AND e.level = of_level AND ST_DWithin(e.geom, place, greatest(e.width, e.width_end) / 2
             + abs(e.roadway_offset))), 0);
 END $$;
-COMMENT ON FUNCTION streetgen._excess_on_roadway(name, geometry, integer) IS
-    'How far a walk that ends at a place on a roadway may lead beyond the sidewalk, metres; 0: it ends beside '
-    'roadways.';
+COMMENT ON FUNCTION streetgen._across_roadway(name, geometry, integer) IS
+    'How far from a place on a roadway the sidewalks beside that end at most, metres; 0: the place lies beside '
+    'roadways. A walk that ends there is cut off or led on so far.';
 
 CREATE OR REPLACE FUNCTION streetgen._walk_lines(model name, around geometry)
     RETURNS TABLE(number bigint, kind text, level integer, width float8, mapped boolean, reach_start float8,
@@ -199,7 +201,8 @@ BEGIN
                 FROM edge_end e JOIN at_node n USING (node_id) LEFT JOIN walk_kerb a ON a.number = e.arrives
                     LEFT JOIN walk_kerb l ON l.number = e.leaves
                 WHERE arms > 1 AND (NOT both_walked OR crossed > 2 OR NOT crossed_on_foot AND arms > 2)) e
-        WHERE NOT EXISTS (SELECT FROM over_edge o WHERE o.edge_id = e.edge_id
+        -- A street that is walked along is entered from the walks at its end in any case.
+        WHERE e.street OR NOT EXISTS (SELECT FROM over_edge o WHERE o.edge_id = e.edge_id
                 AND abs(o.abscissa - e.abscissa) <= of_arm)
             AND NOT EXISTS (SELECT FROM known_crossing o WHERE o.edge_id = e.edge_id
                 AND abs(o.abscissa - e.abscissa) <= of_arm)),
@@ -217,14 +220,16 @@ BEGIN
             ARRAY(SELECT coalesce(s.place, 0) FROM arm LEFT JOIN arm_street s USING (number) ORDER BY number),
             ARRAY(SELECT ST_Force2D(geom)::bytea FROM arm_street ORDER BY number), srid)),
     line AS (
-        SELECT 1 AS turn, footway_id AS id, kind, level, width, true AS mapped, reach AS reach_start,
-            reach AS reach_end,
-            greatest(streetgen._excess_on_roadway(model, ST_StartPoint(geom), level), excess) AS excess_start,
-            greatest(streetgen._excess_on_roadway(model, ST_EndPoint(geom), level), excess) AS excess_end,
+        SELECT 1 AS turn, footway_id AS id, kind, level, width, true AS mapped,
+            greatest(reach, to_start) AS reach_start, greatest(reach, to_end) AS reach_end,
+            CASE WHEN way THEN to_start WHEN to_start = 0 THEN near ELSE 0 END AS excess_start,
+            CASE WHEN way THEN to_end WHEN to_end = 0 THEN near ELSE 0 END AS excess_end,
             footway_id, NULL::bigint AS edge_id, NULL::text AS side, NULL::bigint AS street_object_id, geom
         FROM mapped_walk,
-            LATERAL (SELECT CASE WHEN kind IN ('crossing', 'sidewalk') THEN far ELSE near END AS reach,
-                CASE kind WHEN 'crossing' THEN near ELSE 0 END AS excess) r
+            LATERAL (SELECT kind NOT IN ('crossing', 'sidewalk') AS way) w,
+            LATERAL (SELECT CASE WHEN way THEN near ELSE far END AS reach) r,
+            streetgen._across_roadway(model, ST_StartPoint(geom), level) to_start,
+            streetgen._across_roadway(model, ST_EndPoint(geom), level) to_end
         UNION ALL SELECT 2, k.number, 'sidewalk', k.level, k.width, false, CASE WHEN b.loose_start THEN far ELSE 0 END,
             CASE WHEN b.loose_end THEN far ELSE 0 END, 0, 0, NULL, k.edge_id, k.side, NULL, b.geom
         FROM built b JOIN walk_kerb k ON k.number = b.kerb

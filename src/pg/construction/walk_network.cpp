@@ -1,4 +1,4 @@
-// streetgen._built_walks, streetgen._walk_network: where people walk, and the network of it.
+// streetgen._built_walks, streetgen._walk_network, streetgen._walk_parts: the network on foot.
 #include "streetgen/walk_network.hpp"
 
 #include <cstring>
@@ -161,6 +161,26 @@ STREETGEN_FUNCTION(streetgen_walk_network) {
                        Int64GetDatum(link.from_node),  Int64GetDatum(link.to_node),
                        line_datum(link.geometry, srid)};
     bool nulls[7] = {};
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  });
+  PG_RETURN_NULL();
+}
+
+STREETGEN_FUNCTION(streetgen_walk_parts) {
+  InitMaterializedSRF(fcinfo, 0);
+  const ValueArray from = take_values(fcinfo, 0, INT8OID, any_count, "from_nodes");
+  const ValueArray to = take_values(fcinfo, 1, INT8OID, from.count, "to_nodes");
+  Slot<std::vector<int>>* slot = make_slot<std::vector<int>>(CurrentMemoryContext);
+  report(compute([&] {
+    std::vector<WalkEnds> links;
+    for (int i = 0; i < from.count; ++i)
+      links.push_back({DatumGetInt64(from.values[i]), DatumGetInt64(to.values[i])});
+    slot->value = new std::vector<int>(walk_parts(links));
+  }));
+  int number = 0;
+  put_rows(fcinfo, *slot->value, [&](int part, ReturnSetInfo* result) {
+    Datum values[2] = {Int32GetDatum(++number), Int32GetDatum(part + 1)};
+    bool nulls[2] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
   PG_RETURN_NULL();
