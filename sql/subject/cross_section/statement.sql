@@ -29,7 +29,10 @@ CROSS JOIN LATERAL (
             coalesce(y.bay_from, b.border) AS inner_border, coalesce(y.bay_from_end, b.border_end) AS inner_border_end,
             -- Cars drive over the kerb before a bay behind it.
             CASE WHEN f.behind > 0 AND k.kerb = 'standing' THEN 'flush' ELSE k.kerb END AS kerb, f.behind, f.front,
-            k.sidewalk, k.beside, CASE WHEN y.bay_behind IS NULL AND k.sidewalk > y.parking_strip
+            k.sidewalk, k.beside, CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN 'verge' ELSE 'furnishing' END
+                AS before_walk,
+            CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN k.sidewalk - k.paved - f.front
+                WHEN y.bay_behind IS NULL AND k.sidewalk > y.parking_strip
                     AND y.parking_strip > k.stone THEN y.parking_strip - k.stone
                 WHEN k.sidewalk - f.front - g.furnishing >= streetgen._walking_width() THEN g.furnishing
                 ELSE 0 END AS furnishing, g.gutter
@@ -84,7 +87,7 @@ CROSS JOIN LATERAL (
             ('bay', border, border + behind, border_end, border_end + behind),
             ('stone', CASE WHEN behind > 0 AND front > behind THEN border + behind END, border + front,
                 border_end + behind, border_end + front),
-            ('furnishing', border + front, border + front + furnishing, border_end + front,
+            (before_walk, border + front, border + front + furnishing, border_end + front,
                 border_end + front + furnishing),
             ('sidewalk', border + front + furnishing, border + sidewalk, border_end + front + furnishing,
                 border_end + sidewalk),
@@ -129,12 +132,12 @@ UNION ALL SELECT p.place FROM lane l CROSS JOIN LATERAL (
     UNION ALL SELECT * FROM streetgen._border_places(l.borders)) p(place) WHERE l.edge_id = e.edge_id
 
 --{cross_section_without_kerbs
-SELECT NULL AS kerb, 0::float8 AS stone, 0::float8 AS sidewalk, v.beside
+SELECT NULL AS kerb, 0::float8 AS stone, 0::float8 AS sidewalk, NULL::float8 AS paved, v.beside
 
 --{cross_section_kerbs
 SELECT CASE WHEN k.kerb_id IS NULL THEN 'none' ELSE coalesce({flush}, 'standing') END AS kerb,
     CASE WHEN k.kerb_id IS NULL THEN 0 ELSE (SELECT value::float8 FROM setting WHERE name = 'kerb_stone_width') END
-        AS stone, {sidewalk} AS sidewalk, coalesce(k.beside, 'roadway') AS beside
+        AS stone, {sidewalk} AS sidewalk, {paved} AS paved, coalesce(k.beside, 'roadway') AS beside
 FROM (VALUES (1)) one LEFT JOIN LATERAL (
     SELECT k.* FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low, e.high,
         CASE k.side WHEN 'left' THEN e.median_left ELSE e.median_right END) x
@@ -154,6 +157,13 @@ coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(c
             streetgen._place_on(e.line::bytea, b.middle, v.outwards * ((b.border + b.border_end) / 2 + w.width))
                 ::geometry))) ELSE w.width END
     FROM sidewalk w WHERE (w.edge_id, w.side, w.part) = (k.edge_id, k.side, k.part)), 0)
+
+--{cross_section_paved
+(SELECT CASE WHEN abs(sum(s.width * metres) / sum(metres) - min(CASE v.side WHEN 'left' THEN g.sidewalk_left
+        ELSE g.sidewalk_right END)) < 0.01 AND bool_and(f.width < s.width) THEN sum(f.width * metres) / sum(metres) END
+    FROM sidewalk_source s JOIN footway f USING (footway_id) JOIN edge g USING (edge_id)
+        CROSS JOIN LATERAL (SELECT s.end_abscissa - s.start_abscissa AS metres) m
+    WHERE s.edge_id = e.edge_id AND s.side = v.side)
 
 --{cross_section_flush
 (SELECT CASE says WHEN 'raised' THEN 'standing' WHEN 'no' THEN 'flush' ELSE says END

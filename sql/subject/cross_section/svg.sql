@@ -59,10 +59,10 @@ BEGIN
             WHEN 'kerb' THEN concat_ws(' ', nullif(kerb, 'standing'), 'kerb') WHEN 'outer' THEN '' ELSE kind END
             || coalesce(' ' || (lanes ->> lane_id::text), ''),
         CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN 'lane' WHEN kind IN ('kerb', 'gutter') THEN 'kerb'
-            WHEN kind = 'sidewalk' THEN 'sidewalk' WHEN kind IN ('outer', 'median', 'splitter', 'island', 'furnishing')
-            THEN 'block' ELSE 'section' END,
+            WHEN kind = 'sidewalk' THEN 'sidewalk'
+            WHEN kind IN ('outer', 'median', 'splitter', 'island', 'furnishing', 'verge') THEN 'block' ELSE 'section' END,
         CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN kind WHEN kind = 'median' THEN 'strip'
-            WHEN kind IN ('splitter', 'island', 'furnishing') THEN 'island' ELSE '' END,
+            WHEN kind IN ('splitter', 'island', 'furnishing', 'verge') THEN 'island' ELSE '' END,
         row_number() OVER (ORDER BY low, high) > 1 AND lead(1) OVER (ORDER BY low, high) IS NOT NULL,
         lane_id IS NOT NULL OR kind IN ('roadway', 'shoulder', 'gutter', 'bay'), low, high,
         CASE WHEN low < on_left OR high > on_right THEN 0.12 ELSE 0 END::float8

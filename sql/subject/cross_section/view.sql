@@ -1,7 +1,7 @@
 -- The cross-section of each edge, from its lanes, kerbs, sidewalks, bays and crossings, as far as a model has these.
 
 CREATE OR REPLACE FUNCTION streetgen._border_places(borders float8[]) RETURNS SETOF float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$
     SELECT borders[i] FROM generate_series(1, cardinality(borders), 3) i
     -- A border that crosses the axis goes on on its other side.
@@ -53,6 +53,8 @@ BEGIN
         'kerbs', CASE WHEN with_kerbs THEN streetgen._fill_template(streetgen._part('cross_section_kerbs'),
                 jsonb_build_object('flush',
                     CASE WHEN with_objects THEN streetgen._part('cross_section_flush') ELSE 'NULL' END,
+                    'paved', CASE WHEN 'footway' = ANY (subjects) THEN streetgen._part('cross_section_paved')
+                        ELSE 'NULL::float8' END,
                     'sidewalk', CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._part('cross_section_sidewalk')
                         ELSE '0' END))
             ELSE streetgen._part('cross_section_without_kerbs') END,
@@ -60,7 +62,8 @@ BEGIN
             ELSE 'cross_section_without_bays' END)));
     COMMENT ON VIEW cross_section
         IS 'What lies across each street, piece by piece outwards from its axis, between the limits of its sections: '
-        'lanes, shoulder, bay, gutter, kerb, furnishing strip, sidewalk, and the ground behind. A row is a piece of '
+        'lanes, shoulder, bay, gutter, kerb, furnishing strip or verge, sidewalk, and the ground behind. A row is a '
+        'piece of '
         'one side on a stretch along which the same pieces lie side by side';
     COMMENT ON COLUMN cross_section.edge_id IS 'the edge';
     COMMENT ON COLUMN cross_section.axis_id IS 'its axis';
@@ -70,7 +73,8 @@ BEGIN
         'left or right of the axis, in its direction; a lane on both has a piece on each';
     COMMENT ON COLUMN cross_section."order" IS 'number from 1 at the axis, outwards';
     COMMENT ON COLUMN cross_section.kind IS
-        'kind of a lane, as lane.kind; shoulder: roadway that lanes leave; bay, gutter, kerb, furnishing, sidewalk; '
+        'kind of a lane, as lane.kind; shoulder: roadway that lanes leave; bay, gutter, kerb, furnishing, verge (before '
+        'a mapped sidewalk that lies farther from the kerb than it is wide), sidewalk; '
         'behind these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
         'the model computes no lanes';
     COMMENT ON COLUMN cross_section.kerb IS
@@ -89,6 +93,6 @@ COMMENT ON FUNCTION streetgen._make_cross_section_views(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._cross_section_view() RETURNS TABLE(name name, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ SELECT 'cross_section'::name, subject FROM unnest('{lane,kerb,sidewalk,object}'::text[]) subject $$;
+    AS $$ SELECT 'cross_section'::name, subject FROM unnest('{lane,kerb,sidewalk,footway,object}'::text[]) subject $$;
 COMMENT ON FUNCTION streetgen._cross_section_view() IS
     'The view of cross-sections, and the subjects whose tables it reads.';
