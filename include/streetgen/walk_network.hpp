@@ -49,7 +49,8 @@ struct WalkLine {
   // Metres that are cut off a loose end which leads beyond the last walk that the line meets.
   double excess_start = 0;
   double excess_end = 0;
-  // Metres over which another loose end is led on to the nearest walk; 0: it stays loose.
+  // Metres over which another loose end is led on to the nearest walk of its level, or else, where
+  // it is mapped, of any level; 0: it stays loose.
   double reach_start = 0;
   double reach_end = 0;
 };

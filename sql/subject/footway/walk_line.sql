@@ -252,7 +252,9 @@ BEGIN
         UNION ALL SELECT 5, edge_id, 'street', level, width, false, 0, 0,
             CASE WHEN f.streets = 1 AND f.arms > 1 THEN far + of_arm ELSE 0 END,
             CASE WHEN t.streets = 1 AND t.arms > 1 THEN far + of_arm ELSE 0 END, NULL, edge_id, NULL, NULL, geom
-        FROM walk_edge JOIN at_node f ON f.node_id = from_node JOIN at_node t ON t.node_id = to_node WHERE street)
+        FROM walk_edge JOIN at_node f ON f.node_id = from_node JOIN at_node t ON t.node_id = to_node
+        -- One within a junction, without kerbs, joins streets that are walked along or is none.
+        WHERE street AND (f.streets + t.streets > 2 OR edge_id IN (SELECT edge_id FROM sides)))
     SELECT row_number() OVER (ORDER BY turn, id, ST_Length(geom)), kind, level, width, mapped, reach_start, reach_end,
         excess_start, excess_end, footway_id, edge_id, side, street_object_id, geom FROM line;
 END $$;

@@ -145,21 +145,24 @@ class Network {
   void lead_on(int l, bool at_end) {
     const double reach = at_end ? given_[l].reach_end : given_[l].reach_start;
     if (reach <= 0 || ends_before_.count({l, at_end}) > 0) return;
-    if (const std::optional<Foot> foot = onwards_from(l, at_end, reach)) {
+    std::optional<Foot> foot = onwards_from(l, at_end, reach, true);
+    // Steps and bridges of a source lead from level to level.
+    if (!foot && given_[l].mapped) foot = onwards_from(l, at_end, reach, false);
+    if (foot) {
       cut(foot->line, foot->cut.segment, foot->cut.place);
       led_on_[{l, at_end}] = foot->cut.place;
     }
   }
 
   // The nearest place on another line to which the line can be led on without turning back.
-  std::optional<Foot> onwards_from(int l, bool at_end, double reach) const {
+  std::optional<Foot> onwards_from(int l, bool at_end, double reach, bool on_its_level) const {
     const Line& line = lines_[l];
     const Point end = at_end ? line.back() : line.front();
     const Point runs = unit(end - (at_end ? line[line.size() - 2] : line[1]));
     std::optional<Foot> nearest;
     for (const int s : index_.near(box_of(end, end), reach)) {
       const auto [other, j] = segments_[s];
-      if (other == l || given_[other].level != given_[l].level) continue;
+      if (other == l || (on_its_level && given_[other].level != given_[l].level)) continue;
       const Point &a = lines_[other][j], &b = lines_[other][j + 1];
       Point foot = nearest_on_segment(end, a, b);
       if (distance(foot, a) < one_place) foot = a;

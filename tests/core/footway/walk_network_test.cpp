@@ -50,10 +50,17 @@ TEST(WalkNetwork, ALooseEndIsLedOnToTheNearestLineAhead) {
   ASSERT_EQ(links.size(), 4u);
   EXPECT_NEAR(length(links[0].geometry), 10, 1e-9);
   EXPECT_EQ(links[0].to_node, links[1].to_node);
-  // One on another level is none.
-  WalkLine above = built({{10, -5}, {10, 5}});
+  // One on another level comes after one on the same, and is none of what is built.
+  WalkLine above = built({{9, -5}, {9, 5}});
   above.level = 1;
-  EXPECT_NEAR(length(walk_network({mapped({{0, 0}, {8, 0}}, 3), above})[0].geometry), 8, 1e-9);
+  EXPECT_NEAR(length(walk_network({mapped({{0, 0}, {8, 0}}, 3), above})[0].geometry), 9, 1e-9);
+  EXPECT_NEAR(
+      length(walk_network({mapped({{0, 0}, {8, 0}}, 3), above, built({{10, -5}, {10, 5}})})[0]
+                 .geometry),
+      10, 1e-9);
+  WalkLine below = built({{0, 0}, {8, 0}});
+  below.reach_end = 3;
+  EXPECT_NEAR(length(walk_network({below, above})[0].geometry), 8, 1e-9);
 }
 
 TEST(WalkNetwork, WhatLeadsBeyondTheLastWalkIsCutOff) {
