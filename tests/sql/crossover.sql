@@ -29,5 +29,6 @@ UPDATE town.axis SET kind = 'residential' WHERE axis_id = 11;
 SELECT 'a junction of streets has none', NOT EXISTS (SELECT FROM town.crossover JOIN town.edge USING (edge_id) WHERE axis_id IN (3, 11));
 DELETE FROM town.axis WHERE axis_id = 11;
 SELECT 'pictures and files have them', (SELECT count(*) = 2 FROM streetgen._sidewalk_drawn('town', ST_Expand(pg_temp.line('LINESTRING(0 0,300 0)'), 50), '{crossover}')) AND EXISTS (SELECT FROM streetgen._sidewalk_layer() WHERE layer = 'crossovers');
-SELECT count(*) FROM streetgen.switch_subject('town', 'sidewalk', false) \g /dev/null
+SELECT streetgen.switch_subject('town', 'footway', false) \g /dev/null
+SELECT streetgen.switch_subject('town', 'sidewalk', false) \g /dev/null
 SELECT 'without sidewalks there are none', to_regclass('town.crossover') IS NULL;
