@@ -170,7 +170,8 @@ class GroundBeside {
       const auto& ends = layout_.junctions[n].ends;
       for (std::size_t gap = 0; gap < ends.size(); ++gap) {
         if (seen[slot(ends[gap])]) continue;
-        const StreetFace face = face_about(layout_, {n, gap});
+        StreetFace face = face_about(layout_, {n, gap});
+        if (!on_one_level(layout_, face)) face.clear();
         const std::optional<Beside> beside = beside_small(face);
         for (const FaceSide& side : face) {
           seen[slot(side.end)] = true;

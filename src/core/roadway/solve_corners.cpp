@@ -151,13 +151,16 @@ void pave(Layout& layout, const StreetFace& face, SolvedCorners& solved) {
 
 void settle_small_faces(Layout& layout, SolvedCorners& solved) {
   std::vector<StreetFace> islands, paved;
-  for (StreetFace& face : small_faces(layout))
-    if (is_middle_of_crossing(layout, face))
+  for (StreetFace& face : small_faces(layout)) {
+    // Ground is paved on one level alone.
+    const bool may_be_paved = on_one_level(layout, face);
+    if (may_be_paved && is_middle_of_crossing(layout, face))
       paved.push_back(std::move(face));
     else if (swallowed_island(layout, solved, face))
       islands.push_back(std::move(face));
-    else if (leaves_hole(layout, solved, face))
+    else if (may_be_paved && leaves_hole(layout, solved, face))
       paved.push_back(std::move(face));
+  }
   for (const StreetFace& face : islands) keep_island(layout, face, solved);
   for (const StreetFace& face : paved) pave(layout, face, solved);
 }

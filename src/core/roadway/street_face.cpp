@@ -4,6 +4,7 @@
 
 #include "geometry/closed_ring.hpp"
 #include "geometry/polyline.hpp"
+#include "geometry/ring_simplicity.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -82,7 +83,8 @@ class Faces {
   bool is_small(const StreetFace& face) const {
     const Ring ring = ring_of(layout_, face);
     const double size = ring.empty() ? 0 : signed_area(ring);
-    return size > 0 && size < layout_.settings.island_area;
+    return size > 0 && size < layout_.settings.island_area &&
+           (on_one_level(layout_, face) || simple({{ring}}).value_or(false));
   }
 
   Layout& layout_;
@@ -111,19 +113,24 @@ FaceSide side_before(const Layout& layout, const FaceSide& side) {
 
 StreetFace face_about(const Layout& layout, const CornerPlace& start) {
   StreetFace face;
-  const auto& edges = layout.streets.network.edges;
   CornerPlace at = start;
   do {
     const EdgeEnd& end = layout.junctions[at.node].ends[at.gap];
     if (!is_near(layout, start.node, end)) return {};
     face.push_back({end, at});
-    if (edges[end.edge].level != edges[face.front().end.edge].level) return {};
     at = onwards(layout, at);
   } while (!(at == start));
   for (const FaceSide& from : face)
     for (const FaceSide& side : face)
       if (!is_near(layout, from.corner.node, side.end)) return {};
   return face;
+}
+
+bool on_one_level(const Layout& layout, const StreetFace& face) {
+  const auto& edges = layout.streets.network.edges;
+  return std::all_of(face.begin(), face.end(), [&](const FaceSide& side) {
+    return edges[side.end.edge].level == edges[face.front().end.edge].level;
+  });
 }
 
 Corner& corner_row(Layout& layout, const CornerPlace& corner) {

@@ -35,8 +35,9 @@ CornerPlace corner_beside(const Layout& layout, const EdgeEnd& end);
 FaceSide side_after(const Layout& layout, const FaceSide& side);
 FaceSide side_before(const Layout& layout, const FaceSide& side);
 // The face at a corner, counter-clockwise about an inner one; none where a part of it lies beyond
-// reach of one of its nodes, or on another level.
+// reach of one of its nodes.
 StreetFace face_about(const Layout& layout, const CornerPlace& corner);
+bool on_one_level(const Layout& layout, const StreetFace& face);
 
 // The row of a corner, once corners are solved.
 Corner& corner_row(Layout& layout, const CornerPlace& corner);

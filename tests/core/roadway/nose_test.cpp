@@ -132,6 +132,15 @@ TEST(Island, StaysWhereItsFilletsWouldSwallowIt) {
   EXPECT_TRUE(is_roadway(streets(triangle(size), without_bounds()), centre));
 }
 
+// The third side of the triangle is a bridge, which shares its nodes with the other two.
+TEST(Island, StaysBesideABridge) {
+  std::vector<StreetAxis> streets_about = triangle(14);
+  for (const std::size_t of_bridge : {1, 4, 5}) streets_about[of_bridge].level = 1;
+  const Streets kept = streets(streets_about, {});
+  for (const auto& [a, b] : {std::pair(1, 3), std::pair(2, 1), std::pair(3, 2)})
+    EXPECT_EQ(between(kept, a, b).method, Method::nose);
+}
+
 TEST(Island, OfLargeGroundKeepsItsCorners) {
   for (const auto& corner : streets(triangle(60), {}).corners)
     EXPECT_NE(corner.method, Method::nose);
