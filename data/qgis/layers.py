@@ -245,7 +245,7 @@ COMPUTED = (
     Layer('construction', 'intersection', 'node_id', 'surface', drawn('intersection', fill, INTERSECTION_KIND)),
     Layer('construction', 'section', 'edge_id', 'surface', drawn('section', fill, SECTION_KIND)),
     Layer('construction', 'sidewalk', 'sidewalk_id', 'surface', drawn('sidewalk', fill)),
-    Layer('construction', 'crossover', 'edge_id', 'surface', drawn('crossover', fill), scale=5000),
+    Layer('construction', 'crossover', 'crossover_id', 'surface', drawn('crossover', fill), scale=5000),
     Layer('construction', 'footway_surface', 'footway_id', 'surface', drawn('footway', fill, 'use'), scale=5000),
     Layer('construction', 'block', 'block_id', 'surface', drawn('block', fill, 'kind')),
 )

@@ -56,15 +56,18 @@ CREATE OR REPLACE FUNCTION streetgen._import_osm_kerbs(model name, control regcl
     AS $$
 #variable_conflict use_column
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- Tables written by an older flex file have no kerbs.
     IF NOT EXISTS (SELECT FROM pg_attribute WHERE attrelid = control AND attname = 'kerb' AND NOT attisdropped) THEN
         RETURN;
     END IF;
-    PERFORM streetgen._use_model(model);
-    EXECUTE format('CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS SELECT node_id::text AS source_ref, '
-        'streetgen._transformed(''kerb '' || node_id, ST_Force2D(geom), $1) AS source_geom, NULL::geometry AS cleaned, '
-        'streetgen._osm_kerb(kerb, kerb_height) AS kerb FROM %s WHERE class = ''kerb''', control)
-        USING (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    PERFORM streetgen._take_points('_import_kerb', format('SELECT geom, '
+        'streetgen._osm_kerb(kerb, kerb_height) AS kerb, node_id::text AS source_ref FROM %s WHERE class = ''kerb''',
+        control));
+    CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS SELECT k.source_ref,
+        streetgen._transformed('kerb ' || k.label, ST_Force2D(k.geom::geometry), m.srid) AS source_geom,
+        NULL::geometry AS cleaned, k.kerb FROM pg_temp._import_kerb k, streetgen.model m WHERE m.name = model;
+    DROP TABLE pg_temp._import_kerb;
     RETURN QUERY WITH unknown AS (DELETE FROM pg_temp._import_part p WHERE kerb IS NULL RETURNING source_ref)
         SELECT 'kerb of which nothing is said, left out', 'kerb', count(*), array_agg(source_ref ORDER BY source_ref)
         FROM unknown HAVING count(*) > 0;

@@ -114,8 +114,8 @@ END $$;
 COMMENT ON FUNCTION streetgen._import_objects(name, text, text, boolean) IS
     'Upserts the objects of a prepared query by source and source_ref, each at the nearest axis within object_snap, '
     'and reports how many; those off all axes stay where they lie and are listed (the first thousand), and so are '
-    'those nearer to another object than distance_least of their type. crossings_on_axes: a crossing on no axis is left '
-    'out and listed. What is by hand stays as in axes. Bad rows: 22023, and the model as it was.';
+    'those nearer to another object than distance_least of their type. crossings_on_axes: a crossing on no axis is '
+    'left out and listed. What is by hand stays as in axes. Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_objects(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])

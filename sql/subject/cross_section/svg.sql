@@ -60,7 +60,8 @@ BEGIN
             || coalesce(' ' || (lanes ->> lane_id::text), ''),
         CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN 'lane' WHEN kind IN ('kerb', 'gutter') THEN 'kerb'
             WHEN kind = 'sidewalk' THEN 'sidewalk'
-            WHEN kind IN ('outer', 'median', 'splitter', 'island', 'furnishing', 'verge') THEN 'block' ELSE 'section' END,
+            WHEN kind IN ('outer', 'median', 'splitter', 'island', 'furnishing', 'verge') THEN 'block'
+            ELSE 'section' END,
         CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN kind WHEN kind = 'median' THEN 'strip'
             WHEN kind IN ('splitter', 'island', 'furnishing', 'verge') THEN 'island' ELSE '' END,
         row_number() OVER (ORDER BY low, high) > 1 AND lead(1) OVER (ORDER BY low, high) IS NOT NULL,

@@ -73,9 +73,9 @@ BEGIN
         'left or right of the axis, in its direction; a lane on both has a piece on each';
     COMMENT ON COLUMN cross_section."order" IS 'number from 1 at the axis, outwards';
     COMMENT ON COLUMN cross_section.kind IS
-        'kind of a lane, as lane.kind; shoulder: roadway that lanes leave; bay, gutter, kerb, furnishing, verge (before '
-        'a mapped sidewalk that lies farther from the kerb than it is wide), sidewalk; '
-        'behind these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
+        'kind of a lane, as lane.kind; shoulder: roadway that lanes leave; bay, gutter, kerb, furnishing, verge '
+        '(before a mapped sidewalk that lies farther from the kerb than it is wide), sidewalk; behind '
+        'these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
         'the model computes no lanes';
     COMMENT ON COLUMN cross_section.kerb IS
         'standing; at a crossing as this says, lowered, rolled, or else flush; flush and of no width before a bay '

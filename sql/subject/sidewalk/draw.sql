@@ -6,7 +6,7 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_drawn(model name, box geometry, l
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT 'crossover', '', level, c.surface::geometry, edge_id FROM crossover c
+    RETURN QUERY SELECT 'crossover', '', level, c.surface::geometry, crossover_id FROM crossover c
         WHERE 'crossover' = ANY (layers) AND c.place && ST_Expand(box, 30) AND c.surface && box;
     RETURN QUERY SELECT 'sidewalk', '', level, w.surface::geometry, sidewalk_id FROM sidewalk w
         JOIN kerb USING (edge_id, side, part) WHERE 'sidewalk' = ANY (layers) AND w.surface && box;

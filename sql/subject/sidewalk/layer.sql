@@ -7,5 +7,6 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_layer()
     AS $$ VALUES
     (35, 'sidewalks', 'MULTIPOLYGON', false, 'sidewalk_id AS id, edge_id, node_id, side, part, width, method',
         'surface', 'sidewalk'),
-    (35, 'crossovers', 'MULTIPOLYGON', false, 'edge_id, node_id, level, kerb, width', 'surface', 'crossover') $$;
+    (35, 'crossovers', 'MULTIPOLYGON', false, 'crossover_id AS id, edge_id, node_id, level, kerb, width', 'surface',
+        'crossover') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_layer() IS 'The layers of sidewalks in files.';

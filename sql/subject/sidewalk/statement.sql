@@ -135,7 +135,8 @@ CROSS JOIN LATERAL (
 
 --{crossover
 CREATE OR REPLACE VIEW crossover WITH (security_invoker = true) AS
-SELECT d.edge_id, n.node_id, d.level, 'lowered' AS kerb, ST_MakeLine(m.before, m.behind) AS kerb_line,
+SELECT 2 * d.edge_id + (b.end_b = 'end')::integer AS crossover_id, d.edge_id, n.node_id, d.level,
+    'lowered' AS kerb, ST_MakeLine(m.before, m.behind) AS kerb_line,
     least(w.before, w.behind) AS width, n.geom AS place, ST_Multi(g.surface)::geometry(MultiPolygon, {srid}) AS surface
 -- Counter-clockwise about the node: the street before the mouth, the drive, the street behind it.
 FROM node n JOIN corner b ON b.node_id = n.node_id JOIN corner c ON (c.node_id, c.edge_a, c.end_a)

@@ -14,6 +14,7 @@ BEGIN
         'Where a drive, of a class that rules of crossings leave out (axis_class.crossed_on_foot), comes to one '
         'street with a sidewalk on both sides of its mouth: the sidewalk goes on there, and the kerb is lowered. Its '
         'ground lies on the roadway of the drive. Computed when it is asked for';
+    COMMENT ON COLUMN crossover.crossover_id IS 'key: of the edge, and of its end at the street';
     COMMENT ON COLUMN crossover.edge_id IS 'edge of the drive';
     COMMENT ON COLUMN crossover.node_id IS 'node at which it comes to the street';
     COMMENT ON COLUMN crossover.level IS 'its level';
