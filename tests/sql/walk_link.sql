@@ -57,6 +57,15 @@ INSERT INTO town.pedestrian_crossing_editing (geom, marking, kerb) VALUES (pg_te
 SELECT 'a crossing of a street joins its sides', count(*) = 2 AND bool_and(street_object_id IS NOT NULL AND metres BETWEEN 9.9 AND 10.1 AND width = 4 AND kerb_from = kerb_to) AND array_agg(marking || ' ' || kerb_from ORDER BY edge_id) = '{"zebra lowered","lines raised"}' FROM town.walk_link WHERE street_object_id IS NOT NULL;
 SELECT 'and makes ways shorter', pg_temp.way(pg_temp.near(50, 5), pg_temp.near(50, -5)) < 10.1;
 SELECT 'but not by wheelchair over raised kerbs', pg_temp.way(pg_temp.near(250, 5), pg_temp.near(250, -5)) < 10.1 AND pg_temp.way(pg_temp.near(250, 5), pg_temp.near(250, -5), 'town', $$wheelchair IS DISTINCT FROM 'no'$$) > 100;
+-- A kerb at one end alone, and one of which nothing is known.
+INSERT INTO town.footway (footway_id, geom, kind, role) VALUES (21, pg_temp.line('LINESTRING(80 -7,80 7)'), 'footway', 'crossing');
+INSERT INTO town.footway_kerb (geom, kerb) VALUES (pg_temp.line('POINT(80 4.2)'), 'raised');
+SELECT 'each end of a crossing has its own kerb', count(*) = 1 AND bool_and(CASE WHEN ST_Y(ST_StartPoint(geom)) > 6860000 THEN kerb_from ELSE kerb_to END = 'raised' AND num_nulls(kerb_from, kerb_to) = 1 AND wheelchair = 'no')
+  FROM town.walk_link WHERE footway_id = 21;
+UPDATE town.footway SET geom = ST_Reverse(geom) WHERE footway_id = 21;
+SELECT 'whichever way it is drawn', count(*) = 1 AND bool_and(CASE WHEN ST_Y(ST_StartPoint(geom)) > 6860000 THEN kerb_from ELSE kerb_to END = 'raised' AND num_nulls(kerb_from, kerb_to) = 1) FROM town.walk_link WHERE footway_id = 21;
+DELETE FROM town.footway WHERE footway_id = 21;
+DELETE FROM town.footway_kerb;
 SELECT 'all is one network still', pg_temp.parts('town') = 1;
 INSERT INTO town.footway (footway_id, geom, kind, role, width, surface, incline, climb, tactile_paving, wheelchair, foot) VALUES
   (1, pg_temp.line('LINESTRING(60 0,60 40,95 80)'), 'footway', NULL, 1.5, 'gravel', 4, NULL, NULL, NULL, 'permissive'), (2, pg_temp.line('LINESTRING(60 40,40 40)'), 'steps', NULL, NULL, NULL, NULL, 'up', NULL, NULL, NULL),

@@ -93,7 +93,7 @@ COMMENT ON FUNCTION streetgen._walked_kerbs(name, geometry) IS
 
 CREATE OR REPLACE FUNCTION streetgen._known_crossings(model name, around geometry)
     RETURNS TABLE(street_object_id bigint, edge_id bigint, abscissa float8, width float8, angle float8,
-        marking text, kerb text, geom geometry)
+        marking text, kerb_left text, kerb_right text, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -105,13 +105,13 @@ BEGIN
         with_object := ARRAY(SELECT p.control_point_id FROM control_point p JOIN street_object o
             ON o.type = 'crossing' AND ST_DWithin(o.geom, p.geom, 5) WHERE p.kind = 'pedestrian_crossing');
         RETURN QUERY SELECT street_object_id, edge_id, ST_Length(e.geom) * ST_LineLocatePoint(e.geom, o.geom), c.width,
-                c.angle, coalesce(c.painted_as, c.marking), c.kerb, o.geom
+                c.angle, coalesce(c.painted_as, c.marking), c.kerb_left, c.kerb_right, o.geom
             FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
                 JOIN object_edge USING (street_object_id) JOIN edge e USING (edge_id)
             WHERE around IS NULL OR o.geom && around;
     END IF;
     RETURN QUERY SELECT NULL::bigint, e.edge_id, abscissa - start_abscissa, NULL::float8, 90::float8, p.marking,
-            p.kerb, p.geom
+            p.kerb, p.kerb, p.geom
         FROM control_point p, LATERAL (SELECT edge_id, start_abscissa FROM edge e
             WHERE e.axis_id = p.axis_id AND p.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
             ORDER BY e.start_abscissa LIMIT 1) e

@@ -74,10 +74,14 @@ BEGIN
         WHERE extent IS NULL OR n.geom && extent),
     -- A walk of a source that leads over a roadway with sidewalks crosses it.
     over_street AS MATERIALIZED (
-        SELECT DISTINCT ON (l.line, l.part) l.line, l.part, e.crosses, c.width, c.marking, c.kerb, c.street_object_id
+        SELECT DISTINCT ON (l.line, l.part) l.line, l.part, e.crosses, c.width, c.marking, c.street_object_id,
+            CASE WHEN to_right THEN c.kerb_left ELSE c.kerb_right END AS kerb_from,
+            CASE WHEN to_right THEN c.kerb_right ELSE c.kerb_left END AS kerb_to
         FROM link l, LATERAL (SELECT e.edge_id, e.sidewalk_left + e.sidewalk_right > 0 AND ST_Crosses(e.geom, l.geom)
                     AS crosses, ST_Length(e.geom) * ST_LineLocatePoint(e.geom, ST_ClosestPoint(e.geom, l.geom))
-                    AS abscissa
+                    AS abscissa,
+                    (streetgen._locate_on(ST_Force2D(e.geom)::bytea, ST_StartPoint(l.geom)::bytea))[2]
+                        > (streetgen._locate_on(ST_Force2D(e.geom)::bytea, ST_EndPoint(l.geom)::bytea))[2] AS to_right
                 FROM edge e WHERE e.geom && ST_Expand(l.geom, 0.5) AND e.level = l.level
                     AND ST_DWithin(e.geom, l.geom, 0.5) OFFSET 0) e
             LEFT JOIN crossing c ON c.edge_id = e.edge_id AND abs(c.abscissa - e.abscissa) <= 5
@@ -95,8 +99,8 @@ BEGIN
         LEFT JOIN barred b USING (line, part),
         LATERAL (SELECT CASE WHEN of_kind = 'walk' AND crosses THEN 'crossing' ELSE of_kind END AS kind) k
         LEFT JOIN LATERAL (SELECT o.* WHERE k.kind = 'crossing') c ON true,
-        LATERAL (SELECT CASE WHEN l.part = 1 THEN c.kerb END AS kerb_from,
-            CASE WHEN l.part = parts THEN c.kerb END AS kerb_to) kerbs;
+        LATERAL (SELECT CASE WHEN l.part = 1 THEN c.kerb_from END AS kerb_from,
+            CASE WHEN l.part = parts THEN c.kerb_to END AS kerb_to) kerbs;
 END $$;
 COMMENT ON FUNCTION streetgen.walk_links(name, geometry) IS
     'The links of what people walk on in a model, as view walk_link has them; of an extent those whose box meets it, '

@@ -66,7 +66,7 @@ BEGIN
                     ST_Length2D(a.line), a.roadway_offset)) AS borders OFFSET 0) w ON a.line IS NOT NULL
                 LEFT JOIN LATERAL (SELECT streetgen._crossing_ground(a.line::bytea, w.borders, o.abscissa, c.width,
                     c.angle)::geometry AS ground OFFSET 0) g ON true
-                CROSS JOIN LATERAL (SELECT array_agg(coalesce(c.kerb, _footway_kerb_at(foot, across), p.kerb, 'flush')
+                CROSS JOIN LATERAL (SELECT array_agg(coalesce(c.kerb, _footway_kerb_at(foot, across), p.kerb)
                     ORDER BY side) AS kerbs FROM (
                         SELECT side, foot, coalesce(lead(foot) OVER by_side, lag(foot) OVER by_side) AS across
                         FROM (VALUES ('left', 1), ('right', -1)) v(side, outwards),

@@ -211,7 +211,8 @@ COMMENT ON COLUMN :"model".pedestrian_crossing.kerb IS
     'by hand, the kerbs at both of its ends: raised, lowered, rolled, flush or no; NULL: as a footway_kerb there says, '
     'else its control point, else flush';
 COMMENT ON COLUMN :"model".pedestrian_crossing.kerb_left IS
-    'the kerb at its end to the left of the axis: raised, lowered, rolled, flush or no; computed';
+    'the kerb at its end to the left of the axis: raised, lowered, rolled, flush or no; NULL: nothing is known, and it '
+    'counts as flush; computed';
 COMMENT ON COLUMN :"model".pedestrian_crossing.kerb_right IS
     'the kerb at its end to the right of the axis; computed';
 COMMENT ON CONSTRAINT pedestrian_crossing_kerb_check ON :"model".pedestrian_crossing IS
