@@ -66,6 +66,17 @@ DELETE FROM town.pedestrian_crossing_editing WHERE street_object_id = (at(3, 60)
 SELECT 'one that is deleted stays away', (at(3, 60)).street_object_id IS NULL AND as_run() AND (SELECT count(*) = 1 FROM town.free_place WHERE ST_DWithin(geom, pg_temp.line('LINESTRING(50 60,50 60.1)'), 0.2));
 DELETE FROM town.free_place WHERE ST_DWithin(geom, pg_temp.line('LINESTRING(50 60,50 60.1)'), 0.2);
 SELECT 'until its place is free no more', (at(3, 60)).footway_id = 11 AND as_run();
+-- A walk of which nobody says that people cross there: a kerb that is typed, or a place, paints nothing.
+INSERT INTO town.axis (axis_id, geom, width, importance, kind) VALUES (9, pg_temp.line('LINESTRING(0 600,200 600)'), 6, 5, 'residential');
+INSERT INTO town.footway (footway_id, geom, kind) VALUES (21, pg_temp.line('LINESTRING(50 590,50 610)'), 'path'), (22, pg_temp.line('LINESTRING(90 590,90 610)'), 'path');
+UPDATE town.pedestrian_crossing_editing SET kerb = 'lowered' WHERE street_object_id = (at(9, 50)).street_object_id;
+UPDATE town.pedestrian_crossing_editing SET abscissa = 92 WHERE street_object_id = (at(9, 90)).street_object_id;
+SELECT 'one that is edited keeps its paint', (at(9, 50)).placed_by = 'user' AND (at(9, 50)).painted_as = 'no' AND (at(9, 92)).placed_by = 'user' AND (at(9, 92)).painted_as = 'no' AND as_run();
+UPDATE town.pedestrian_crossing_editing SET marking = 'zebra' WHERE street_object_id = (at(9, 50)).street_object_id;
+SELECT 'until somebody says it', (at(9, 50)).painted_as = 'zebra' AND as_run();
+DELETE FROM town.footway WHERE footway_id IN (21, 22);
+DELETE FROM town.pedestrian_crossing_editing WHERE axis_id = 9;
+DELETE FROM town.axis WHERE axis_id = 9;
 INSERT INTO town.placement_rule (rule_id, type, along, distance_from_limit) VALUES (5, 'crossing', 'arm', 2.5);
 INSERT INTO town.axis (axis_id, geom, width, importance, kind) VALUES (7, pg_temp.line('LINESTRING(100 0,100 90)'), 6, 5, 'residential');
 INSERT INTO town.footway (footway_id, geom, kind, role) VALUES (20, pg_temp.line('LINESTRING(90 14,110 14)'), 'footway', 'crossing');

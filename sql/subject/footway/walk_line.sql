@@ -48,6 +48,12 @@ COMMENT ON FUNCTION streetgen._walk_edges(name, geometry) IS
     'street: people walk on the roadway, since it has no sidewalk, is not said to have one apart, and leads not across '
     'a median.';
 
+CREATE OR REPLACE FUNCTION streetgen._walked_on(use text, foot text) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN foot IS DISTINCT FROM 'no' AND (use IS DISTINCT FROM 'cycle' OR foot IS NOT NULL);
+COMMENT ON FUNCTION streetgen._walked_on(text, text) IS
+    'Whether people walk on a footway by the use of its class and by who may: on a cycle track where that is said.';
+
 CREATE OR REPLACE FUNCTION streetgen._mapped_walks(model name, around geometry)
     RETURNS TABLE(footway_id bigint, kind text, level integer, width float8, geom geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
@@ -59,9 +65,7 @@ BEGIN
             WHEN f.kind = 'elevator' THEN 'elevator' WHEN c.use = 'steps' THEN 'steps' ELSE 'walk' END, level,
             coalesce(f.width, c.width), ST_Force2D(f.geom)
         FROM footway f LEFT JOIN axis_class c ON c.class = f.kind
-        -- One walks on a cycle track where that is said.
-        WHERE f.foot IS DISTINCT FROM 'no' AND (c.use IS DISTINCT FROM 'cycle' OR f.foot IS NOT NULL)
-            AND (around IS NULL OR f.geom && around);
+        WHERE streetgen._walked_on(c.use, f.foot) AND (around IS NULL OR f.geom && around);
 END $$;
 COMMENT ON FUNCTION streetgen._mapped_walks(name, geometry) IS
     'The footways of a model on which people may walk, as walks: sidewalk, crossing, elevator, steps or walk. Their '
@@ -108,7 +112,9 @@ BEGIN
                 c.angle, coalesce(c.painted_as, c.marking), c.kerb_left, c.kerb_right, o.geom
             FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
                 JOIN object_edge USING (street_object_id) JOIN edge e USING (edge_id)
-            WHERE around IS NULL OR o.geom && around;
+                LEFT JOIN footway f ON o.rule_id = -1 AND f.footway_id = c.footway_id
+                LEFT JOIN axis_class k ON k.class = f.kind
+            WHERE streetgen._walked_on(k.use, f.foot) AND (around IS NULL OR o.geom && around);
     END IF;
     RETURN QUERY SELECT NULL::bigint, e.edge_id, abscissa - start_abscissa, NULL::float8, 90::float8, p.marking,
             p.kerb, p.kerb, p.geom

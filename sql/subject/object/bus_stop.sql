@@ -23,9 +23,9 @@ BEGIN
         FROM streetgen.model m WHERE m.name = model)));
     COMMENT ON VIEW bus_stop_box IS
         'Where a bus stands at each stop, on the outermost lane of its side that is general, for buses or for parking; '
-        'it ends 1 m beyond the stop, or 1 m before a crossing, and is as long as setting bus_stop_length, but for '
-        'crossings and the ends of the lane. Computed when it is asked for. A stop has no row where less than 5 m of '
-        'lane are left, or no lane';
+        'of models with subject lane. It ends 1 m beyond the stop, or 1 m before a crossing, and is as long as setting '
+        'bus_stop_length, but for crossings and the ends of the lane. Computed when it is asked for. A stop has no row '
+        'where less than 5 m of lane are left, or no lane';
     COMMENT ON COLUMN bus_stop_box.street_object_id IS 'the stop: an object of type bus_stop, or of one below it';
     COMMENT ON COLUMN bus_stop_box.edge_id IS 'its edge';
     COMMENT ON COLUMN bus_stop_box.lane_id IS 'the lane';

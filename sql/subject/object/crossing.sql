@@ -137,6 +137,11 @@ BEGIN
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa) THEN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa
             WHERE street_object_id = OLD.street_object_id;
+        -- One that a footway made has the paint by hand now that it had.
+        IF NEW.marking IS NOT DISTINCT FROM OLD.marking THEN
+            SELECT c.marking FROM pedestrian_crossing c WHERE c.street_object_id = OLD.street_object_id
+                INTO NEW.marking;
+        END IF;
     END IF;
     SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
         INTO NEW.width, NEW.angle;

@@ -232,6 +232,19 @@ END $$;
 COMMENT ON FUNCTION streetgen._leave_free(name, bigint, geometry) IS
     'Keeps a place free of objects of a rule; they are renewed later in the edit.';
 
+CREATE OR REPLACE FUNCTION streetgen._keep_paint(model name, objects bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET streetgen.computes = 'on'
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    UPDATE pedestrian_crossing c SET marking = c.painted_as FROM street_object o
+        WHERE c.street_object_id = ANY (objects) AND o.street_object_id = c.street_object_id
+            AND (o.placed_by, o.rule_id) = ('rule', -1) AND c.marking IS NULL;
+END $$;
+COMMENT ON FUNCTION streetgen._keep_paint(name, bigint[]) IS
+    'Makes the paint of crossings that footways made that of their user, before they are the user''s own.';
+
 CREATE OR REPLACE FUNCTION streetgen._changed_columns(former record, now record) RETURNS text[]
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -287,7 +300,8 @@ BEGIN
         OR (NEW.placed_by, NEW.rule_id, NEW.rule_place) IS DISTINCT FROM (OLD.placed_by, OLD.rule_id, OLD.rule_place))
     THEN
         -- The object belongs to the user from then on, and the rule leaves its place free.
-        PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom);
+        PERFORM streetgen._leave_free(TG_TABLE_SCHEMA, OLD.rule_id, OLD.geom),
+            streetgen._keep_paint(TG_TABLE_SCHEMA, ARRAY[OLD.street_object_id]);
         NEW.placed_by := CASE NEW.placed_by WHEN 'rule' THEN 'user' ELSE NEW.placed_by END;
     ELSIF OLD.source_ref IS NOT NULL AND changed <> '{}' AND NEW.by_hand = OLD.by_hand THEN
         IF 'geom' = ANY (changed) AND streetgen._stands_at_control_point(TG_TABLE_SCHEMA, NEW.control_point_id,

@@ -113,6 +113,7 @@ BEGIN
         AS $body$
         INSERT INTO free_place (rule_id, geom) SELECT rule_id, geom FROM street_object
             WHERE street_object_id = ANY (objects) AND placed_by = 'rule' ORDER BY street_object_id;
+        SELECT streetgen._keep_paint(current_schema(), objects);
         UPDATE street_object SET placed_by = 'user', rule_id = NULL, rule_place = NULL
             WHERE street_object_id = ANY (objects) AND placed_by = 'rule' $body$;
     PERFORM streetgen._own_function(model, '_has_rules()',
