@@ -3,9 +3,10 @@
 // Each is as wide as wanted behind its kerb, round about outer bends. Where the widths of two
 // sections differ, the width changes linearly along the kerb of the corner between them. Behind a
 // straight piece of kerb the back line is straight, and it goes on to meet that of the next piece:
-// it has no dent, and the sidewalk is nowhere narrower. Towards a section without a sidewalk the
-// back line goes straight on to the kerb, or the sidewalk ends square. Ground that two sidewalks
-// want belongs to the nearer kerb, and none lies on a roadway.
+// it has no dent, and the sidewalk is nowhere narrower. Towards a section without a sidewalk it
+// goes on along its street to the corner. There the back line goes straight on to the kerb, or the
+// sidewalk ends square. Ground that two sidewalks want belongs to the nearer kerb, and none lies on
+// a roadway.
 #pragma once
 
 #include <optional>

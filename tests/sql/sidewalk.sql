@@ -22,6 +22,34 @@ SELECT 'none lies on another', coalesce(sum(ST_Area(ST_Intersection(a.surface, b
 SELECT 'a sidewalk leads around a corner from one width to the other', abs(s.width - (3 + 4) / 2.0) < 1e-9 FROM town.sidewalk s JOIN town.edge e USING (edge_id) WHERE s.side LIKE 'corner%' AND axis_id = 1;
 SELECT 'nothing is wrong with them', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error');
 
+-- A street that is slanted by millimetres: kerbs of its corners have pieces as short before and behind their arcs.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('slanted', 2154, subjects => '{sidewalk}');
+  INSERT INTO slanted.axis (geom, width, sidewalk_left, sidewalk_right) VALUES
+    (pg_temp.line('LINESTRING(0 0,100 0.01,200 0.02)'), 10, 2.5, 2.5),
+    (pg_temp.line('LINESTRING(100 -100,100 0.01)'), 6, 0, 0), (pg_temp.line('LINESTRING(100 0.01,100 100)'), 6, 5, 5);
+END $$;
+SELECT 'each of the four corners of a street slanted by millimetres has a sidewalk', count(*) = 4
+FROM slanted.sidewalk s JOIN slanted.kerb k USING (edge_id, side, part)
+WHERE s.node_id IS NOT NULL AND ST_Length(k.geom) > 10 AND ST_Area(s.surface) > 10;
+
+-- Drives that meet streets from opposite sides, so near to each other that no section lies between them.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('drives', 2154, subjects => '{sidewalk}');
+  INSERT INTO drives.axis (geom, width, radius, sidewalk_left, sidewalk_right, kind)
+  SELECT ST_Translate(pg_temp.line(replace(l, '50+', (50 + 2 * n)::text)), 200 * n, 200 * road), coalesce(w, road),
+    r, s, s, k
+  FROM generate_series(1, 10) n, unnest(ARRAY[7, 14]) road, (VALUES
+    ('LINESTRING(0 0,50 0,50+ 0,120 0)', NULL, 6, 3, 'residential'),
+    ('LINESTRING(50 0,50 40)', 4, 3, 0, 'service'), ('LINESTRING(50+ 0,50+ -40)', 4, 3, 0, 'service')) v(l, w, r, s, k);
+END $$;
+SELECT 'the kerb across the street from a drive has a sidewalk, wherever the next drive is',
+    count(*) = 40 AND count(*) FILTER (WHERE s.width = 3) = 40
+FROM drives.corner c
+    JOIN drives.kerb k ON (k.edge_id, k.node_id, k.side) = (c.edge_a, c.node_id, 'corner_at_' || c.end_a)
+    LEFT JOIN drives.sidewalk s USING (edge_id, side, part)
+WHERE c.method = 'no_arc';
+
 -- What they leave of blocks.
 DO $$ BEGIN
   PERFORM streetgen.create_model('quad', 2154, subjects => '{sidewalk,block}');

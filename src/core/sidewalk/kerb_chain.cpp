@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
@@ -15,6 +16,9 @@ namespace {
 // Metres between the end of a kerb and the start of the next one, of which each may lie a place
 // off.
 constexpr double meeting = 2 * same_place;
+
+// The cosine of the turn of a street that goes on without a corner.
+const double nearly_straight = std::cos(20 * M_PI / 180 + same_angle);
 
 // The turn of the way from a to b and on to c: positive to the left.
 double turn(const Point& a, const Point& b, const Point& c) {
@@ -33,6 +37,10 @@ double width_at(const std::vector<WidthKnot>& knots, double abscissa) {
 }
 
 }  // namespace
+
+Point direction_at(const Line& line, bool at_start) {
+  return at_start ? unit(line[1] - line[0]) : unit(line.back() - line[line.size() - 2]);
+}
 
 KerbChains::KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition)
     : kerbs_(kerbs), next_(kerbs.size(), -1), previous_(kerbs.size(), -1), widths_(kerbs.size()) {
@@ -87,8 +95,8 @@ void KerbChains::widen(int from, double transition) {
   if (std::min(start, end) <= 0) {
     if (across || between.empty() || start == end) return;
     if (start <= 0) std::reverse(between.begin(), between.end());
-    ends_.push_back(start > 0 ? SidewalkEnd{from, true, start, between, to}
-                              : SidewalkEnd{to, false, end, between, from});
+    lead_on(start > 0 ? SidewalkEnd{from, true, start, between, to}
+                      : SidewalkEnd{to, false, end, between, from});
     return;
   }
   const double beyond = std::max(0.0, (transition - size) / 2);
@@ -104,6 +112,24 @@ void KerbChains::widen(int from, double transition) {
   if (start == end || change[0].abscissa >= change[1].abscissa) return;
   if (before > 0) put(from, -lengths_[from], 0, change);
   if (after > 0) put(to, size, size + lengths_[to], change);
+}
+
+// Kerbs that go on as the street does come before the corner where its sidewalk ends. Straight
+// pieces before the arc are such, and kerbs beside a section without ground.
+void KerbChains::lead_on(SidewalkEnd end) {
+  const Point along = direction_at(kerbs_[end.beside].line, !end.ahead);
+  const auto goes_on = [&](int kerb) {
+    const Line& line = kerbs_[kerb].line;
+    return std::min(dot(along, direction_at(line, true)), dot(along, direction_at(line, false))) >
+           nearly_straight;
+  };
+  std::size_t passed = 0;
+  while (passed + 1 < end.on.size() && goes_on(end.on[passed])) {
+    end.beside = end.on[passed++];
+    widths_[end.beside] = {{0, end.width}, {lengths_[end.beside], end.width}};
+  }
+  end.on.erase(end.on.begin(), end.on.begin() + static_cast<std::ptrdiff_t>(passed));
+  ends_.push_back(std::move(end));
 }
 
 // The kerb lies from `start` to `end` along the way on which the width changes. What is known of

@@ -22,6 +22,9 @@ struct SidewalkEnd {
   int none = 0;  // the kerb without a sidewalk
 };
 
+// The direction of the first piece of a kerb, or of the last one.
+Point direction_at(const Line& line, bool at_start);
+
 class KerbChains {
  public:
   KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition);
@@ -36,6 +39,7 @@ class KerbChains {
  private:
   void link();
   void widen(int from, double transition);
+  void lead_on(SidewalkEnd end);
   void put(int kerb, double start, double end, const std::vector<WidthKnot>& change);
 
   const std::vector<SidewalkKerb>& kerbs_;

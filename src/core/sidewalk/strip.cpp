@@ -81,10 +81,6 @@ bool stays_near(const Ring& ring, const Line& line, double reach) {
   });
 }
 
-Point direction_at(const Line& line, bool at_start) {
-  return at_start ? unit(line[1] - line[0]) : unit(line.back() - line[line.size() - 2]);
-}
-
 void append_piece(Ring ring, std::vector<MultiPolygon>& pieces) {
   ring.push_back(ring.front());
   ring = closed(std::move(ring));

@@ -192,6 +192,36 @@ TEST(Sidewalk, GoesStraightOnToTheKerbOfAStreetThatHasNone) {
       }
 }
 
+// A corner whose kerb comes in pieces: straight ones before and behind its arc, of millimetres
+// where the street is slanted by as much, of metres where its own sections have no ground.
+TEST(Sidewalk, LeadsOnAlongTheStreetToTheCornerOfOneThatHasNone) {
+  const double radius = 6, width = 3;
+  for (const double piece : {0.004, 0.5, 10.0})
+    for (const bool mirrored : {false, true}) {
+      std::vector<SidewalkKerb> kerbs{
+          kerb({{0, 50, 0}, {0, radius + piece, 0}}, width),
+          kerb({{0, radius + piece, 0}, {0, radius, 0}}, std::nullopt),
+          kerb(quarter({radius, radius, 0}, radius, M_PI), std::nullopt),
+          kerb({{radius, 0, 0}, {radius + piece, 0, 0}}, std::nullopt),
+          kerb({{radius + piece, 0, 0}, {60, 0, 0}}, 0)};
+      if (mirrored)
+        for (SidewalkKerb& each : kerbs) {
+          for (Point& place : each.line) place.x = -place.x;
+          std::reverse(each.line.begin(), each.line.end());
+        }
+      const auto sidewalks = find_sidewalks(kerbs, 5);
+      ASSERT_EQ(sidewalks.size(), 3u) << piece;
+      EXPECT_DOUBLE_EQ(of_kerb(sidewalks, 1).width, width);
+      EXPECT_NEAR(area(of_kerb(sidewalks, 1).surface), piece * width, 1e-6) << piece;
+      // Half of a segment of the circle, as deep as the sidewalk is wide.
+      const double rest = radius - width;
+      const double segment = radius * radius * std::acos(rest / radius) -
+                             rest * std::sqrt(radius * radius - rest * rest);
+      EXPECT_NEAR(area(of_kerb(sidewalks, 2).surface), segment / 2, 0.04) << piece;
+      EXPECT_EQ(of_kerb(sidewalks, 2).method, Method::hypothesis);
+    }
+}
+
 // A street parts by 10 degrees: the back line would meet its kerb only after 17 m.
 TEST(Sidewalk, EndsSquareWhereAStreetThatHasNonePartsSlowly) {
   const double t = 10 * M_PI / 180;
