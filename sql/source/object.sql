@@ -64,13 +64,12 @@ BEGIN
         'a.geom, o.geom, (SELECT value::float8 FROM setting WHERE name = ''object_snap'')) '
         'ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %s), a.axis_id LIMIT 1)', alike);
     IF crossings_on_axes THEN
-        CREATE TEMPORARY TABLE _import_elsewhere ON COMMIT DROP AS SELECT o.label, o.type FROM pg_temp._import_object o
-            WHERE o.type = ANY (_types_below('crossing')) AND NOT EXISTS (SELECT FROM axis a
-                WHERE ST_DWithin(a.geom, o.geom, streetgen._crossing_off_axis()));
-        RETURN QUERY SELECT 'crossing on no axis, left out', e.type, count(*), (array_agg(e.label ORDER BY
-            e.label))[:1000] FROM pg_temp._import_elsewhere e GROUP BY e.type ORDER BY e.type;
-        DELETE FROM pg_temp._import_object o USING pg_temp._import_elsewhere e WHERE e.label = o.label;
-        DROP TABLE pg_temp._import_elsewhere;
+        RETURN QUERY WITH elsewhere AS (
+            DELETE FROM pg_temp._import_object o WHERE o.type = ANY (_types_below('crossing')) AND NOT EXISTS (
+                SELECT FROM axis a WHERE ST_DWithin(a.geom, o.geom, streetgen._crossing_off_axis()))
+            RETURNING o.label, o.type)
+            SELECT 'crossing on no axis, left out', e.type, count(*), (array_agg(e.label ORDER BY e.label))[:1000]
+            FROM elsewhere e GROUP BY e.type ORDER BY e.type;
     END IF;
     RETURN QUERY SELECT 'object off all axes, kept where it lies', o.type, count(*), (array_agg(o.label ORDER BY
         o.label))[:1000] FROM pg_temp._import_object o WHERE o.axis_id IS NULL GROUP BY o.type ORDER BY o.type;

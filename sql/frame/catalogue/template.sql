@@ -34,3 +34,11 @@ CREATE OR REPLACE FUNCTION streetgen._fill_template(template text, places jsonb)
     SELECT string_agg(CASE n % 2 WHEN 1 THEN piece ELSE places ->> piece END, '' ORDER BY n)
     FROM string_to_table(translate(template, '}', '{'), '{') WITH ORDINALITY p(piece, n) $$;
 COMMENT ON FUNCTION streetgen._fill_template(text, jsonb) IS 'A text with its places, {name}, filled.';
+
+CREATE OR REPLACE FUNCTION streetgen._part_in(part text, model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+    SELECT streetgen._fill_template(streetgen._part(part), jsonb_build_object('srid', m.srid))
+    FROM streetgen.model m WHERE m.name = model $$;
+COMMENT ON FUNCTION streetgen._part_in(text, name) IS
+    'The piece of a statement of that name, with the SRID of a model in its place {srid}.';

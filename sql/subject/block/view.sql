@@ -14,8 +14,7 @@ BEGIN
         WHERE b.surface && place AND ST_Intersects(b.surface, place) LIMIT 1) AS block_id
     FROM sidewalk s JOIN kerb k USING (edge_id, side, part)
     WHERE k.level = (SELECT value::integer FROM setting WHERE name = 'ground_level');
-    EXECUTE streetgen._fill_template(streetgen._part('block_interior'), jsonb_build_object('srid', (SELECT m.srid
-        FROM streetgen.model m WHERE m.name = model)));
+    EXECUTE streetgen._part_in('block_interior', model);
     COMMENT ON VIEW sidewalk_block IS 'The block that each sidewalk of the ground lies on';
     COMMENT ON COLUMN sidewalk_block.sidewalk_id IS 'the sidewalk';
     COMMENT ON COLUMN sidewalk_block.block_id IS 'the block that it lies on; NULL: it lies in no face';

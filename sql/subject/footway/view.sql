@@ -8,8 +8,7 @@ BEGIN
     IF 'footway' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    EXECUTE streetgen._fill_template(streetgen._part('footway_surface'), jsonb_build_object('srid', (SELECT m.srid
-        FROM streetgen.model m WHERE m.name = model)));
+    EXECUTE streetgen._part_in('footway_surface', model);
     COMMENT ON VIEW footway_surface IS
         'The ground of each footway beside the roadway, the sidewalks and the footways that come before it: cycle '
         'tracks, then walks, then steps, and of these the older one. Computed when it is asked for; a footway whose '

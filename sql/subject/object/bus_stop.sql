@@ -1,4 +1,4 @@
--- Where buses stand at a stop: on a parking lane, which then is their bay, or else on the lane beside the kerb.
+-- Buses stand at a stop on a parking lane, which then is their bay, or else on the lane beside the kerb.
 
 CREATE OR REPLACE FUNCTION streetgen._zigzag(middle geometry, width float8) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -19,8 +19,7 @@ BEGIN
     IF NOT '{object,lane}' <@ streetgen._subjects(model) THEN
         RETURN;
     END IF;
-    EXECUTE streetgen._fill_template(streetgen._part('bus_stop_box'), jsonb_build_object('srid', (SELECT m.srid
-        FROM streetgen.model m WHERE m.name = model)));
+    EXECUTE streetgen._part_in('bus_stop_box', model);
     COMMENT ON VIEW bus_stop_box IS
         'Where a bus stands at each stop, on the outermost lane of its side that is general, for buses or for parking; '
         'of models with subject lane. It ends 1 m beyond the stop, or 1 m before a crossing, and is as long as setting '

@@ -8,8 +8,7 @@ BEGIN
     IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    EXECUTE streetgen._fill_template(streetgen._part('crossover'), jsonb_build_object('srid', (SELECT m.srid
-        FROM streetgen.model m WHERE m.name = model)));
+    EXECUTE streetgen._part_in('crossover', model);
     COMMENT ON VIEW crossover IS
         'Where a drive, of a class that rules of crossings leave out (axis_class.crossed_on_foot), comes to one '
         'street with a sidewalk on both sides of its mouth: the sidewalk goes on there, and the kerb is lowered. Its '
