@@ -91,7 +91,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._import_control_points(name, text, text, boolean) IS
     'Upserts the control points of a prepared query by source and source_ref, and reports how many. Those off all axes '
-    'are left out, or kept without an axis; both are reported. Bad rows: 22023, and the model as it was.';
+    'are left out (only_on_axes: also crossings over 0.5 m off theirs), or kept without an axis; both are reported. '
+    'Bad rows: 22023, and the model as it was.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_control_points(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])

@@ -12,8 +12,8 @@ FROM :"model".pedestrian_crossing c JOIN :"model".street_object o USING (street_
         AND x.kind = 'kerb' AND o.abscissa BETWEEN x.start_abscissa AND x.end_abscissa
         ORDER BY x.end_abscissa - x.start_abscissa LIMIT 1) x ON true
 WHERE c.surface IS NOT NULL GROUP BY p.kerb, x.kerb ORDER BY p.kerb, count(*) DESC;
--- Then model, kerb and number of ends of crossings as they are drawn and as their nodes say (- : nothing), junctions too;
--- last, of kerbs on footways, their kind, number, those within 6 m of an end, and those that it has.
+-- Then model, kerb and number of ends of crossings as they are drawn and as their nodes say (- : nothing), junctions
+-- too; last, of kerbs on footways, their kind, number, those within 6 m of an end, and those that it has.
 SELECT :'model', coalesce(p.kerb, '-'), v.kerb, count(*) FROM :"model".pedestrian_crossing c
     JOIN :"model".street_object o USING (street_object_id) LEFT JOIN :"model".control_point p USING (control_point_id)
     CROSS JOIN LATERAL (VALUES (kerb_left), (kerb_right)) v(kerb)

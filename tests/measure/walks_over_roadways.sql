@@ -1,7 +1,7 @@
 -- Whether walks over roadways have crossings: psql -v model=NAME -f tests/measure/walks_over_roadways.sql Prints model,
 -- the runs of footways from kerb to kerb over an axis of their level, the runs on which no crossing lies (over
--- motorways, aprons and their links apart), pairs of crossings that lie on each other by half, crossings by hand or of a
--- source, of rules, of footways that say that they are crossings, and of other footways.
+-- motorways, aprons and their links apart), pairs of crossings that lie on each other by half, crossings by hand or
+-- of a source, of rules, of footways that say that they are crossings, and of other footways.
 \pset format unaligned
 \pset tuples_only on
 \pset fieldsep ' | '

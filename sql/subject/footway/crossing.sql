@@ -1,4 +1,4 @@
--- Where footways lead over streets: the pedestrian crossings that they make, of models that compute objects too.
+-- Footways that lead over streets make pedestrian crossings, in models that compute objects too.
 
 CREATE OR REPLACE FUNCTION streetgen._way_across(axis geometry, abscissa float8, way geometry) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

@@ -142,7 +142,7 @@ BEGIN
             greatest(e.width, e.width_end) / 2 - e.roadway_offset AS to_right
         FROM edge e JOIN axis a USING (axis_id) LEFT JOIN axis_class c ON c.class = a.kind
         WHERE e.edge_id = ANY (edges)),
-    -- Where a footway meets the edge, or ends there, and how far it goes on to the left of it and to the right.
+    -- A footway meets the edge or ends there, and goes on so far to the left of it and to the right.
     met AS MATERIALIZED (
         SELECT s.edge_id, f.footway_id, f.marked, f.width, streetgen._locate_on(s.line::bytea, p.geom::bytea) AS at,
             l.to_left, l.to_right
@@ -194,7 +194,7 @@ BEGIN
         FROM place p JOIN street s USING (edge_id), LATERAL (SELECT greatest(0, p.abscissa - 1) / ST_Length(s.line)
             AS share, least(1, (p.abscissa + 1) / ST_Length(s.line)) AS share_behind) b)
     SELECT DISTINCT ON (x.axis_id, round(10 * x.abscissa)) x.edge_id, x.abscissa, x.angle, x.width FROM across x
-    -- Of two that lie on each other by half one is made.
+    -- One crossing is made of two that lie on each other by half.
     WHERE NOT EXISTS (SELECT FROM across o WHERE o.edge_id = x.edge_id
             AND abs(o.abscissa - x.abscissa) < greatest(o.width, x.width) / 2
             AND (NOT o.marked, o.footway_id, o.abscissa) < (NOT x.marked, x.footway_id, x.abscissa))

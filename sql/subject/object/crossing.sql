@@ -52,7 +52,7 @@ BEGIN
                         AND ST_DWithin(p.geom, o.geom, 1) ORDER BY ST_Distance(p.geom, o.geom), control_point_id
                         LIMIT 1)) p ON true
                 CROSS JOIN LATERAL (SELECT coalesce(c.marking, nullif(f.marking, 'yes'), p.marking, f.marking,
-                    -- Where nobody says that people cross, or over a drive, nothing is painted.
+                    -- Nothing is painted where nobody says that people cross, nor over a drive.
                     CASE WHEN o.rule_id = -1 AND p.geom IS NULL AND (f.role IS DISTINCT FROM 'crossing' OR EXISTS (
                         SELECT FROM axis x JOIN axis_class k ON k.class = x.kind
                         WHERE x.axis_id = o.axis_id AND NOT k.crossed_on_foot)) THEN 'no' END) AS said) s
@@ -137,7 +137,7 @@ BEGIN
     ELSIF (NEW.geom, NEW.axis_id, NEW.abscissa) IS DISTINCT FROM (OLD.geom, OLD.axis_id, OLD.abscissa) THEN
         UPDATE street_object_editing SET geom = NEW.geom, axis_id = NEW.axis_id, abscissa = NEW.abscissa
             WHERE street_object_id = OLD.street_object_id;
-        -- One that a footway made has the paint by hand now that it had.
+        -- A crossing that a footway made has the paint by hand now that it had.
         IF NEW.marking IS NOT DISTINCT FROM OLD.marking THEN
             SELECT c.marking FROM pedestrian_crossing c WHERE c.street_object_id = OLD.street_object_id
                 INTO NEW.marking;

@@ -48,7 +48,7 @@ BEGIN
         -- Signals tell how the crossing at which they stand is painted.
         PERFORM _renew_crossings(ARRAY(SELECT o.street_object_id FROM unnest(places) place
                 JOIN control_point c ON ST_DWithin(c.geom, place, 1) JOIN street_object o USING (control_point_id)
-            -- Those of footways have the control point that lies there.
+            -- Crossings of footways have the control point that lies there.
             UNION SELECT o.street_object_id FROM unnest(places) place
                 JOIN street_object o ON o.rule_id = -1 AND ST_DWithin(o.geom, place, 2)));
         RETURN NULL;

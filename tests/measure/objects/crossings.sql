@@ -3,7 +3,8 @@ CREATE TEMPORARY TABLE mapped AS SELECT geom FROM :"model".control_point WHERE k
 CREATE INDEX ON mapped USING gist (geom);
 CREATE TEMPORARY TABLE found (place integer, rule text, geom geometry);
 DELETE FROM :"model".placement_rule;
-INSERT INTO :"model".placement_rule (type, along, side, distance_from_limit) VALUES ('crossing', 'arm', 'alternating', 1);
+INSERT INTO :"model".placement_rule (type, along, side, distance_from_limit)
+    VALUES ('crossing', 'arm', 'alternating', 1);
 INSERT INTO found SELECT 1, 'each arm of three, 1 m from the limit', geom FROM :"model".street_object WHERE type = 'crossing';
 UPDATE :"model".placement_rule SET distance_from_limit = 2.5;
 INSERT INTO found SELECT 2, 'each arm of three, 2.5 m from the limit', geom FROM :"model".street_object WHERE type = 'crossing';
