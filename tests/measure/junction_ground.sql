@@ -39,7 +39,7 @@ SELECT row_number() OVER () AS outline_id, ST_Simplify(geom, 0.03) AS geom, ST_I
 FROM (SELECT level, (ST_Dump(ST_LineMerge(ST_Collect(ST_Force2D(geom))))).geom
     FROM :"model".kerb WHERE method <> 'level_change' GROUP BY level) merged;
 CREATE TEMPORARY TABLE corner_of_kerb AS
-SELECT outline_id, p, lag(p) OVER along AS before, lead(p) OVER along AS after
+SELECT outline_id, ordinality, p, lag(p) OVER along AS before, lead(p) OVER along AS after
 FROM (SELECT outline_id, (d).geom AS p, (d).path[1] AS ordinality FROM outline,
     LATERAL ST_DumpPoints(CASE WHEN closed THEN ST_AddPoint(geom, ST_PointN(geom, 2)) ELSE geom END) d) v
 WINDOW along AS (PARTITION BY outline_id ORDER BY ordinality);
@@ -66,6 +66,26 @@ SELECT 'kink of strangers', id, value, geom FROM place k
 WHERE measure = 'kink' AND EXISTS (SELECT FROM surface a JOIN surface b ON NOT a.nodes && b.nodes
     WHERE ST_DWithin(a.surface, k.geom, 0.02) AND ST_DWithin(b.surface, k.geom, 0.02));
 
+-- Steps of kerbs, which jump aside by over 0.3 m within less than twice as much, and go on as before.
+-- Both kerbs are straight for 3 m, and at most 10 degrees apart; up to four short sides lie between.
+CREATE TEMPORARY TABLE kerb_side AS
+SELECT outline_id, p, after, ST_Distance(p, after) AS size, ST_Azimuth(p, after) AS azimuth,
+    row_number() OVER (PARTITION BY outline_id ORDER BY ordinality) AS ordinality
+FROM corner_of_kerb WHERE ST_Distance(p, after) > 0;
+CREATE INDEX ON kerb_side (outline_id, ordinality);
+ANALYZE kerb_side;
+INSERT INTO place
+SELECT 'step', outline_id, abs(aside), ST_MakeLine(a.after, b.p)
+FROM kerb_side a JOIN kerb_side b USING (outline_id),
+    LATERAL (SELECT ST_X(b.p) - ST_X(a.after) AS east, ST_Y(b.p) - ST_Y(a.after) AS north) d,
+    LATERAL (SELECT east * cos(a.azimuth) - north * sin(a.azimuth) AS aside,
+        east * sin(a.azimuth) + north * cos(a.azimuth) AS along) s
+WHERE b.ordinality BETWEEN a.ordinality + 2 AND a.ordinality + 5 AND least(a.size, b.size) > 3
+    AND cos(a.azimuth - b.azimuth) > cos(radians(10)) AND abs(aside) > 0.3
+    AND along BETWEEN -0.3 AND 2 * abs(aside)
+    AND NOT EXISTS (SELECT FROM kerb_side c WHERE c.outline_id = a.outline_id
+        AND c.ordinality > a.ordinality AND c.ordinality < b.ordinality AND c.size > 3);
+
 -- Ends of surfaces that lie behind a limit, on the section.
 CREATE TEMPORARY TABLE behind AS
 SELECT l.edge_id, which, ST_Intersection(surface, ST_Buffer(ST_LineSubstring(e.geom, first, last),
@@ -90,5 +110,6 @@ SELECT '| ' || :'model', (SELECT count(*) FROM junction),
     count(*) FILTER (WHERE measure = 'kink'),
     count(*) FILTER (WHERE measure = 'kink of strangers'),
     round((count(*) FILTER (WHERE measure = 'kink')
-        / (SELECT sum(ST_Length(geom)) / 1000 FROM outline))::numeric, 3) || ' |'
+        / (SELECT sum(ST_Length(geom)) / 1000 FROM outline))::numeric, 3),
+    count(*) FILTER (WHERE measure = 'step') || ' |'
 FROM place;

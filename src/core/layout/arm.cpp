@@ -42,6 +42,8 @@ bool as_wide(const Arm& a, const Arm& b) {
          std::abs(a.start_to(-1) - b.start_to(+1)) <= same_width;
 }
 
+bool nearly_in_line(double angle) { return std::abs(angle - M_PI) < 20 * M_PI / 180 + same_angle; }
+
 Line line_with_places(const Arm& arm, const WidthProfile& profile, double start, double end) {
   if (profile.empty() || start >= end) return distinct(planar(substring(arm.line, start, end)));
   Line part;

@@ -41,16 +41,18 @@ struct Arm {
 };
 
 // A kerb that goes on through the node with another width: linear about the node, as wide as its
-// arms beyond; straight on from the wider one, which keeps its width up to the node.
+// arms beyond, and nowhere within the kerb of a third arm. Straight on from the wider one, which
+// keeps its width up to the node.
 struct Taper {
   double reach_a = 0, reach_b = 0;  // metres from the node to its ends, along both arms
   double half_a = 0, half_b = 0;    // from the lines to the kerb there
   bool straight_on = false;
+  double least_at_node = 0;  // to the kerb of a third arm beside one of them
 
   double length() const { return reach_a + reach_b; }
   double half_at_node() const {
-    if (straight_on) return std::max(half_a, half_b);
-    return half_a + (half_b - half_a) * reach_a / length();
+    const double between = half_a + (half_b - half_a) * reach_a / length();
+    return std::max(least_at_node, straight_on ? std::max(half_a, half_b) : between);
   }
   double half_on_a(double abscissa) const { return half_on(reach_a, half_a, abscissa); }
   double half_on_b(double abscissa) const { return half_on(reach_b, half_b, abscissa); }
@@ -89,6 +91,8 @@ double half_towards(const Arm& arm, const Point& place);
 bool as_wide(const Arm& a, const Arm& b);
 // The line between two abscissas, planar, with a point at each place of a profile.
 Line line_with_places(const Arm& arm, const WidthProfile& profile, double start, double end);
+// Whether streets that leave their node at this angle go on as each other, within 20 degrees.
+bool nearly_in_line(double angle);
 // Left and right kerb at `abscissa`, across the local direction.
 Line border_across(const Arm& arm, double abscissa);
 

@@ -45,9 +45,8 @@ double bend(const std::vector<Gap>& gaps, std::size_t from, std::size_t to) {
 // keeps its width, no other one that does.
 bool goes_on(const std::vector<Arm>& arms, const std::vector<Gap>& gaps, std::size_t from,
              std::size_t to) {
-  constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
   const double own = bend(gaps, from, to);
-  if (own >= nearly_straight) return false;
+  if (!nearly_in_line(M_PI + own)) return false;
   const bool keeps_width = as_wide(arms[from], arms[to]);
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (i != from && i != to && bend(gaps, i, to) < own - same_angle &&

@@ -17,8 +17,6 @@ namespace streetgen {
 
 namespace {
 
-constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
-
 // A ring in the making; `whole` ends once a piece did not fit.
 struct Outline {
   Ring ring;
@@ -109,7 +107,7 @@ std::vector<Polygon> outside_of_streets(const std::vector<Arm>& arms,
     for (std::size_t k = 2; k < count; ++k) {
       angle += gaps[(i + k - 1) % count].angle;
       const Arm &a = arms[i], &b = arms[(i + k) % count];
-      if (as_wide(a, b) && angle > M_PI + same_angle && angle < M_PI + nearly_straight)
+      if (as_wide(a, b) && angle > M_PI + same_angle && nearly_in_line(angle))
         grounds.push_back(fan(node, kerb_at_node(a, +1), kerb_at_node(b, -1)));
     }
   }

@@ -118,6 +118,20 @@ class SectionTapers {
     });
   }
 
+  // From the node to the kerb of a third street that goes on beside a or b as the other one, but
+  // no farther out than both.
+  double held_out(const Junction& junction, const EdgeEnd& a, const EdgeEnd& b) const {
+    const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
+    double half = 0;
+    for (const EdgeEnd& end : junction.ends) {
+      if (slot(end) == slot(a) || slot(end) == slot(b)) continue;
+      const Arm& third = layout_.arm(end);
+      if (nearly_in_line(angle_between(arm_a, third))) half = std::max(half, third.start_to(-1));
+      if (nearly_in_line(angle_between(third, arm_b))) half = std::max(half, third.start_to(+1));
+    }
+    return std::min(half, std::max(arm_a.start_to(+1), arm_b.start_to(-1)));
+  }
+
   // The left kerb of a goes on as the right one of b.
   void taper(const Junction& junction, std::size_t i, Gap& gap) {
     const EdgeEnd &a = junction.ends[i], &b = junction.next(i);
@@ -128,8 +142,12 @@ class SectionTapers {
     const auto straight = straight_on(a, b, wanted, beyond);
     const auto [reach_a, reach_b] =
         straight.value_or(std::pair(reach(a, +1, wanted, beyond), reach(b, -1, wanted, beyond)));
-    gap.taper = {reach_a, reach_b, half_at(arm_a, reach_a, +1), half_at(arm_b, reach_b, -1),
-                 straight.has_value()};
+    gap.taper = {reach_a,
+                 reach_b,
+                 half_at(arm_a, reach_a, +1),
+                 half_at(arm_b, reach_b, -1),
+                 straight.has_value(),
+                 held_out(junction, a, b)};
     gap.direct = gap.taper.length() < coordinate_margin;
     if (gap.direct) return;
     constexpr EdgeEnd none{-1, true};

@@ -167,8 +167,7 @@ void settle_small_faces(Layout& layout, SolvedCorners& solved) {
 
 // Whether a kerb goes on nearly straight farther from or nearer to the axis, where none leaves.
 bool tapers(const Arm& a, const Arm& b, double angle) {
-  constexpr double nearly_straight = 20 * M_PI / 180 + same_angle;
-  return std::abs(angle - M_PI) < nearly_straight && sideways(a, b) > same_width;
+  return nearly_in_line(angle) && sideways(a, b) > same_width;
 }
 
 // Whether two streets leave their node on one line, as far as the order about the node looks.

@@ -108,8 +108,23 @@ TEST(SectionTaper, HasNoPartInAFixedLength) {
     EXPECT_TRUE(roadway.profile.empty());
 }
 
-// A street of 6 m is 1.5 m wider on both sides than the street about it. On either side the arc of a
-// side street has its kerb all along: the taper begins behind it.
+// A wide street and a narrow one come to a wide one by small angles. The kerb of the narrow one
+// tapers, but the wide street goes on beside it and keeps its kerb.
+TEST(SectionTaper, StaysOutOfTheKerbOfAStreetThatGoesOnBesideTheNarrowOne) {
+  for (const bool mirrored : {false, true}) {
+    const double y = mirrored ? 3 : -3;
+    const Streets town = streets(
+        {axis(1, {{-100, -y, 0}, {0, 0, 0}}, 10.5, 30), axis(2, {{0, 0, 0}, {100, 0, 0}}, 10.5, 30),
+         axis(3, {{-100, y, 0}, {0, 0, 0}}, 3.5, 30)},
+        {});
+    for (const SectionLimit& limit : town.limits)
+      if (limit.edge == 1)
+        EXPECT_NEAR(distance(limit.border_line[0], limit.border_line[1]), 10.5, 1e-9);
+  }
+}
+
+// A street of 6 m is 1.5 m wider on both sides than the street about it. On either side the arc of
+// a side street has its kerb all along: the taper begins behind it.
 TEST(SectionTaper, BeginsBehindAnArcAtTheOtherEnd) {
   const Streets town =
       streets({axis(1, {{-100, 0, 0}, {0, 0, 0}}, 8, 30), axis(2, {{0, 0, 0}, {6, 0, 0}}, 11, 30),
