@@ -1,8 +1,8 @@
 -- Every highway and aeroway line of an OSM file, with the tags that speak of its street, its turn
 -- restrictions, a row for each pair of ways, its signals, signs and crossings, what stands at
 -- streets, routes, a row for each way, ways on which
--- people cross, and tags that are misspelt.  STREETGEN_PREFIX names the tables
--- (PREFIX_line, PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route, PREFIX_crossing_way, PREFIX_misspelt),
+-- people cross, areas of streets, and tags that are misspelt.  STREETGEN_PREFIX names the tables (PREFIX_line,
+-- PREFIX_restriction, PREFIX_control, PREFIX_object, PREFIX_route, PREFIX_crossing_way, PREFIX_area, PREFIX_misspelt),
 -- STREETGEN_SRID their projection.
 local prefix = os.getenv('STREETGEN_PREFIX') or 'osm'
 local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
@@ -149,9 +149,39 @@ local function insert_crossing_way(object)
     end
 end
 
+local area = osm2pgsql.define_table({ name = prefix .. '_area', columns = {
+    { column = 'way_id', type = 'bigint' }, -- one of these is the area's
+    { column = 'relation_id', type = 'bigint' },
+    { column = 'name', type = 'text' },
+    { column = 'tags', type = 'jsonb', not_null = true },
+    { column = 'geom', type = 'geometry', projection = srid }, -- of a way its closed line, which may cross itself
+} })
+
+local area_keys = { 'area:highway', 'highway', 'place', 'amenity', 'public_transport', 'railway', 'parking', 'footway',
+                    'indoor', 'location', 'level', 'layer', 'bridge', 'tunnel', 'surface', 'foot', 'access' }
+
+-- Is what goes round an area one of streets?  Lines of other highways go round a block as well.
+local function is_area_of_street(tags, round)
+    return tags['area:highway'] or tags.place == 'square' or tags.amenity == 'parking' or
+        tags.area ~= 'no' and (tags.highway == 'platform' or tags.railway == 'platform' or
+                               tags.public_transport == 'platform') or
+        tags.highway and (tags.area == 'yes' or not round)
+end
+
+local function insert_area(object, id, geom)
+    local tags = {}
+    for _, key in ipairs(area_keys) do
+        tags[key] = object.tags[key]
+    end
+    area:insert({ [id] = object.id, name = object.tags.name, tags = tags, geom = geom })
+end
+
 local known_of_way = known_tags({ highway = {}, aeroway = {} })
 
 function osm2pgsql.process_way(object)
+    if object.is_closed and is_area_of_street(object.tags, true) then
+        insert_area(object, 'way_id', object:as_linestring())
+    end
     local class = object.tags.highway or object.tags.aeroway
     if not class then
         tell_misspelt(object, 'way', known_of_way)
@@ -298,13 +328,16 @@ local function held_for(tags)
 end
 
 local known_of_relation = known_tags({
-    type = { 'restriction', 'route' }, route = { 'bus', 'trolleybus', 'tram', 'bicycle', 'truck', 'hgv' },
+    type = { 'restriction', 'route', 'multipolygon' }, route = { 'bus', 'trolleybus', 'tram', 'bicycle', 'truck', 'hgv' },
     restriction = {}, except = { 'psv', 'bus', 'bicycle', 'hov' },
 })
 
 function osm2pgsql.process_relation(object)
     tell_misspelt(object, 'relation', known_of_relation)
     insert_route(object)
+    if object.tags.type == 'multipolygon' and is_area_of_street(object.tags, false) then
+        insert_area(object, 'relation_id', object:as_multipolygon())
+    end
     if not (object.tags.type or ''):match('^restriction%f[:\0]') then
         return
     end

@@ -205,6 +205,7 @@ EDITED = (
     Layer('edit', 'control_point', 'control_point_id', 'geom', control_point, ('kind', 'direction', 'marking', 'kerb', 'axis_id', 'source', 'source_ref'), scale=5000),
     Layer('edit', 'footway_kerb', 'footway_kerb_id', 'geom', mark('diamond', 2), ('kerb', 'source', 'source_ref'), scale=1000),
     Layer('edit', 'footway', 'footway_id', 'geom', lambda look: single(line(look.handle(), 0.5, '2;1')), ('kind', 'role', 'marking', 'width', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
+    Layer('edit', 'street_area', 'street_area_id', 'geom', drawn('area', outline, 'kind'), ('kind', 'level', 'name', 'surface', 'foot', 'source', 'source_ref'), shown=True, scale=5000),
     Layer('edit', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
            'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'lane_markings', 'access', 'sidewalk_left', 'sidewalk_right', 'sidewalk_apart', 'parking_left', 'parking_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True, scale=5000),
@@ -247,6 +248,7 @@ COMPUTED = (
     Layer('construction', 'sidewalk', 'sidewalk_id', 'surface', drawn('sidewalk', fill)),
     Layer('construction', 'crossover', 'crossover_id', 'surface', drawn('crossover', fill), scale=5000),
     Layer('construction', 'footway_surface', 'footway_id', 'surface', drawn('footway', fill, 'use'), scale=5000),
+    Layer('construction', 'area_surface', 'street_area_id', 'surface', drawn('area', fill, 'kind'), scale=5000),
     Layer('construction', 'block', 'block_id', 'surface', drawn('block', fill, 'kind')),
 )
 

@@ -310,6 +310,7 @@ BEGIN
     RETURN QUERY SELECT * FROM streetgen._import_osm_controls(model,
         streetgen._osm_table('_control', prefix, schemas), streetgen._osm_table('_crossing_way', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_osm_kerbs(model, streetgen._osm_table('_control', prefix, schemas));
+    RETURN QUERY SELECT * FROM streetgen._import_osm_areas(model, streetgen._osm_table('_area', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._import_routes(model, source, streetgen._osm_table('_route', prefix, schemas));
     RETURN QUERY SELECT * FROM streetgen._tell_misspelt(model, streetgen._osm_table('_misspelt', prefix, schemas));
 END $$;
@@ -318,6 +319,7 @@ COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'search_path or named with its schema (gis.osm): width, direction, who may drive, level, speed, name, number of '
     'the route, class, sidewalks, how cars stand beside the roadway, and the lanes of each direction with their kinds, '
     'widths, turns and changes; and the turn restrictions of PREFIX_restriction and the signals, signs and crossings '
-    'of PREFIX_control and the routes of PREFIX_route. A tag that means nothing is unknown, and reported by way; tags '
+    'of PREFIX_control, the areas of PREFIX_area and the routes of PREFIX_route. A tag that means nothing is '
+    'unknown, and reported by way; tags '
     'of lanes that were not made, and the misspelt tags of PREFIX_misspelt, stand in table unread_tag, each with its '
     'reason. streetgen.tag_use() tells what becomes of each.';

@@ -8,7 +8,8 @@ import re
 import sys
 from pathlib import Path
 
-SCOPES = {"process_way": "ways", "process_node": "nodes", "no_crossing": "nodes", "has_lights": "nodes", "insert_crossing_way": "crossings", "process_relation": "relations", "held_for": "relations", "insert_route": "relations"}
+SCOPES = {"process_way": "ways", "process_node": "nodes", "no_crossing": "nodes", "has_lights": "nodes", "insert_crossing_way": "crossings", "process_relation": "relations", "held_for": "relations", "insert_route": "relations",
+          "is_area_of_street": "areas", "insert_area": "areas"}
 
 
 def expanded(pattern):
@@ -35,7 +36,7 @@ def read_by_sql(root):
         for listed in re.findall(r"\btags \?[|&] ARRAY\[(.*?)\]", text, re.S) + re.findall(r"\(VALUES ([^;]*?)\) \w+\(tag\b", text, re.S):
             keys += re.findall(r"'([^']+)'", listed)
         keys += [key for listed in re.findall(r"unnest\('\{(.*?)\}'[^;]*?\) (?:WITH ORDINALITY )?\w+\(tag\b", text, re.S) for key in listed.split(",")]
-        yield from (("ways", key, file) for key in keys)
+        yield from (("areas" if file.name == "osm_area.sql" else "ways", key, file) for key in keys)
 
 
 def read_by_flex(root):

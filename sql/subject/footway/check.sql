@@ -1,4 +1,32 @@
--- Checks and counts of footways.
+-- Checks and counts of footways and areas.
+
+CREATE OR REPLACE FUNCTION streetgen._areas_amiss(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH area AS MATERIALIZED (SELECT street_area_id, kind, level, geom, ST_MakeValid(geom) AS ground,
+        ST_IsValid(geom) AS sound FROM street_area)
+    SELECT 'notice', 'area that crosses itself, m2', 'street_area', street_area_id, ST_Area(ground), geom::geometry
+        FROM area WHERE NOT sound
+    UNION ALL SELECT 'notice', 'areas of one kind that overlap, m2', 'street_area', a.street_area_id,
+            ST_Area(g.shared), g.shared
+        FROM area a JOIN area o ON o.geom && a.geom AND (o.kind, o.level) = (a.kind, a.level)
+            AND o.street_area_id < a.street_area_id, LATERAL (SELECT ST_CollectionExtract(ST_Intersection(a.ground,
+                o.ground), 3) AS shared) g WHERE ST_Area(g.shared) > 1
+    UNION ALL SELECT 'notice', 'area without ground of its own, m2', 'street_area', street_area_id, ST_Area(ground),
+            geom::geometry
+        FROM area a WHERE kind <> 'roadway' AND NOT EXISTS (
+            SELECT FROM area_surface s WHERE s.street_area_id = a.street_area_id)
+    UNION ALL SELECT 'notice', 'area over a street, m', 'street_area', a.street_area_id, ST_Length(g.within),
+            g.within
+        FROM area a, LATERAL (SELECT ST_Collect(ST_Intersection(ST_Force2D(e.geom), a.ground)) AS within FROM edge e
+            WHERE e.geom && a.geom AND e.level = a.level) g
+        WHERE a.kind NOT IN ('roadway', 'parking_area') AND ST_Length(g.within) > 10;
+END $$;
+COMMENT ON FUNCTION streetgen._areas_amiss(name) IS
+    'Rows of streetgen.check_model: areas that cross themselves, overlap, lie over a street, or have no ground.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_footway(model name) RETURNS SETOF streetgen.finding
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
@@ -27,6 +55,8 @@ BEGIN
             ('right', e.sidewalk_right)) v(side, width)
         WHERE a.sidewalk_apart IN (v.side, 'both') AND v.width = 0 AND ST_Length(e.geom) >= 10
     UNION ALL
+    SELECT * FROM streetgen._areas_amiss(model)
+    UNION ALL
     SELECT * FROM streetgen._walks_apart(model)
     LOOP
         RETURN NEXT finding;
@@ -42,7 +72,8 @@ CREATE OR REPLACE FUNCTION streetgen._footway_summary()
     (36, 'footway', $part$
     SELECT 'footways', round(coalesce(sum(ST_Length(geom)) / 1000, 0)::numeric, 3), 'km' FROM %1$I.footway
     UNION ALL SELECT 'footways that are sidewalks', count(DISTINCT footway_id), NULL
-        FROM %1$I.sidewalk_source$part$) $$;
+        FROM %1$I.sidewalk_source
+    UNION ALL SELECT 'areas of the street', count(*), NULL FROM %1$I.street_area$part$) $$;
 COMMENT ON FUNCTION streetgen._footway_summary() IS 'What streetgen.summary counts of footways.';
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
@@ -60,6 +91,15 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('sidewalk that nobody reaches on foot, m',
         'the sidewalk of a side lies in a part of the network on foot that nothing joins to the largest part',
         'draw a crossing in `pedestrian_crossing_editing`, or a way to it in `footway`'),
+    ('area that crosses itself, m2', 'the ring of an area in `street_area` crosses itself: ST_MakeValid mends it',
+        'draw it anew'),
+    ('areas of one kind that overlap, m2', 'two areas share ground, which is that of the older one',
+        'draw their common border, or delete one'),
+    ('area without ground of its own, m2',
+        'roadway, sidewalks, and areas and footways that come before it leave an area nothing',
+        'correct its `kind`, the `width` of the street, or delete it'),
+    ('area over a street, m', 'the axis of a street leads through an area, whose ground its roadway parts',
+        'nothing, where people drive over it; else delete the axis, or correct its `level`'),
     ('side whose sidewalk apart is not drawn, m',
         '`axis.sidewalk_apart` names the side, and no footway runs along it: it has no sidewalk',
         'draw the sidewalk in `footway`, or empty `axis.sidewalk_apart`');

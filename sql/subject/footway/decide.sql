@@ -48,9 +48,10 @@ COMMENT ON FUNCTION streetgen._axes_of_footway_kerb(name, jsonb[]) IS
 CREATE OR REPLACE FUNCTION streetgen._footway_decision()
     RETURNS TABLE(relation name, anchor text, axes name[], reach text, follows jsonb, hashed boolean,
         hash_place integer, hash text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
     AS $$ VALUES
     ('footway'::name, 'ground', '{}'::name[], '0', '{}'::jsonb, false, NULL::integer, NULL::text),
-    ('footway_kerb', 'ground', '{}', '0', '{}', false, NULL, NULL) $$;
+    ('footway_kerb', 'ground', '{}', '0', '{}', false, NULL, NULL),
+    ('street_area', 'ground', '{}', '0', '{}', false, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._footway_decision() IS
-    'Streets follow footways and kerbs on them as they follow decisions about ground.';
+    'Streets follow footways and kerbs on them as they follow decisions about ground; areas are edited as these are.';

@@ -90,29 +90,6 @@ SELECT row_number() OVER (ORDER BY s.number, s.side, s.start_abscissa, s.footway
     s.footway_id, s.start_abscissa, s.end_abscissa, s.distance, s.width
 FROM found_source s
 
---{footway_surface
-CREATE OR REPLACE VIEW footway_surface WITH (security_invoker = true) AS
-WITH ground AS NOT MATERIALIZED (
-    SELECT f.footway_id, f.level, f.geom, u.use, w.width, array_position(streetgen._footway_uses(), u.use) AS rank,
-        ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
-    FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
-        LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
-            WHERE name = 'mapped_sidewalk_minimal') w
-    WHERE u.use = ANY (streetgen._footway_uses()))
-SELECT g.footway_id, g.use, g.level, g.width, g.geom, ST_Multi(r.surface)::geometry(MultiPolygon, {srid}) AS surface
-FROM ground g, LATERAL (
-    SELECT ST_Union(surface, 0.0001) AS surface FROM (
-        SELECT s.surface FROM section s JOIN edge e USING (edge_id) WHERE s.surface && g.surface AND e.level = g.level
-        UNION ALL SELECT i.surface FROM intersection i WHERE i.surface && g.surface AND i.level = g.level
-        UNION ALL SELECT w.surface FROM sidewalk w JOIN kerb k USING (edge_id, side, part)
-            WHERE w.surface && g.surface AND k.level = g.level
-        UNION ALL SELECT o.surface FROM ground o
-            WHERE o.geom && ST_Expand(g.surface, 10) AND o.surface && g.surface AND o.level = g.level
-                AND (o.rank, o.footway_id) < (g.rank, g.footway_id)) b) b,
-    LATERAL (SELECT CASE WHEN b.surface IS NULL THEN g.surface
-        ELSE ST_CollectionExtract(ST_Difference(g.surface, b.surface, 0.0001), 3) END AS surface) r
-WHERE ST_Area(r.surface) > 0.01
-
 --{has_crossing_footways
 BEGIN
     RETURN EXISTS (SELECT FROM footway) AND EXISTS (SELECT FROM setting

@@ -1,4 +1,20 @@
--- The ground of footways, beside the roadway and the sidewalks.
+-- The ground of footways and areas, beside the roadway and the sidewalks.
+
+CREATE OR REPLACE FUNCTION streetgen._area_kinds() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN ARRAY['roadway', 'cycle', 'sidewalk', 'walk', 'steps', 'square', 'parking_area', 'platform'];
+COMMENT ON FUNCTION streetgen._area_kinds() IS
+    'The kinds of ground of a street, in the order in which these take ground from each other.';
+
+CREATE OR REPLACE FUNCTION streetgen._ground_view(part text, model name) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(streetgen._part(part), jsonb_build_object('srid', m.srid,
+            'wanted_ground', streetgen._part('wanted_ground'), 'ground_at_box', streetgen._fill_template(
+                streetgen._part('ground_beside'), '{"box": "g.surface"}'), 'ground_near_box', streetgen._fill_template(
+                streetgen._part('ground_beside'), '{"box": "ST_Expand(g.surface, 5)"}')))
+        FROM streetgen.model m WHERE m.name = model $$;
+COMMENT ON FUNCTION streetgen._ground_view(text, name) IS
+    'The statement that makes a view of what footways or areas have of the ground beside the streets of a model.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_footway_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -8,11 +24,11 @@ BEGIN
     IF 'footway' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    EXECUTE streetgen._part_in('footway_surface', model);
+    EXECUTE streetgen._ground_view('footway_surface', model);
     COMMENT ON VIEW footway_surface IS
-        'The ground of each footway beside the roadway, the sidewalks and the footways that come before it: cycle '
-        'tracks, then walks, then steps, and of these the older one. Computed when it is asked for; a footway whose '
-        'ground is that of others, but for 0.01 m2, has no row';
+        'The ground of each footway beside the roadway, the sidewalks and what comes before it: cycle tracks, then '
+        'walks, then steps, of each the areas before the lines, and of these the older one. Computed when it is asked '
+        'for; a footway whose ground is that of others, but for 0.01 m2, has no row';
     COMMENT ON COLUMN footway_surface.footway_id IS 'the footway';
     COMMENT ON COLUMN footway_surface.use IS 'walk, cycle or steps, as axis_class.use of its kind';
     COMMENT ON COLUMN footway_surface.level IS 'its level';
@@ -20,6 +36,18 @@ BEGIN
         'its width, or that of its class, or setting mapped_sidewalk_minimal, metres';
     COMMENT ON COLUMN footway_surface.geom IS 'its middle';
     COMMENT ON COLUMN footway_surface.surface IS 'its ground';
+    EXECUTE streetgen._ground_view('area_surface', model);
+    COMMENT ON VIEW area_surface IS
+        'The ground of each area of the street beside the roadway, the sidewalks, and the footways and areas that come '
+        'before it: cycle, sidewalk, walk, steps, square, parking_area, platform, of each the areas before the lines, '
+        'and of these the older one. Holes under setting max_hole_area are filled. Computed when it is asked for; an '
+        'area whose ground is that of others, but for 0.01 m2, has no row, and an area of kind roadway neither';
+    COMMENT ON COLUMN area_surface.street_area_id IS 'the area';
+    COMMENT ON COLUMN area_surface.kind IS 'its kind, as street_area.kind';
+    COMMENT ON COLUMN area_surface.level IS 'its level';
+    COMMENT ON COLUMN area_surface.paved IS 'what it is paved with, as street_area.surface; NULL: unknown';
+    COMMENT ON COLUMN area_surface.geom IS 'its ground as it is drawn';
+    COMMENT ON COLUMN area_surface.surface IS 'its ground beside the others';
     EXECUTE streetgen._fill_template(streetgen._part('walk_link'), jsonb_build_object('model', quote_literal(model)));
     COMMENT ON VIEW walk_link IS
         'The network of what people walk on, a row for each piece between two nodes, in metres along geom. Computed '
@@ -62,9 +90,11 @@ BEGIN
     COMMENT ON COLUMN walk_node.geom IS 'place';
 END $$;
 COMMENT ON FUNCTION streetgen._make_footway_views(name) IS
-    'Makes the views of a model that computes footways: their ground, and the network of what people walk on.';
+    'Makes the views of a model that computes footways: their ground, that of areas, and the network of what '
+    'people walk on.';
 
 CREATE OR REPLACE FUNCTION streetgen._footway_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES ('footway_surface'::name, 'footway'), ('walk_node', 'footway'), ('walk_link', 'footway') $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES ('footway_surface'::name, 'footway'), ('area_surface', 'footway'), ('walk_node', 'footway'),
+        ('walk_link', 'footway') $$;
 COMMENT ON FUNCTION streetgen._footway_view() IS 'The views of footways, and the subject whose tables they read.';

@@ -100,7 +100,7 @@ $$;
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
-  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb') OR relname LIKE '%\_override')
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'street_area') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
   with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;

@@ -1,0 +1,63 @@
+-- The partition of the ground beside streets, by name: footways and areas of the street take it from each other.
+
+--{wanted_ground
+-- Of one kind areas come first, turn 0, then lines.
+area_ground AS NOT MATERIALIZED (
+    SELECT a.street_area_id AS id, a.kind, a.level, array_position(streetgen._area_kinds(), a.kind) AS rank, 0 AS turn,
+        a.surface AS paved, a.geom, ST_CollectionExtract(ST_MakeValid(a.geom), 3) AS surface
+    FROM street_area a WHERE a.kind <> 'roadway'),
+line_ground AS NOT MATERIALIZED (
+    SELECT f.footway_id AS id, u.use, f.level, array_position(streetgen._area_kinds(), u.use) AS rank, 1 AS turn,
+        w.width, f.geom, ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
+    FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
+        LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
+            WHERE name = 'mapped_sidewalk_minimal') w
+    WHERE u.use = ANY (streetgen._footway_uses()))
+
+--{ground_beside
+-- Surfaces within a box about g; before: what g gives way to.
+        SELECT s.surface, true AS before FROM section s JOIN edge e USING (edge_id)
+            WHERE s.surface && {box} AND e.level = g.level
+        UNION ALL SELECT i.surface, true FROM intersection i WHERE i.surface && {box} AND i.level = g.level
+        UNION ALL SELECT w.surface, true FROM sidewalk w JOIN kerb k USING (edge_id, side, part)
+            WHERE w.surface && {box} AND k.level = g.level
+        UNION ALL SELECT o.surface, (o.rank, o.turn, o.id) < (g.rank, g.turn, g.id) FROM area_ground o
+            WHERE o.geom && {box} AND o.level = g.level AND (o.turn, o.id) <> (g.turn, g.id)
+        UNION ALL SELECT o.surface, (o.rank, o.turn, o.id) < (g.rank, g.turn, g.id) FROM line_ground o
+            WHERE o.geom && ST_Expand(g.surface, 10) AND o.surface && {box} AND o.level = g.level
+                AND (o.turn, o.id) <> (g.turn, g.id)
+
+--{footway_surface
+CREATE OR REPLACE VIEW footway_surface WITH (security_invoker = true) AS
+WITH {wanted_ground}
+SELECT g.id AS footway_id, g.use, g.level, g.width, g.geom,
+    ST_Multi(r.surface)::geometry(MultiPolygon, {srid}) AS surface
+FROM line_ground g, LATERAL (
+    SELECT ST_Union(surface, 0.0001) AS surface FROM (
+{ground_at_box}) o WHERE before) b,
+    LATERAL (SELECT CASE WHEN b.surface IS NULL THEN g.surface
+        ELSE ST_CollectionExtract(ST_Difference(g.surface, b.surface, 0.0001), 3) END AS surface) r
+WHERE ST_Area(r.surface) > 0.01
+
+--{area_surface
+CREATE OR REPLACE VIEW area_surface WITH (security_invoker = true) AS
+WITH {wanted_ground}
+SELECT g.id AS street_area_id, g.kind, g.level, g.paved, g.geom,
+    ST_Multi(r.surface)::geometry(MultiPolygon, {srid}) AS surface
+FROM area_ground g, LATERAL (
+    SELECT ST_Union(surface, 0.0001) FILTER (WHERE before) AS surface,
+        ST_Union(surface, 0.0001) FILTER (WHERE NOT before) AS after FROM (
+{ground_near_box}) o) b,
+    LATERAL (SELECT ST_UnaryUnion(ST_Collect(ARRAY[g.surface, b.surface, b.after]), 0.0001) AS geom) whole,
+    -- A hole too small to be one goes to the first of the areas about it.
+    LATERAL (SELECT ST_Union(hole) AS surface
+        FROM (SELECT p.geom AS hole FROM ST_Dump(whole.geom) w, ST_DumpRings(w.geom) p WHERE p.path[1] > 0
+            AND ST_Area(p.geom) < (SELECT value::float8 FROM setting WHERE name = 'max_hole_area')
+            AND ST_DWithin(p.geom, g.surface, 0.001)) h
+        WHERE NOT EXISTS (SELECT FROM area_ground o WHERE o.geom && hole AND o.level = g.level
+            AND (o.rank, o.id) < (g.rank, g.id) AND ST_DWithin(o.surface, hole, 0.001))) f,
+    LATERAL (SELECT CASE WHEN b.surface IS NULL THEN g.surface
+        ELSE ST_CollectionExtract(ST_Difference(g.surface, b.surface, 0.0001), 3) END AS surface) d,
+    LATERAL (SELECT CASE WHEN f.surface IS NULL THEN d.surface
+        ELSE ST_CollectionExtract(ST_Union(d.surface, f.surface, 0.0001), 3) END AS surface) r
+WHERE ST_Area(r.surface) > 0.01
