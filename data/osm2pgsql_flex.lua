@@ -1,4 +1,4 @@
--- Every highway and aeroway line of an OSM file, with the tags that speak of its street, its turn
+-- Every highway, aeroway, tram and light rail line of an OSM file, with the tags that speak of its street, its turn
 -- restrictions, a row for each pair of ways, its signals, signs and crossings, what stands at
 -- streets, routes, a row for each way, ways on which
 -- people cross, areas of streets, and tags that are misspelt.  STREETGEN_PREFIX names the tables (PREFIX_line,
@@ -20,6 +20,10 @@ end
 local walked = { footway = true, path = true, pedestrian = true, cycleway = true, steps = true, corridor = true }
 local walk_keys = { 'footway', 'path', 'crossing', 'crossing:markings', 'indoor', 'location', 'level', 'surface', 'incline',
                     'wheelchair', 'tactile_paving' }
+
+-- What is a track, and what tracks and streets with rails in them say beside that.
+local tracked = { tram = true, light_rail = true }
+local rail_keys = { 'gauge', 'tracks', 'indoor', 'location', 'level' }
 
 -- Words that are a letter away from each other are alike with a letter taken out of either.
 local function each_worn(word, take)
@@ -176,13 +180,14 @@ local function insert_area(object, id, geom)
     area:insert({ [id] = object.id, name = object.tags.name, tags = tags, geom = geom })
 end
 
-local known_of_way = known_tags({ highway = {}, aeroway = {} })
+local known_of_way = known_tags({ highway = {}, aeroway = {}, railway = { 'tram', 'light_rail' } })
 
 function osm2pgsql.process_way(object)
     if object.is_closed and is_area_of_street(object.tags, true) then
         insert_area(object, 'way_id', object:as_linestring())
     end
-    local class = object.tags.highway or object.tags.aeroway
+    local track = tracked[object.tags.railway] and object.tags.railway
+    local class = object.tags.highway or object.tags.aeroway or track
     if not class then
         tell_misspelt(object, 'way', known_of_way)
     end
@@ -197,6 +202,11 @@ function osm2pgsql.process_way(object)
         end
     end
     for _, key in ipairs(walked[class] and walk_keys or {}) do
+        tags[key] = object.tags[key]
+    end
+    tags.railway = class ~= track and track or nil
+    tags.embedded_rails = tracked[object.tags.embedded_rails] and object.tags.embedded_rails or nil
+    for _, key in ipairs((track or tags.embedded_rails) and rail_keys or {}) do
         tags[key] = object.tags[key]
     end
     line:insert({ class = class, name = object.tags.name, ref = object.tags.ref, tags = tags,

@@ -206,6 +206,7 @@ EDITED = (
     Layer('edit', 'footway_kerb', 'footway_kerb_id', 'geom', mark('diamond', 2), ('kerb', 'source', 'source_ref'), scale=1000),
     Layer('edit', 'footway', 'footway_id', 'geom', lambda look: single(line(look.handle(), 0.5, '2;1')), ('kind', 'role', 'marking', 'width', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'street_area', 'street_area_id', 'geom', drawn('area', outline, 'kind'), ('kind', 'level', 'name', 'surface', 'foot', 'source', 'source_ref'), shown=True, scale=5000),
+    Layer('edit', 'rail_track', 'rail_track_id', 'geom', lambda look: single(line(look.handle(), 0.6, '3;1')), ('kind', 'gauge', 'tracks', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
            'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'lane_markings', 'access', 'sidewalk_left', 'sidewalk_right', 'sidewalk_apart', 'parking_left', 'parking_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True, scale=5000),
@@ -227,6 +228,7 @@ COMPUTED = (
     Layer('traffic', 'parking_bay', 'street_object_id', 'surface', drawn('bay', fill)),
     Layer('traffic', 'bus_stop_box', 'street_object_id', 'paint', drawn('bus_stop_box', fill), scale=2500),
     Layer('traffic', 'pedestrian_crossing', 'street_object_id', 'stripes', drawn('crossing', fill, 'painted_as')),
+    Layer('construction', 'rail', 'rail_track_id', 'rails', lambda look: single(line(look.handle('limit'), 0.2)), scale=5000),
     Layer('construction', 'node', 'node_id', 'geom', mark('circle', 1.4, 'node'), shown=True, scale=5000),
     Layer('construction', 'section_limit', 'section_limit_id', 'border_line', drawn('limit', line, where="method = 'hypothesis'"), shown=True),
     Layer('construction', 'corner', 'corner_id', 'arc', drawn('arc', line, CORNER_KIND), shown=True),
@@ -249,6 +251,8 @@ COMPUTED = (
     Layer('construction', 'crossover', 'crossover_id', 'surface', drawn('crossover', fill), scale=5000),
     Layer('construction', 'footway_surface', 'footway_id', 'surface', drawn('footway', fill, 'use'), scale=5000),
     Layer('construction', 'area_surface', 'street_area_id', 'surface', drawn('area', fill, 'kind'), scale=5000),
+    Layer('construction', 'rail_crossing', 'rail_crossing_id', 'surface', drawn('rail_crossing', fill), scale=5000),
+    Layer('construction', 'track_bed', 'rail_track_id', 'surface', drawn('track_bed', fill), scale=5000),
     Layer('construction', 'block', 'block_id', 'surface', drawn('block', fill, 'kind')),
 )
 

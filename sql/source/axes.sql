@@ -49,9 +49,10 @@ BEGIN
         FROM (SELECT c.name, c.type, EXISTS (SELECT FROM pg_attribute WHERE attrelid = 'pg_temp._import'::regclass
             AND attname = CASE c.name WHEN 'kind' THEN 'class' ELSE c.name END) AS there
         FROM streetgen._axis_input() c) m;
-    -- Footways have more.
+    -- Footways and tracks have more.
     silent := concat_ws(', ', silent, (SELECT string_agg(format('ADD %I %s', name, type), ', ')
-        FROM streetgen._footway_input() WHERE name NOT IN (SELECT attname FROM pg_attribute
+        FROM (SELECT * FROM streetgen._footway_input() UNION ALL SELECT * FROM streetgen._track_input()) i
+        WHERE name NOT IN (SELECT attname FROM pg_attribute
             WHERE attrelid = 'pg_temp._import'::regclass)));
     IF silent <> '' THEN
         EXECUTE 'ALTER TABLE pg_temp._import ' || replace(silent, 'ADD kind text', 'ADD class text');
@@ -88,6 +89,7 @@ BEGIN
     END IF;
 
     RETURN QUERY SELECT CASE WHEN c.taken AND c.use = ANY (streetgen._footway_uses()) THEN 'taken as footway'
+        WHEN c.taken AND c.use = 'rail' THEN 'taken as track'
         WHEN coalesce(c.taken, any_class OR i.class IS NULL) THEN 'taken' WHEN c.class IS NULL
         THEN 'not taken: unknown class' ELSE 'not taken: class' END,
         i.class, count(*), CASE WHEN NOT any_class AND i.class IS NOT NULL AND max(c.class) IS NULL
@@ -221,6 +223,7 @@ CREATE OR REPLACE FUNCTION streetgen._import(model name, source text, query text
 DECLARE
     changed bigint;
     staying text[];
+    parted boolean;
 BEGIN
     PERFORM streetgen._check_settings(model);
     -- An error within it shows the name of a view, and not all of the query.
@@ -229,6 +232,7 @@ BEGIN
     DROP VIEW pg_temp._import_query;
     RETURN QUERY SELECT * FROM streetgen._take_rows(model, whole => true, any_class => any_class);
     RETURN QUERY SELECT * FROM streetgen._number_twins(model, source);
+    PERFORM streetgen._part_tracks();
     RETURN QUERY SELECT * FROM streetgen._part_footways(model);
     PERFORM streetgen._adopt_axes(model, source, clean);
     IF EXISTS (SELECT FROM pg_temp._import_part WHERE source_ref IS NOT NULL) THEN
@@ -250,8 +254,10 @@ BEGIN
     changed := (SELECT count(*) FROM pg_temp._import_part);
     DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
-    RETURN QUERY SELECT * FROM streetgen._deliver_footways(model, source);
-    IF FOUND AND changed = 0 THEN
+    RETURN QUERY SELECT * FROM streetgen._deliver_parted(model, 'footway', source);
+    parted := FOUND;
+    RETURN QUERY SELECT * FROM streetgen._deliver_parted(model, 'rail_track', source);
+    IF (parted OR FOUND) AND changed = 0 THEN
         changed := streetgen._stale_axes(model);
     END IF;
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;

@@ -7,11 +7,12 @@ CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS t
         WHEN 'turn_restriction' THEN '{from_axis,to_axis,kind,turn,except_kinds,via_axes,via_geom,to_geom}'
         WHEN 'footway' THEN '{kind,width,level,name}'::text[] || ARRAY(SELECT i.name FROM streetgen._footway_input() i)
         WHEN 'footway_kerb' THEN '{kerb}'
+        WHEN 'rail_track' THEN '{kind,gauge,tracks,level,name}'
         WHEN 'street_area' THEN '{kind,level,name,surface,foot}'
         WHEN 'street_object' THEN '{type,orientation}' END || '{geom}' $$;
 COMMENT ON FUNCTION streetgen._delivered_columns(text) IS
     'The columns of a table of a model that a delivery may fill: axis, control_point, turn_restriction, footway, '
-    'footway_kerb, street_area or street_object.';
+    'footway_kerb, rail_track, street_area or street_object.';
 
 CREATE OR REPLACE FUNCTION streetgen._row_json(relation regclass, alias text, columns text[] DEFAULT NULL) RETURNS text
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog, public
@@ -44,7 +45,8 @@ BEGIN
         'what the source says now; NULL: nothing, or of *: deleted by the source';
     COMMENT ON COLUMN import_conflict.stands IS 'hand or source: whose value the row has, by setting delivery_wins';
     COMMENT ON COLUMN import_conflict.relation IS
-        'the table of the row: axis, control_point, turn_restriction, footway, footway_kerb, street_area or '
+        'the table of the row: axis, control_point, turn_restriction, footway, footway_kerb, rail_track, '
+        'street_area or '
         'street_object';
     COMMENT ON COLUMN import_conflict.row_id IS 'the key of the row';
     COMMENT ON COLUMN import_conflict.source IS 'the source, as in that table';
@@ -87,6 +89,8 @@ BEGIN
                 gone := ARRAY(SELECT footway_kerb_id FROM before);
             ELSIF TG_TABLE_NAME = 'street_area' THEN
                 gone := ARRAY(SELECT street_area_id FROM before);
+            ELSIF TG_TABLE_NAME = 'rail_track' THEN
+                gone := ARRAY(SELECT rail_track_id FROM before);
             ELSE
                 gone := ARRAY(SELECT street_object_id FROM before);
             END IF;
@@ -102,6 +106,9 @@ BEGIN
                 'geom', geom::text)) FROM after);
         ELSIF TG_TABLE_NAME = 'footway' THEN
             said := (SELECT jsonb_object_agg(footway_id, to_jsonb(a) || jsonb_build_object('geom', geom::text))
+                FROM after a);
+        ELSIF TG_TABLE_NAME = 'rail_track' THEN
+            said := (SELECT jsonb_object_agg(rail_track_id, to_jsonb(a) || jsonb_build_object('geom', geom::text))
                 FROM after a);
         ELSIF TG_TABLE_NAME = 'footway_kerb' THEN
             said := (SELECT jsonb_object_agg(footway_kerb_id, jsonb_build_object('kerb', kerb, 'geom', geom::text))
@@ -127,7 +134,7 @@ BEGIN
     PERFORM streetgen._own_function(model, '_settle_conflicts()',
         'After an edit: conflicts with a delivery that it settles end');
     FOREACH relation IN ARRAY '{axis,control_point,turn_restriction,footway,footway_kerb,'
-        'street_area,street_object}'::name[] LOOP
+        'rail_track,street_area,street_object}'::name[] LOOP
         CONTINUE WHEN to_regclass(format('%I.%I', model, relation)) IS NULL;
         -- Streets that change write their objects: of these streetgen.settle_conflict alone says whose holds.
         PERFORM streetgen._make_statement_triggers(model, relation, 'settle', CASE relation WHEN 'street_object'

@@ -38,6 +38,7 @@ BEGIN
         RAISE EXCEPTION 'a row of source % has no source_ref', source USING ERRCODE = '22023',
             HINT = 'The column that source_ref is mapped to tells the rows apart: fill it.';
     END IF;
+    PERFORM streetgen._part_tracks();
     PERFORM FROM streetgen._part_footways(model);
     concerned := among || ARRAY(SELECT p.source_ref FROM pg_temp._import_part p);
     PERFORM streetgen._adopt_axes(model, source, clean, concerned);
@@ -52,7 +53,8 @@ BEGIN
     END LOOP;
     DROP VIEW pg_temp._import_said;
     DROP TABLE pg_temp._import, pg_temp._import_shapeless, pg_temp._import_part, pg_temp._import_class;
-    PERFORM FROM streetgen._deliver_footways(model, source, among);
+    PERFORM FROM streetgen._deliver_parted(model, 'footway', source, among);
+    PERFORM FROM streetgen._deliver_parted(model, 'rail_track', source, among);
 END $$;
 COMMENT ON FUNCTION streetgen._import_change(name, text, text[], boolean) IS
     'Brings the axes of a source up to date with rows of it that changed: what they are in _import, and the '

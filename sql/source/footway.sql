@@ -24,11 +24,13 @@ BEGIN
         array_agg(f.source_ref ORDER BY f.source_ref) FROM pg_temp._import_footway f
         WHERE f.use <> ALL (streetgen._footway_uses()) GROUP BY f.kind ORDER BY f.kind;
     DELETE FROM pg_temp._import_footway f WHERE f.use <> ALL (streetgen._footway_uses());
+    ALTER TABLE pg_temp._import_footway DROP COLUMN use;
 END $$;
 COMMENT ON FUNCTION streetgen._part_footways(name) IS
     'Parts the lines of the import whose class is no roadway from those that become axes.';
 
-CREATE OR REPLACE FUNCTION streetgen._deliver_footways(model name, source text, among text[] DEFAULT NULL)
+CREATE OR REPLACE FUNCTION streetgen._deliver_parted(model name, relation name, source text,
+    among text[] DEFAULT NULL)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -37,18 +39,21 @@ DECLARE
     origin constant text COLLATE "default" := source;
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF NOT EXISTS (SELECT FROM pg_temp._import_footway) AND NOT EXISTS (SELECT FROM delivered d
-        WHERE d.relation = 'footway' AND d.source = origin) THEN
-        DROP TABLE pg_temp._import_footway;
-        RETURN;
+    IF relation = 'footway' THEN
+        ALTER TABLE pg_temp._import_footway RENAME TO _import_part;
+    ELSE
+        ALTER TABLE pg_temp._import_rail_track RENAME TO _import_part;
     END IF;
-    ALTER TABLE pg_temp._import_footway DROP COLUMN use;
-    ALTER TABLE pg_temp._import_footway RENAME TO _import_part;
-    RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'footway', source, among);
+    IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
+        WHERE d.relation = _deliver_parted.relation AND d.source = origin) THEN
+        RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, relation, source, among);
+    ELSE
+        DROP TABLE pg_temp._import_part;
+    END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._deliver_footways(name, text, text[]) IS
-    'Brings the footways of a source, or those among some source_refs, up to date with the lines that were parted from '
-    'its axes; reports what is by hand.';
+COMMENT ON FUNCTION streetgen._deliver_parted(name, name, text, text[]) IS
+    'Brings the footways or the tracks of a source, or those among some source_refs, up to date with the lines that '
+    'were parted from its axes; reports what is by hand.';
 
 CREATE OR REPLACE FUNCTION streetgen._import_osm_kerbs(model name, control regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])

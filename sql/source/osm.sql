@@ -157,6 +157,11 @@ BEGIN
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
             CASE WHEN tags ? 'layer' AND streetgen._osm_layer(tags) IS NULL THEN 'level' END,
             CASE WHEN tags ->> 'lane_markings' NOT IN ('yes', 'no') THEN 'lane_markings' END,
+            CASE WHEN tags ? 'railway' AND streetgen._osm_rails(tags ->> 'railway') IS NULL THEN 'railway' END,
+            CASE WHEN tags ? 'embedded_rails' AND streetgen._osm_rails(tags ->> 'embedded_rails') IS NULL
+                THEN 'embedded_rails' END,
+            CASE WHEN tags ? 'gauge' AND streetgen._osm_gauge(tags ->> 'gauge') IS NULL THEN 'gauge' END,
+            CASE WHEN tags ? 'tracks' AND streetgen._osm_tracks(tags ->> 'tracks') IS NULL THEN 'tracks' END,
             CASE WHEN NOT streetgen._means_sidewalk(tags ->> 'sidewalk', walk_left, walk_right) THEN 'sidewalk' END,
             CASE WHEN said_walk_left IS NOT NULL
                 AND streetgen._within(streetgen._metres(said_walk_left), 0, 50) IS NULL
@@ -218,7 +223,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         lane_width_forward text, lane_width_backward text, turn_forward text, turn_backward text, change_forward text,
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
         parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text,
-        surface text, incline float8, climb text, wheelchair text, tactile_paving text, foot text)
+        surface text, incline float8, climb text, wheelchair text, tactile_paving text, foot text, gauge integer,
+        tracks integer, rails text, rails_embedded boolean)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -234,10 +240,13 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     l.tags ->> 'surface', streetgen._osm_incline(l.tags ->> 'incline'), streetgen._osm_climb(l.tags ->> 'incline'),
     streetgen._osm_wheelchair(l.tags ->> 'wheelchair'), CASE WHEN l.tags ->> 'tactile_paving'
         IN ('yes', 'no', 'incorrect') THEN l.tags ->> 'tactile_paving' END,
-    streetgen._osm_foot(l.tags ->> 'foot', l.tags ->> 'access')
+    streetgen._osm_foot(l.tags ->> 'foot', l.tags ->> 'access'), streetgen._osm_gauge(l.tags ->> 'gauge'),
+    streetgen._osm_tracks(l.tags ->> 'tracks'), coalesce(t.rails, t.embedded), t.rails IS NULL
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class,
-    LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w
+    LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w,
+    LATERAL (SELECT streetgen._osm_rails(l.tags ->> 'railway') AS rails,
+        streetgen._osm_rails(l.tags ->> 'embedded_rails') AS embedded) t
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';

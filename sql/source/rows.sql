@@ -56,15 +56,16 @@ BEGIN
     END IF;
     PERFORM streetgen._adopt_rows(model, relation, source);
     -- A function that gives rows, beside others in one list, would have them called again.
-    IF relation = 'footway' THEN
+    IF relation IN ('footway', 'rail_track') THEN
         RETURN QUERY SELECT * FROM streetgen._drop_vanished(model, relation, source, among);
     ELSE
         PERFORM FROM streetgen._drop_vanished(model, relation, source, among);
     END IF;
     PERFORM streetgen._drop_unchanged(model, relation, source), streetgen._bring_back(model, relation, source),
         streetgen._forget_gone(model, relation, source), streetgen._merge_delivery(model, relation, source);
-    RETURN QUERY SELECT 'footways, new or changed', NULL::text, count(*), NULL::text[] FROM pg_temp._import_part
-        WHERE relation = 'footway' HAVING count(*) > 0;
+    RETURN QUERY SELECT CASE relation WHEN 'footway' THEN 'footways' ELSE 'tracks' END || ', new or changed',
+        NULL::text, count(*), NULL::text[] FROM pg_temp._import_part
+        WHERE relation IN ('footway', 'rail_track') HAVING count(*) > 0;
     fresh := ARRAY(SELECT p.source_ref FROM pg_temp._import_part p WHERE p.source_ref IS NOT NULL AND NOT EXISTS (
         SELECT FROM delivered d WHERE (d.relation, d.source, d.source_ref)
             = (_deliver_rows.relation, origin, p.source_ref)));
@@ -85,5 +86,5 @@ BEGIN
     DROP TABLE pg_temp._import_part;
 END $$;
 COMMENT ON FUNCTION streetgen._deliver_rows(name, name, text, text[]) IS
-    'Brings the control points, turn restrictions, footways or objects of a source, or those among some source_refs, '
-    'up to date with the rows of the import: what is by hand stays as in axes. Reports that.';
+    'Brings the control points, turn restrictions, footways, tracks or objects of a source, or those among some '
+    'source_refs, up to date with the rows of the import: what is by hand stays as in axes. Reports that.';

@@ -30,6 +30,12 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, areas', 'name, surface, foot, access', 'Columns name, surface and foot of street_area.'),
     ('OpenStreetMap, areas', 'indoor, level, location',
         'Within a building, or on another floor than 0, an area is left out.'),
+    ('OpenStreetMap, ways', 'railway',
+        'Values tram and light_rail are tracks, rows of rail_track; of a street, too.'),
+    ('OpenStreetMap, ways', 'embedded_rails',
+        'Values tram and light_rail of a street: a track along its line, where none is mapped within 12 m.'),
+    ('OpenStreetMap, ways', 'gauge, tracks',
+        'Of what has rails: columns of its row of rail_track; of several gauges the first.'),
     ('OpenStreetMap, nodes', 'highway',
         'A control point: traffic_signals, stop, give_way, mini_roundabout, crossing; an object: these, street_lamp '
         'and bus_stop.'),

@@ -17,6 +17,8 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
         'paths from lane to lane at every node'),
     (5, 'kerb', '{surface}'::text[], 'near', false, false, 'a tenth of the processor time of a first run',
         'kerbs: the border of the roadway, and the strip of stones behind it'),
+    (6, 'rail', '{surface}'::text[], 'group', false, false, 'nothing where no track lies',
+        'tracks in streets: the stretches of the roadway that they share, and the sidewalks that they cut'),
     (7, 'alignment', '{network}'::text[], 'chain', false, false, 'little',
         'roads: edges that go on from each other, as straight pieces and arcs that touch them'),
     (9, 'block', '{kerb}'::text[], 'group', false, false, 'little beside kerb',

@@ -35,10 +35,10 @@ CREATE OR REPLACE FUNCTION streetgen._fill_template(template text, places jsonb)
     FROM string_to_table(translate(template, '}', '{'), '{') WITH ORDINALITY p(piece, n) $$;
 COMMENT ON FUNCTION streetgen._fill_template(text, jsonb) IS 'A text with its places, {name}, filled.';
 
-CREATE OR REPLACE FUNCTION streetgen._part_in(part text, model name) RETURNS text
+CREATE OR REPLACE FUNCTION streetgen._part_in(part text, model name, places jsonb DEFAULT '{}') RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
-    SELECT streetgen._fill_template(streetgen._part(part), jsonb_build_object('srid', m.srid))
+    SELECT streetgen._fill_template(streetgen._part(part), jsonb_build_object('srid', m.srid) || places)
     FROM streetgen.model m WHERE m.name = model $$;
-COMMENT ON FUNCTION streetgen._part_in(text, name) IS
-    'The piece of a statement of that name, with the SRID of a model in its place {srid}.';
+COMMENT ON FUNCTION streetgen._part_in(text, name, jsonb) IS
+    'The piece of a statement of that name, with the SRID of a model in its place {srid}, and its other places filled.';

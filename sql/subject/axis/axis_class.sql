@@ -46,6 +46,9 @@ CREATE OR REPLACE FUNCTION streetgen._default_axis_class()
     ('Sentier', true, 2, 5, 6, NULL, true, false, true, NULL, NULL, NULL, 0, 0, 'walk'),
     ('Escalier', true, 2, 5, 6, NULL, true, false, true, NULL, NULL, NULL, 0, 0, 'steps'),
     ('Piste cyclable', true, 2, 20, 6, NULL, true, false, true, NULL, NULL, NULL, 0, 0, 'cycle'),
+    ('tram', true, NULL, 50, NULL, NULL, false, true, true, NULL, NULL, NULL, 0, 0, 'rail'),
+    ('light_rail', true, NULL, 80, NULL, NULL, false, true, true, NULL, NULL, NULL, 0, 0, 'rail'),
+    ('Tramway', true, NULL, 50, NULL, NULL, false, true, true, NULL, NULL, NULL, 0, 0, 'rail'),
     ('Bac ou liaison maritime', false, NULL, NULL, NULL, NULL, true, true, true, NULL, NULL, NULL, 0, 0, 'none')
     $$;
 COMMENT ON FUNCTION streetgen._default_axis_class() IS

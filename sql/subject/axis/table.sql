@@ -23,8 +23,8 @@ COMMENT ON TABLE :"model".axis_class IS
 COMMENT ON COLUMN :"model".axis_class.class IS 'class of the source, as in axis.kind';
 COMMENT ON COLUMN :"model".axis_class.taken IS 'do importers take it, as column use says';
 COMMENT ON COLUMN :"model".axis_class.use IS
-    'what lines of the class are: roadway: importers make axes of them; walk, cycle or steps: they make footways; rail '
-    'or none: nothing';
+    'what lines of the class are: roadway: importers make axes of them; walk, cycle or steps: they make footways; '
+    'rail: they make tracks; none: nothing';
 COMMENT ON CONSTRAINT axis_class_use_check ON :"model".axis_class IS
     'roadway, cycle, walk, steps, rail or none. Write roadway to have streets made of the lines.';
 COMMENT ON COLUMN :"model".axis_class.width IS 'width kerb to kerb where neither width nor lanes are known, metres';

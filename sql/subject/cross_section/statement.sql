@@ -126,6 +126,46 @@ FROM lane l CROSS JOIN LATERAL (SELECT coalesce(l.borders, ARRAY[0, l.width / 2 
 WHERE l.edge_id = e.edge_id AND (s.low + s.high) / 2 BETWEEN coalesce(l.start_abscissa - e.first, e.low)
     AND coalesce(l.end_abscissa - e.first, e.high)
 
+--{cross_section_tracks
+WITH across AS ({lanes}),
+track AS (
+    SELECT streetgen._border_at(t.borders, s.low, 'left') AS "left", -streetgen._border_at(t.borders, s.low, 'right')
+            AS "right", streetgen._border_at(t.borders, s.high, 'left') AS left_end,
+        -streetgen._border_at(t.borders, s.high, 'right') AS right_end
+    FROM street_track t WHERE t.edge_id = e.edge_id AND t.borders IS NOT NULL
+        AND (s.low + s.high) / 2 BETWEEN t.start_abscissa AND t.end_abscissa),
+-- The part of each lane that each track takes.
+taken AS (
+    SELECT a.lane_id, greatest(a.right_offset, least(a.left_offset, "left")) AS "left",
+        greatest(a.right_offset, least(a.left_offset, "right")) AS "right",
+        greatest(a.right_offset_end, least(a.left_offset_end, left_end)) AS left_end,
+        greatest(a.right_offset_end, least(a.left_offset_end, right_end)) AS right_end
+    FROM across a, track)
+SELECT p.lane_id, CASE WHEN EXISTS (SELECT FROM taken t WHERE t.lane_id IS NOT DISTINCT FROM p.lane_id
+        AND 2 * (t."left" + t.left_end) > m.twice AND 2 * (t."right" + t.right_end) < m.twice)
+        THEN 'rail' ELSE p.kind END AS kind,
+    p.left_offset, p.right_offset, p.left_offset_end, p.right_offset_end
+FROM (
+    SELECT lane_id, kind, at AS left_offset, lead(at) OVER w AS right_offset, at_end AS left_offset_end,
+        lead(at_end) OVER w AS right_offset_end
+    FROM (
+        SELECT lane_id, kind, at, at_end FROM across, LATERAL (VALUES (left_offset, left_offset_end),
+            (right_offset, right_offset_end)) v(at, at_end)
+        UNION SELECT a.lane_id, a.kind, at, at_end
+        FROM taken t JOIN across a ON a.lane_id IS NOT DISTINCT FROM t.lane_id,
+            LATERAL (VALUES ("left", left_end), ("right", right_end)) v(at, at_end)
+        -- Tracks that lie on each other are one piece.
+        WHERE NOT EXISTS (SELECT FROM taken o WHERE o.lane_id IS NOT DISTINCT FROM t.lane_id
+            AND o."left" + o.left_end > at + at_end AND o."right" + o.right_end < at + at_end)) v
+    WINDOW w AS (PARTITION BY lane_id ORDER BY at + at_end DESC)) p, LATERAL (
+        SELECT p.left_offset + p.left_offset_end + p.right_offset + p.right_offset_end AS twice) m
+WHERE p.right_offset IS NOT NULL
+
+--{cross_section_track_places
+UNION ALL SELECT p.place FROM street_track t CROSS JOIN LATERAL (
+    VALUES (t.start_abscissa), (t.end_abscissa) UNION ALL SELECT * FROM streetgen._border_places(t.borders)) p(place)
+    WHERE t.edge_id = e.edge_id AND t.borders IS NOT NULL
+
 --{cross_section_lane_places
 UNION ALL SELECT p.place FROM lane l CROSS JOIN LATERAL (
     VALUES (l.start_abscissa - e.first), (l.end_abscissa - e.first)

@@ -5,6 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._traffic_outline(kind text) RETURNS text
     AS $$ SELECT CASE
         WHEN kind = 'bus' THEN 'M-1.27.35V2.8Q-1.27 3.1-1 3.1H1Q1.27 3.1 1.27 2.8V.35H1.1V.03H.75V.35H-.75V.03'
             'H-1.1V.35ZM-1.1 1.3V2.6H1.1V1.3Z'
+        WHEN kind = 'rail' THEN 'M-1.2.3V3Q-1.15 3.4-.9 3.4H.9Q1.15 3.4 1.2 3V.3H.8V.03H.67V.3H-.67V.03H-.8V.3Z'
+            'M-1 1.5V2.9H1V1.5Z'
         WHEN kind = 'cycle' THEN 'M-.04 0H.04V.72H.2Q.32 1.4.17 1.5H-.17Q-.32 1.4-.2.72H-.04Z'
             'M-.13 1.66a.13.13 0 1 1 .26 0a.13.13 0 1 1-.26 0Z'
         WHEN kind = 'sidewalk' THEN 'M-.16 0H-.03L0 .8L.03 0H.16L.2.85L.28 1.35Q.26 1.5.15 1.5'
@@ -18,8 +20,9 @@ COMMENT ON FUNCTION streetgen._traffic_outline(text) IS
 
 CREATE OR REPLACE FUNCTION streetgen._traffic_room(kind text, OUT width float8, OUT height float8)
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE kind WHEN 'bus' THEN 2.55 WHEN 'cycle' THEN 0.8 WHEN 'sidewalk' THEN 0.8 ELSE 1.8 END,
-        CASE kind WHEN 'bus' THEN 3.1 ELSE 1.8 END $$;
+    AS $$ SELECT CASE kind WHEN 'bus' THEN 2.55 WHEN 'rail' THEN 2.4 WHEN 'cycle' THEN 0.8 WHEN 'sidewalk' THEN 0.8
+            ELSE 1.8 END,
+        CASE kind WHEN 'bus' THEN 3.1 WHEN 'rail' THEN 3.4 ELSE 1.8 END $$;
 COMMENT ON FUNCTION streetgen._traffic_room(text) IS 'Width and height (m) that such an outline takes.';
 
 CREATE OR REPLACE FUNCTION streetgen._cross_section_drawn(model name, axis_id bigint, place float8)
@@ -55,7 +58,7 @@ BEGIN
             WHERE lane_id IS NOT NULL OR kind IN ('roadway', 'shoulder', 'gutter', 'bay')) AS first FROM whole) w)
     SELECT row_number() OVER (ORDER BY low, high)::integer, kind, lane_id, CASE kind WHEN 'general' THEN 'lane'
             WHEN 'bus' THEN 'bus lane' WHEN 'carpool' THEN 'carpool lane' WHEN 'cycle' THEN 'cycle lane'
-            WHEN 'merging' THEN 'merging lane' WHEN 'closed' THEN 'closed lane'
+            WHEN 'rail' THEN 'track' WHEN 'merging' THEN 'merging lane' WHEN 'closed' THEN 'closed lane'
             WHEN 'kerb' THEN concat_ws(' ', nullif(kerb, 'standing'), 'kerb') WHEN 'outer' THEN '' ELSE kind END
             || coalesce(' ' || (lanes ->> lane_id::text), ''),
         CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN 'lane' WHEN kind IN ('kerb', 'gutter') THEN 'kerb'

@@ -41,15 +41,20 @@ DECLARE
     with_lanes constant boolean := 'lane' = ANY (subjects);
     with_kerbs constant boolean := 'kerb' = ANY (subjects);
     with_objects constant boolean := 'object' = ANY (subjects);
+    lanes text := streetgen._part(CASE WHEN 'lane' = ANY (subjects) THEN 'cross_section_lanes'
+        ELSE 'cross_section_without_lanes' END);
 BEGIN
     PERFORM streetgen._use_model(model);
+    IF 'rail' = ANY (subjects) THEN
+        lanes := streetgen._fill_template(streetgen._part('cross_section_tracks'), jsonb_build_object('lanes', lanes));
+    END IF;
     EXECUTE streetgen._fill_template(streetgen._part('cross_section'), jsonb_build_object(
         'places', concat(CASE WHEN with_lanes THEN streetgen._part('cross_section_lane_places') END,
+            CASE WHEN 'rail' = ANY (subjects) THEN streetgen._part('cross_section_track_places') END,
             CASE WHEN with_kerbs THEN streetgen._part('cross_section_kerb_places') END,
             CASE WHEN with_kerbs AND with_objects THEN streetgen._part('cross_section_flush_places') END,
             CASE WHEN with_objects THEN streetgen._part('cross_section_bay_places') END),
-        'lanes', streetgen._part(CASE WHEN with_lanes THEN 'cross_section_lanes'
-            ELSE 'cross_section_without_lanes' END),
+        'lanes', lanes,
         'kerbs', CASE WHEN with_kerbs THEN streetgen._fill_template(streetgen._part('cross_section_kerbs'),
                 jsonb_build_object('flush',
                     CASE WHEN with_objects THEN streetgen._part('cross_section_flush') ELSE 'NULL' END,
@@ -73,7 +78,8 @@ BEGIN
         'left or right of the axis, in its direction; a lane on both has a piece on each';
     COMMENT ON COLUMN cross_section."order" IS 'number from 1 at the axis, outwards';
     COMMENT ON COLUMN cross_section.kind IS
-        'kind of a lane, as lane.kind; shoulder: roadway that lanes leave; bay, gutter, kerb, furnishing, verge '
+        'kind of a lane, as lane.kind; rail: what a track takes of a lane; shoulder: roadway that lanes leave; bay, '
+        'gutter, kerb, furnishing, verge '
         '(before a mapped sidewalk that lies farther from the kerb than it is wide), sidewalk; behind '
         'these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
         'the model computes no lanes';
@@ -92,7 +98,8 @@ COMMENT ON FUNCTION streetgen._make_cross_section_views(name) IS
     'Makes the view cross_section of a model, again and again.';
 
 CREATE OR REPLACE FUNCTION streetgen._cross_section_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ SELECT 'cross_section'::name, subject FROM unnest('{lane,kerb,sidewalk,footway,object}'::text[]) subject $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    AS $$ SELECT 'cross_section'::name, subject
+        FROM unnest('{lane,rail,kerb,sidewalk,footway,object}'::text[]) subject $$;
 COMMENT ON FUNCTION streetgen._cross_section_view() IS
     'The view of cross-sections, and the subjects whose tables it reads.';

@@ -27,6 +27,10 @@ line_ground AS NOT MATERIALIZED (
             WHERE o.geom && ST_Expand(g.surface, 10) AND o.surface && {box} AND o.level = g.level
                 AND (o.turn, o.id) <> (g.turn, g.id)
 
+--{tracks_beside
+        UNION ALL SELECT t.surface, true FROM (SELECT surface FROM track_strip t
+            WHERE t.geom && ST_Expand({box}, 8) AND t.level = g.level OFFSET 0) t WHERE t.surface && {box}
+
 --{footway_surface
 CREATE OR REPLACE VIEW footway_surface WITH (security_invoker = true) AS
 WITH {wanted_ground}

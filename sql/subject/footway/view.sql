@@ -9,10 +9,11 @@ COMMENT ON FUNCTION streetgen._area_kinds() IS
 CREATE OR REPLACE FUNCTION streetgen._ground_view(part text, model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template(streetgen._part(part), jsonb_build_object('srid', m.srid,
-            'wanted_ground', streetgen._part('wanted_ground'), 'ground_at_box', streetgen._fill_template(
-                streetgen._part('ground_beside'), '{"box": "g.surface"}'), 'ground_near_box', streetgen._fill_template(
-                streetgen._part('ground_beside'), '{"box": "ST_Expand(g.surface, 5)"}')))
-        FROM streetgen.model m WHERE m.name = model $$;
+            'wanted_ground', streetgen._part('wanted_ground'), 'ground_at_box', streetgen._fill_template(beside,
+                '{"box": "g.surface"}'), 'ground_near_box', streetgen._fill_template(beside,
+                '{"box": "ST_Expand(g.surface, 5)"}')))
+        FROM streetgen.model m, concat(streetgen._part('ground_beside'), CASE WHEN 'rail' = ANY (
+            streetgen._subjects(model)) THEN streetgen._part('tracks_beside') END) beside WHERE m.name = model $$;
 COMMENT ON FUNCTION streetgen._ground_view(text, name) IS
     'The statement that makes a view of what footways or areas have of the ground beside the streets of a model.';
 
@@ -26,9 +27,9 @@ BEGIN
     END IF;
     EXECUTE streetgen._ground_view('footway_surface', model);
     COMMENT ON VIEW footway_surface IS
-        'The ground of each footway beside the roadway, the sidewalks and what comes before it: cycle tracks, then '
-        'walks, then steps, of each the areas before the lines, and of these the older one. Computed when it is asked '
-        'for; a footway whose ground is that of others, but for 0.01 m2, has no row';
+        'The ground of each footway beside the roadway, tracks, the sidewalks and what comes before it: cycle tracks, '
+        'then walks, then steps, of each the areas before the lines, and of these the older one. Computed when it is '
+        'asked for; a footway whose ground is that of others, but for 0.01 m2, has no row';
     COMMENT ON COLUMN footway_surface.footway_id IS 'the footway';
     COMMENT ON COLUMN footway_surface.use IS 'walk, cycle or steps, as axis_class.use of its kind';
     COMMENT ON COLUMN footway_surface.level IS 'its level';
@@ -38,10 +39,11 @@ BEGIN
     COMMENT ON COLUMN footway_surface.surface IS 'its ground';
     EXECUTE streetgen._ground_view('area_surface', model);
     COMMENT ON VIEW area_surface IS
-        'The ground of each area of the street beside the roadway, the sidewalks, and the footways and areas that come '
-        'before it: cycle, sidewalk, walk, steps, square, parking_area, platform, of each the areas before the lines, '
-        'and of these the older one. Holes under setting max_hole_area are filled. Computed when it is asked for; an '
-        'area whose ground is that of others, but for 0.01 m2, has no row, and an area of kind roadway neither';
+        'The ground of each area of the street beside the roadway, tracks, the sidewalks, and the footways and areas '
+        'that come before it: cycle, sidewalk, walk, steps, square, parking_area, platform, of each the areas before '
+        'the lines, and of these the older one. Holes under setting max_hole_area are filled. Computed when it is '
+        'asked for; an area whose ground is that of others, but for 0.01 m2, has no row, and an area of kind roadway '
+        'neither';
     COMMENT ON COLUMN area_surface.street_area_id IS 'the area';
     COMMENT ON COLUMN area_surface.kind IS 'its kind, as street_area.kind';
     COMMENT ON COLUMN area_surface.level IS 'its level';

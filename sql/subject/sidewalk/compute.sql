@@ -73,8 +73,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
     streetgen._upsert_rows(places, 'sidewalk',
         columns => 'edge_id, node_id, side, part, width, surface, method, strip',
         rows => streetgen._fill_template(streetgen._part('sidewalk_rows'), places
-            || streetgen._sidewalk_holes((places ->> 'model') || '.', places -> 'subjects' ? 'object',
-                places ->> 'run' = 'part')),
+            || streetgen._sidewalk_holes((places ->> 'model') || '.', ARRAY(SELECT jsonb_array_elements_text(
+                places -> 'subjects')), places ->> 'run' = 'part')),
         there => CASE places ->> 'run' WHEN 'part' THEN $part$
         SELECT s.sidewalk_id FROM (SELECT edge_id, side, part FROM former_kerb
                 UNION SELECT edge_id, side, part FROM sidewalk_kerb WHERE wanted) k,

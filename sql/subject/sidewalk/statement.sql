@@ -9,19 +9,27 @@ FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level OR
     FROM sidewalk_kerb) g,
     streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, (SELECT value::float8
         FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
-    JOIN sidewalk_kerb k ON k.number = w.number{bays}
+    JOIN sidewalk_kerb k ON k.number = w.number{holes}
+
+--{sidewalk_holes
+
+    LEFT JOIN LATERAL (SELECT streetgen._strip_without(w.surface, array_agg(b.surface ORDER BY b.surface::bytea)) AS cut
+        FROM ({takers}) b WHERE ST_Intersects(w.surface, b.surface)) b ON true
 
 --{sidewalk_bays
-
-    LEFT JOIN LATERAL (SELECT streetgen._without_bays(w.surface, array_agg(b.surface ORDER BY b.surface::bytea)) AS cut
-        FROM {of_model}parking_bay b, LATERAL (SELECT axis_id FROM {of_model}street_object o
+SELECT b.surface FROM {of_model}parking_bay b, LATERAL (SELECT axis_id FROM {of_model}street_object o
                 WHERE o.street_object_id = b.street_object_id AND (o.side IS NULL OR o.axis_offset > 0.01) OFFSET 0) o,
             LATERAL (SELECT level FROM {of_model}axis a WHERE a.axis_id = o.axis_id OFFSET 0) a
-        WHERE {cut_anew}b.surface && w.surface AND a.level = k.level AND ST_Intersects(w.surface, b.surface)) b ON true
+        WHERE {cut_anew}b.surface && w.surface AND a.level = k.level
+
+--{sidewalk_tracks
+SELECT t.surface FROM (SELECT t.surface FROM {of_model}track_strip t
+            WHERE {cut_anew}t.geom && ST_Expand(w.surface, 8) AND t.level = k.level OFFSET 0) t
+        WHERE t.surface && w.surface
 
 --{sidewalk_stands
 
-    -- Sidewalks of bays that changed are cut after this statement.
+    -- Sidewalks of bays and tracks that changed are cut after this statement.
     LEFT JOIN LATERAL (SELECT s.surface, s.strip FROM {of_model}sidewalk s
         WHERE (s.edge_id, s.side, s.part) = (k.edge_id, k.side, k.part) AND coalesce(s.strip, s.surface) = w.surface
         OFFSET 0) s ON true
@@ -42,7 +50,7 @@ BEGIN
                     SELECT s.sidewalk_id, s.surface FROM sidewalk s WHERE s.surface && g.box
                     UNION SELECT s.sidewalk_id, s.strip FROM sidewalk s WHERE s.strip && g.box OFFSET 0) near
                     WHERE EXISTS (SELECT FROM unnest(ground) g WHERE g && near.surface)))) w
-            JOIN kerb k USING (edge_id, side, part){bays}
+            JOIN kerb k USING (edge_id, side, part){holes}
         WHERE b.cut IS NOT NULL OR w.strip IS NOT NULL) n
     WHERE s.sidewalk_id = n.sidewalk_id AND (s.surface, s.strip) IS DISTINCT FROM (n.surface, n.strip);
 END

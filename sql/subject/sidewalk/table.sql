@@ -27,8 +27,8 @@ COMMENT ON COLUMN :"model".sidewalk.part IS 'part of the kerb, as kerb.part';
 COMMENT ON COLUMN :"model".sidewalk.width IS
     'width that is wanted, metres; behind a corner the mean of those at its ends';
 COMMENT ON COLUMN :"model".sidewalk.surface IS
-    'its ground, without that of parking bays; empty: they take all of it';
+    'its ground, without that of parking bays and tracks; empty: they take all of it';
 COMMENT ON COLUMN :"model".sidewalk.method IS
     'hypothesis; contested: other kerbs hold part of it; by_hand: the width is an override';
 COMMENT ON COLUMN :"model".sidewalk.strip IS
-    'its ground with that of the parking bays that lie on it; NULL: none do';
+    'its ground with that of the parking bays and tracks that lie on it; NULL: none do';

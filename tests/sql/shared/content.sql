@@ -33,6 +33,9 @@ BEGIN
     || CASE WHEN to_regclass(format('%I.sidewalk_source', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'sidewalk source', e.axis_id, e.start_abscissa, s.side, s.part, s.start_abscissa, s.end_abscissa, s.distance, s.width)
       FROM @.sidewalk_source s JOIN @.edge e USING (edge_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.street_track', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'track', e.axis_id, e.start_abscissa, t.part, t.start_abscissa, t.end_abscissa, t.borders)
+      FROM @.street_track t JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.block', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text)
       FROM @.block b JOIN @.block_edge s ON (s.block_id, s.ordinality) = (b.block_id, 1) JOIN @.edge e USING (edge_id)
@@ -100,7 +103,7 @@ $$;
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
-  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'street_area') OR relname LIKE '%\_override')
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'rail_track', 'street_area') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
   with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;
