@@ -127,6 +127,36 @@ bool cuts(const CornerArc& arc, const Arm& arm) {
   return distance_to_line(arc.centre, arm.line) < half_towards(arm, arc.centre) + arc.radius - 1e-3;
 }
 
+// A street through its node, from some way behind it on the arm as which it goes on there.
+Line through_node(const Arm& behind, const Arm& arm, double by) {
+  Line line = reversed(planar(substring(behind.line, 0, by)));
+  const Line on = planar(arm.line);
+  line.insert(line.end(), on.begin() + 1, on.end());
+  return line;
+}
+
+// The corner of a and b where one of them comes out from under the kerb of a third arm, as which
+// the other one goes on with the same kerb.  It lies behind the node of that other one.
+std::optional<CornerArc> corner_on_third(const Arm& a, const Arm& b, const Arm& third,
+                                         const CornerWish& wish) {
+  const double half_a = a.start_to(+1), half_b = b.start_to(-1);
+  const double by = std::min(length(third.line), wish.max_arc_distance);
+  const bool behind_a = nearly_in_line(angle_between(a, third)) &&
+                        std::abs(third.start_to(-1) - half_a) <= same_width;
+  const bool behind_b = nearly_in_line(angle_between(third, b)) &&
+                        std::abs(third.start_to(+1) - half_b) <= same_width;
+  if (behind_a == behind_b) return std::nullopt;
+  auto arc = corner_arc(behind_a ? through_node(third, a, by) : a.line,
+                        behind_b ? through_node(third, b, by) : b.line, 2 * half_a, 2 * half_b,
+                        wish.radius, planar(a.line.front()));
+  if (!arc) return std::nullopt;
+  (behind_a ? arc->abscissa_a : arc->abscissa_b) -= by;
+  const bool behind_node = (behind_a ? arc->abscissa_a : arc->abscissa_b) < 0;
+  const bool near = distance(arc->centre, planar(a.line.front())) <= wish.max_arc_distance;
+  if (!behind_node || !near || !wish.ends.hold(*arc)) return std::nullopt;
+  return arc;
+}
+
 }  // namespace
 
 std::vector<std::size_t> counter_clockwise(const std::vector<Arm>& arms) {
@@ -168,8 +198,8 @@ Fillet fillet_at(double angle) {
 double bounded_radius(double angle, const CornerArc& arc, const CornerWish& wish) {
   const Fillet unit_fillet = fillet_at(angle);
   const double along = arc.radius * unit_fillet.length;
-  const double room = along + std::min(wish.ends.until_a - arc.abscissa_a,
-                                       wish.ends.until_b - arc.abscissa_b);
+  const double room =
+      along + std::min(wish.ends.until_a - arc.abscissa_a, wish.ends.until_b - arc.abscissa_b);
   return std::min({wish.corner_length / unit_fillet.length, room / unit_fillet.length,
                    std::sqrt(wish.corner_area / unit_fillet.area)});
 }
@@ -271,12 +301,17 @@ SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
   const Arm &a = *arms[i], &b = *arms[next];
   const double angle = angle_between(a, b);
   SolvedCorner solved = solve_corner(a, b, wish);
-  if (solved.gap.corner.radius > 0 && angle >= nearly_straight)
-    for (std::size_t third = 0; third < arms.size(); ++third)
-      if (third != i && third != next && cuts(solved.gap.corner, *arms[third])) {
-        solved = without_arc(a, b, wish);
-        break;
-      }
+  for (std::size_t third = 0; solved.gap.corner.radius > 0 && third < arms.size(); ++third) {
+    if (third == i || third == next || !cuts(solved.gap.corner, *arms[third])) continue;
+    if (const auto arc = corner_on_third(a, b, *arms[third], wish)) {
+      solved = {};
+      solved.gap = {true, *arc};
+      solved.limit_a = std::max(0.0, arc->abscissa_a);
+      solved.limit_b = std::max(0.0, arc->abscissa_b);
+      break;
+    }
+    if (angle >= nearly_straight) solved = without_arc(a, b, wish);
+  }
   solved.gap.angle = angle;
   return solved;
 }

@@ -45,7 +45,7 @@ struct SolvedCorner {
   double limit_b = 0;
   ArcEnds ends{};
   double ground = infinite;  // square metres that it may close beside the others of its node
-  bool too_short = false;  // an axis is too short for the radius that is wanted and may be
+  bool too_short = false;    // an axis is too short for the radius that is wanted and may be
 };
 
 // Counter-clockwise from a to b.  Section 2.4: no candidate, no arc; an axis too short, or the arc
@@ -53,8 +53,9 @@ struct SolvedCorner {
 // too far, the minimal radius.
 SolvedCorner solve_corner(const Arm& a, const Arm& b, const CornerWish& wish);
 
-// The corner of arms[i] and the next, arms counter-clockwise: none is rounded on the roadway of
-// a third arm that leaves beside a nearly straight pair, its kerb is the outer one.
+// The corner of arms[i] and the next, arms counter-clockwise. On the roadway of a third arm it lies
+// where one of both comes out from under its kerb, if the other one goes on as that arm. Else none
+// is rounded there beside a nearly straight pair: the third arm's kerb is the outer one.
 SolvedCorner solve_corner(const std::vector<const Arm*>& arms, std::size_t i,
                           const CornerWish& wish);
 
