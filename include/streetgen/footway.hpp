@@ -27,6 +27,12 @@ struct LevelLine {
   int level = 0;
 };
 
+// The place of a side beside which a place of a footway lies.
+struct SidePlace {
+  double abscissa = 0;  // metres along the edge
+  double distance = 0;  // metres from the kerb to the footway; less than 0: in the roadway
+};
+
 // A stretch of a side along which a footway runs.
 struct SidewalkSource {
   int side = 0;     // index
@@ -36,6 +42,9 @@ struct SidewalkSource {
   double end = 0;
   // Metres from the kerb to the footway, the median; less than 0: in the roadway.
   double distance = 0;
+  // Places from start to end between which the footway runs straight, within `straight` of the
+  // match; none where it keeps its distance all along.
+  std::vector<SidePlace> course;
 };
 
 struct FootwayMatch {
@@ -44,6 +53,7 @@ struct FootwayMatch {
   // axis at most.
   double in_roadway = 2;
   double direction = 0.5;  // radians between a footway and the edge, at most
+  double straight = 0.5;   // metres that a footway may lie off its course
 };
 
 // The stretches of all sides, by side, footway and start. Pieces of one footway along one side that

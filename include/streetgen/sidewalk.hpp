@@ -1,7 +1,8 @@
 // Sidewalks: strips on the left of kerbs, which have the roadway on their right.
 //
 // Each is as wide as wanted behind its kerb, round about outer bends. Where the widths of two
-// sections differ, the width changes linearly along the kerb of the corner between them. Behind a
+// sections differ, the width changes linearly along the kerb of the corner between them. It also
+// changes along a kerb with a course of widths. Behind a
 // straight piece of kerb the back line is straight, and it goes on to meet that of the next piece:
 // it has no dent, and the sidewalk is nowhere narrower. Towards a section without a sidewalk it
 // goes on along its street to the corner. There the back line goes straight on to the kerb, or the
@@ -17,6 +18,12 @@
 
 namespace streetgen {
 
+// A width at a place along a kerb.
+struct WidthAt {
+  double share = 0;  // of its length, from its start; below 0 and over 1 beyond its ends
+  double width = 0;  // metres
+};
+
 // A kerb with what is known of the ground behind it.
 struct SidewalkKerb {
   Line line;
@@ -24,8 +31,11 @@ struct SidewalkKerb {
   // Metres behind it, 0: none; without a value it leads from the width of the kerb before to that
   // of the kerb after.
   std::optional<double> width;
-  // The kerb is that of a dead end, or beside no city: a sidewalk leads on along it where both sides
-  // have one.
+  // Where the width changes along it: ascending, straight from one place to the next; with a width
+  // alone.
+  std::vector<WidthAt> course;
+  // The kerb is that of a dead end, or beside no city: a sidewalk leads on along it where both
+  // sides have one.
   bool across = false;
   bool ends = false;     // the roadway goes on there: no sidewalk leads around
   bool wanted = true;    // its sidewalk comes out; else the kerb is there for the others
@@ -33,8 +43,10 @@ struct SidewalkKerb {
 };
 
 struct Sidewalk {
-  int kerb = 0;      // index
-  double width = 0;  // metres: as wanted, of one that changes the mean of its ends
+  int kerb = 0;  // index
+  // Metres: as wanted; of one that changes along a course the greatest, of one that leads from one
+  // width to another the mean.
+  double width = 0;
   MultiPolygon surface;
   Method method = Method::hypothesis;  // contested where other kerbs hold part of it, or by_hand
 };

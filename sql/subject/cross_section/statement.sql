@@ -192,18 +192,33 @@ UNION ALL SELECT p.place FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k
 WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side IN ('left', 'right')
 
 --{cross_section_sidewalk
-coalesce((SELECT CASE w.method WHEN 'contested' THEN ST_Length(ST_Intersection(coalesce(w.strip, w.surface),
-        ST_MakeLine(streetgen._place_on(e.line::bytea, b.middle, v.outwards * (b.border + b.border_end) / 2)::geometry,
+coalesce((SELECT CASE WHEN w.method = 'contested' {or_changing} THEN ST_Length(ST_Intersection(
+        coalesce(w.strip, w.surface), ST_MakeLine(
+            streetgen._place_on(e.line::bytea, b.middle, v.outwards * (b.border + b.border_end) / 2)::geometry,
             streetgen._place_on(e.line::bytea, b.middle, v.outwards * ((b.border + b.border_end) / 2 + w.width))
                 ::geometry))) ELSE w.width END
     FROM sidewalk w WHERE (w.edge_id, w.side, w.part) = (k.edge_id, k.side, k.part)), 0)
 
+--{cross_section_changing
+OR EXISTS (SELECT FROM sidewalk_source s WHERE (s.edge_id, s.side) = (k.edge_id, k.side))
+
 --{cross_section_paved
-(SELECT CASE WHEN abs(sum(s.width * metres) / sum(metres) - min(CASE v.side WHEN 'left' THEN g.sidewalk_left
-        ELSE g.sidewalk_right END)) < 0.01 AND bool_and(f.width < s.width) THEN sum(f.width * metres) / sum(metres) END
-    FROM sidewalk_source s JOIN footway f USING (footway_id) JOIN edge g USING (edge_id)
-        CROSS JOIN LATERAL (SELECT s.end_abscissa - s.start_abscissa AS metres) m
-    WHERE s.edge_id = e.edge_id AND s.side = v.side)
+-- That of the stretch beside, or of the nearest one, where the sidewalk is as wide as its footways ask for.
+(SELECT CASE WHEN abs(c.mean - CASE v.side WHEN 'left' THEN g.sidewalk_left ELSE g.sidewalk_right END) < 0.01
+        AND c.width < c.wanted THEN c.width END
+    FROM edge g, LATERAL (SELECT sum(s.width * (s.end_abscissa - s.start_abscissa))
+                / sum(s.end_abscissa - s.start_abscissa) AS mean,
+            (array_agg(f.width ORDER BY greatest(s.start_abscissa - b.middle, b.middle - s.end_abscissa),
+                s.part))[1] AS width,
+            (array_agg(s.width ORDER BY greatest(s.start_abscissa - b.middle, b.middle - s.end_abscissa),
+                s.part))[1] AS wanted
+        FROM sidewalk_source s JOIN footway f USING (footway_id)
+        WHERE (s.edge_id, s.side) = (e.edge_id, v.side)) c
+    WHERE g.edge_id = e.edge_id)
+
+--{cross_section_changing_places
+UNION ALL SELECT p.place FROM sidewalk_source s CROSS JOIN LATERAL (VALUES (s.start_abscissa), (s.end_abscissa)
+    UNION ALL SELECT unnest(s.places)) p(place) WHERE s.edge_id = e.edge_id
 
 --{cross_section_flush
 (SELECT CASE says WHEN 'raised' THEN 'standing' WHEN 'no' THEN 'flush' ELSE says END

@@ -41,6 +41,7 @@ DECLARE
     with_lanes constant boolean := 'lane' = ANY (subjects);
     with_kerbs constant boolean := 'kerb' = ANY (subjects);
     with_objects constant boolean := 'object' = ANY (subjects);
+    with_footways constant boolean := 'footway' = ANY (subjects);
     lanes text := streetgen._part(CASE WHEN 'lane' = ANY (subjects) THEN 'cross_section_lanes'
         ELSE 'cross_section_without_lanes' END);
 BEGIN
@@ -53,14 +54,17 @@ BEGIN
             CASE WHEN 'rail' = ANY (subjects) THEN streetgen._part('cross_section_track_places') END,
             CASE WHEN with_kerbs THEN streetgen._part('cross_section_kerb_places') END,
             CASE WHEN with_kerbs AND with_objects THEN streetgen._part('cross_section_flush_places') END,
-            CASE WHEN with_objects THEN streetgen._part('cross_section_bay_places') END),
+            CASE WHEN with_objects THEN streetgen._part('cross_section_bay_places') END,
+            CASE WHEN with_footways THEN streetgen._part('cross_section_changing_places') END),
         'lanes', lanes,
         'kerbs', CASE WHEN with_kerbs THEN streetgen._fill_template(streetgen._part('cross_section_kerbs'),
                 jsonb_build_object('flush',
                     CASE WHEN with_objects THEN streetgen._part('cross_section_flush') ELSE 'NULL' END,
-                    'paved', CASE WHEN 'footway' = ANY (subjects) THEN streetgen._part('cross_section_paved')
+                    'paved', CASE WHEN with_footways THEN streetgen._part('cross_section_paved')
                         ELSE 'NULL::float8' END,
-                    'sidewalk', CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._part('cross_section_sidewalk')
+                    'sidewalk', CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._fill_template(
+                        streetgen._part('cross_section_sidewalk'), jsonb_build_object('or_changing',
+                            CASE WHEN with_footways THEN streetgen._part('cross_section_changing') ELSE '' END))
                         ELSE '0' END))
             ELSE streetgen._part('cross_section_without_kerbs') END,
         'bays', streetgen._part(CASE WHEN with_objects THEN 'cross_section_bays'

@@ -39,10 +39,8 @@ walked_side AS MATERIALIZED (
             sidewalk_apart IN ('right', 'both'), parking_right FROM beside_footway WHERE beside_right = 'outer') s),
 along_side AS MATERIALIZED (
     SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, f.footway_id, m.start_abscissa,
-        m.end_abscissa, d.distance, f.role IS NULL AS only_apart, s.bay + least(50 - s.bay, CASE
-            WHEN f.width IS NULL THEN greatest(r.minimal, least(r.maximal, 2 * d.distance), d.distance + r.minimal / 2)
-            -- One that lies beyond its own width has ground before it that leads to it.
-            WHEN d.distance > f.width THEN d.distance + f.width / 2 ELSE f.width END) AS width
+        m.end_abscissa, d.distance, f.role IS NULL AS only_apart, c.width, c.places, c.widths,
+        greatest(c.width, (SELECT max(w) FROM unnest(c.widths) w)) AS widest
     FROM footway_rule r,
         (SELECT array_agg(ST_Force2D(geom)::bytea ORDER BY place) AS lines, array_agg(level ORDER BY place) AS levels
             FROM beside_footway) g,
@@ -53,7 +51,12 @@ along_side AS MATERIALIZED (
             FROM walked_side) t,
         LATERAL streetgen._sidewalk_sources(g.lines, g.levels, w.lines, w.levels, t.edges, t.lefts, t.at_start,
             t.at_end, r.distance) m, walked_side s, beside_footway e, near_footway f,
-        LATERAL (SELECT m.distance - s.bay AS distance) d
+        LATERAL (SELECT m.distance - s.bay AS distance) d,
+        LATERAL (SELECT s.bay + least(50 - s.bay, streetgen._mapped_width(d.distance, f.width, r.minimal, r.maximal))
+                AS width, m.places,
+            ARRAY(SELECT s.bay + least(50 - s.bay, streetgen._mapped_width(away - s.bay, f.width, r.minimal,
+                    r.maximal))
+                FROM unnest(m.distances) WITH ORDINALITY a(away, n) ORDER BY n) AS widths) c
     WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway AND (f.role = 'sidewalk' OR s.apart)),
 -- One of two footways beside each other counts: that of role sidewalk, else the nearer one.
 found_source AS MATERIALIZED (
@@ -87,8 +90,45 @@ SELECT footway_id, geom, kind, role, level, width FROM {model}.footway
 SELECT row_number() OVER (ORDER BY s.number, s.side, s.start_abscissa, s.footway_id) AS number,
     (SELECT ids FROM edge_ids)[s.number] AS edge_id, s.side,
     row_number() OVER (PARTITION BY s.number, s.side ORDER BY s.start_abscissa, s.footway_id)::integer AS part,
-    s.footway_id, s.start_abscissa, s.end_abscissa, s.distance, s.width
+    s.footway_id, s.start_abscissa, s.end_abscissa, s.distance, s.width, s.places, s.widths, s.widest
 FROM found_source s
+
+--{sidewalk_course
+-- Where the widths of its footways hold along a side. From one stretch to the next the width runs straight, and goes on
+-- before and beyond them.
+SELECT coalesce(array_agg(number ORDER BY number, share, width), ARRAY[]::integer[]) AS course_kerbs,
+    coalesce(array_agg(share ORDER BY number, share, width), ARRAY[]::float8[]) AS shares,
+    coalesce(array_agg(width ORDER BY number, share, width), ARRAY[]::float8[]) AS course_widths
+FROM (SELECT k.number::integer, (c.place - x.low) / (x.high - x.low) AS share, c.width
+    FROM (SELECT edge_id, side, place, width, mean, max(width) OVER of_side - min(width) OVER of_side AS change
+        FROM (SELECT s.edge_id, s.side, p.place, p.width, mean, max(s.end_abscissa) OVER (PARTITION BY s.edge_id, s.side
+                ORDER BY s.start_abscissa, s.footway_id RANGE UNBOUNDED PRECEDING EXCLUDE GROUP) AS known_to
+            FROM (SELECT *, sum(width * (end_abscissa - start_abscissa)) OVER of_side
+                    / sum(end_abscissa - start_abscissa) OVER of_side AS mean
+                FROM ({sources}) s WINDOW of_side AS (PARTITION BY edge_id, side)) s, LATERAL (
+                SELECT * FROM unnest(
+                    CASE cardinality(s.places) WHEN 0 THEN ARRAY[s.start_abscissa, s.end_abscissa] ELSE s.places END,
+                    CASE cardinality(s.places) WHEN 0 THEN ARRAY[s.width, s.width] ELSE s.widths END)
+                    u(place, width)) p) s
+        -- What two footways map is as wide as the first says.
+        WHERE known_to IS NULL OR place > known_to
+        WINDOW of_side AS (PARTITION BY edge_id, side)) c
+    JOIN sidewalk_kerb k USING (edge_id, side), LATERAL (
+        SELECT ST_LineLocatePoint(k.line, ST_StartPoint(k.geom)) * ST_Length2D(k.line) AS low,
+            ST_LineLocatePoint(k.line, ST_EndPoint(k.geom)) * ST_Length2D(k.line) AS high) x
+    WHERE c.change > 0.01 AND NOT k.by_hand AND abs(k.width - c.mean) < 0.01 AND abs(x.high - x.low) > 0.01) c
+
+--{standing_sources
+SELECT (SELECT ids FROM edge_ids)[number] AS edge_id, side, footway_id, start_abscissa, end_abscissa, places, widths,
+    width FROM found_source
+UNION ALL SELECT s.edge_id, s.side, s.footway_id, s.start_abscissa, s.end_abscissa, s.places, s.widths, s.width
+FROM (SELECT DISTINCT edge_id FROM sidewalk_kerb) n, LATERAL (
+    SELECT * FROM {model}.sidewalk_source s WHERE s.edge_id = n.edge_id OFFSET 0) s
+WHERE s.edge_id NOT IN (SELECT edge_id FROM sidewalk_edge)
+
+--{new_sources
+SELECT (SELECT ids FROM edge_ids)[number] AS edge_id, side, footway_id, start_abscissa, end_abscissa, places, widths,
+    width FROM found_source
 
 --{has_crossing_footways
 BEGIN

@@ -23,3 +23,12 @@ COMMENT ON COLUMN :"model".sidewalk_source.width IS
     'width that this stretch asks for, with the bays before it, metres: that of the footway, with the ground '
     'before one that lies farther off than that; else twice the distance within settings mapped_sidewalk_minimal and '
     '_maximal, and half the least width beyond the footway at least';
+ALTER TABLE :"model".sidewalk_source ADD COLUMN IF NOT EXISTS places float8[] NOT NULL DEFAULT '{}',
+    ADD COLUMN IF NOT EXISTS widths float8[] NOT NULL DEFAULT '{}',
+    ADD COLUMN IF NOT EXISTS widest float8 NOT NULL DEFAULT 0;
+CREATE INDEX IF NOT EXISTS sidewalk_source_widest ON :"model".sidewalk_source (widest);
+COMMENT ON COLUMN :"model".sidewalk_source.places IS
+    'where the width changes along the edge, abscissas, metres: it runs straight from one to the next; empty where it '
+    'is one all along';
+COMMENT ON COLUMN :"model".sidewalk_source.widths IS 'the width that the stretch asks for at each of places, metres';
+COMMENT ON COLUMN :"model".sidewalk_source.widest IS 'the greatest width that the stretch asks for, metres';

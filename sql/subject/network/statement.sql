@@ -51,11 +51,14 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
        (SELECT ids FROM node_ids)[from_node] AS from_node, (SELECT ids FROM node_ids)[to_node] AS to_node,
        level, start_abscissa, end_abscissa, {geom_with_height} AS geom, curve,
        width, width_end, roadway_offset, lane_count, lanes_forward, lanes_backward, lanes_both,
-       -- No sidewalk is estimated on medians, splitters and islands, nor where one is mapped.
-       coalesce(sidewalk_left_by_hand, CASE WHEN 'sidewalk_left' <> ALL (estimated) THEN sidewalk_left
+       -- No sidewalk is estimated on medians, splitters and islands, nor where one is mapped. A line that is mapped
+       -- says more than an axis that has none.
+       coalesce(sidewalk_left_by_hand, CASE WHEN 'sidewalk_left' <> ALL (estimated)
+               AND NOT (sidewalk_left = 0 AND coalesce(mapped_left, 0) > 0) THEN sidewalk_left
            ELSE coalesce(mapped_left, CASE WHEN beside_left = 'outer' OR cardinality(median_left) > 0
                THEN sidewalk_left ELSE 0 END) END) AS sidewalk_left,
-       coalesce(sidewalk_right_by_hand, CASE WHEN 'sidewalk_right' <> ALL (estimated) THEN sidewalk_right
+       coalesce(sidewalk_right_by_hand, CASE WHEN 'sidewalk_right' <> ALL (estimated)
+               AND NOT (sidewalk_right = 0 AND coalesce(mapped_right, 0) > 0) THEN sidewalk_right
            ELSE coalesce(mapped_right, CASE WHEN beside_right = 'outer' OR cardinality(median_right) > 0
                THEN sidewalk_right ELSE 0 END) END) AS sidewalk_right, beside_left, beside_right,
        median_left, median_right, speed, importance,

@@ -9,16 +9,18 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_computed_table()
 COMMENT ON FUNCTION streetgen._sidewalk_computed_table() IS 'The computed table of sidewalks.';
 
 CREATE OR REPLACE FUNCTION streetgen._sidewalks(kerbs bytea[], levels integer[], widths float8[], across boolean[],
-    ends boolean[], by_hand boolean[], wanted boolean[], transition float8, srid integer)
+    ends boolean[], by_hand boolean[], wanted boolean[], course_kerbs integer[], course_shares float8[],
+    course_widths float8[], transition float8, srid integer)
     RETURNS TABLE(number integer, width float8, surface geometry, method text)
     LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_sidewalks';
 COMMENT ON FUNCTION streetgen._sidewalks(bytea[], integer[], float8[], boolean[], boolean[], boolean[], boolean[],
-    float8, integer) IS
+    integer[], float8[], float8[], float8, integer) IS
     'The sidewalks (MULTIPOLYGON) behind the kerbs (LINESTRING, EWKB) that are wanted, by their numbers from 1. '
     'widths: metres, 0 for none, NULL for a kerb that leads from the width before it to that after it. across: of a '
     'dead end, or beside no city: there a sidewalk leads on where both sides have one. ends: the '
-    'roadway goes on there. transition: metres of kerb that a change of width takes. Lists of different '
-    'length: 2202E. NULL lists: no row.';
+    'roadway goes on there. course_: where the width changes along kerbs that have one, the numbers of these, the '
+    'shares of their length, ascending, and the widths. transition: metres of kerb that a change of width takes. '
+    'Lists of different length: 2202E. NULL lists: no row.';
 
 CREATE OR REPLACE FUNCTION streetgen._sidewalk_places(places jsonb) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -67,8 +69,8 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_sidewalk(places jsonb) RETURNS text
     AS $$ SELECT concat_ws(',', CASE places ->> 'run' WHEN 'part' THEN streetgen._sidewalk_kerbs_of_part(places)
         ELSE streetgen._fill_template(E'\nsidewalk_kerb AS MATERIALIZED (' || streetgen._sidewalk_kerbs(
             'SELECT edge_id, node_id, level, side, part, geom, method, beside, true AS wanted FROM new_kerb',
-            'SELECT edge_id, axis_id, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right, estimated '
-                'FROM new_edge')
+            'SELECT edge_id, axis_id, geom, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right, '
+                'estimated FROM new_edge')
             || ')', places) END,
     streetgen._upsert_rows(places, 'sidewalk',
         columns => 'edge_id, node_id, side, part, width, surface, method, strip',

@@ -6,9 +6,9 @@ FROM (SELECT array_agg(geom::bytea ORDER BY number) AS kerbs, array_agg(level OR
         array_agg(width ORDER BY number) AS widths, array_agg(ends ORDER BY number) AS ends,
         array_agg(across ORDER BY number) AS across,
         array_agg(by_hand ORDER BY number) AS by_hand, array_agg(wanted ORDER BY number) AS wanted
-    FROM sidewalk_kerb) g,
-    streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, (SELECT value::float8
-        FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
+    FROM sidewalk_kerb) g, ({sidewalk_course}) c,
+    streetgen._sidewalks(kerbs, levels, widths, across, ends, by_hand, g.wanted, c.course_kerbs, c.shares,
+        c.course_widths, (SELECT value::float8 FROM {model}.setting WHERE name = 'sidewalk_transition'), {srid}) w
     JOIN sidewalk_kerb k ON k.number = w.number{holes}
 
 --{sidewalk_holes
@@ -57,7 +57,7 @@ END
 
 --{sidewalk_kerbs_of_part
 sidewalk_edge AS MATERIALIZED (
-    SELECT edge_id, axis_id, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right,
+    SELECT edge_id, axis_id, geom, from_node, to_node, start_abscissa, end_abscissa, sidewalk_left, sidewalk_right,
         estimated
     FROM new_edge),
 -- Kerbs that moved or went, as they were.
@@ -72,7 +72,7 @@ former_kerb AS MATERIALIZED (
 -- Two sidewalks side by side: a strip lies within 1.25 widths of its kerb.
 sidewalk_reach AS MATERIALIZED (
     SELECT 0.01 + 2.5 * greatest((SELECT max(width) FROM {model}.sidewalk), (SELECT max(width)
-            FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right), 0) AS metres
+            FROM {model}.sidewalk_override), max(sidewalk_left), max(sidewalk_right){widest_course}, 0) AS metres
     FROM sidewalk_edge),
 -- A kerb that came, went or moved, or whose width is another.
 moved_kerb AS MATERIALIZED (
@@ -96,14 +96,14 @@ sidewalk_kerb AS MATERIALIZED (
 
 --{standing_edges
 TABLE sidewalk_edge
-UNION ALL SELECT e.edge_id, e.axis_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa, e.sidewalk_left,
-    e.sidewalk_right, e.estimated
+UNION ALL SELECT e.edge_id, e.axis_id, e.geom, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa,
+    e.sidewalk_left, e.sidewalk_right, e.estimated
 FROM (SELECT DISTINCT edge_id FROM standing_kerb) n, LATERAL (SELECT * FROM {model}.edge e
     WHERE e.edge_id = n.edge_id OFFSET 0) e WHERE e.edge_id NOT IN (SELECT edge_id FROM sidewalk_edge)
 
 --{sidewalk_kerbs
 SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part) AS number, k.edge_id, k.node_id, k.side, k.part,
-    k.level, k.geom, k.wanted, k.method = 'level_change' AS ends,
+    k.level, k.geom, e.geom AS line, k.wanted, k.method = 'level_change' AS ends,
     -- Nor does a sidewalk lead from the city on to a median, a splitter or an island.
     k.side IN ('start', 'end') OR k.beside <> 'outer' AS across, o.width IS NOT NULL AS by_hand,
     -- None is estimated along the part of a side where a median lies.

@@ -18,12 +18,6 @@ constexpr double step = 2;      // metres along a footway from one look at the s
 constexpr double gap = 6;       // metres along an edge that part two stretches
 constexpr double slack = 1e-6;  // metres
 
-// The place of a side beside which a place of a footway lies.
-struct Beside {
-  double abscissa = 0;
-  double distance = 0;
-};
-
 // The sides of one edge, beside a place of a footway.
 class EdgeBeside {
  public:
@@ -48,14 +42,14 @@ class EdgeBeside {
   }
 
   // Nothing where the place is not beside that side, or the footway runs elsewhere.
-  std::optional<Beside> side(const StreetSide& side, const FootwayMatch& match) const {
+  std::optional<SidePlace> side(const StreetSide& side, const FootwayMatch& match) const {
     if (!found_ || turn_ > std::sin(match.direction)) return std::nullopt;
     const double at = length_ > 0 ? abscissa_ / length_ : 0;
     const double kerb = side.kerb_at_start + at * (side.kerb_at_end - side.kerb_at_start);
     const double behind = (side.left ? offset_ : -offset_) - kerb;
     const double within = std::min(match.in_roadway, std::max(kerb, 0.0) / 2);
     if (behind > match.distance || behind < -within) return std::nullopt;
-    return Beside{abscissa_, behind};
+    return SidePlace{abscissa_, behind};
   }
 
  private:
@@ -67,6 +61,40 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + values.size() / 2;
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+// The least places between which all others lie within the tolerance, by distance.
+void append_course(const std::vector<SidePlace>& places, std::size_t from, std::size_t to,
+                   double tolerance, std::vector<SidePlace>& course) {
+  const auto& [start, first] = places[from];
+  const auto& [end, last] = places[to];
+  std::size_t farthest = from;
+  double most = tolerance;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double share = end > start ? (places[i].abscissa - start) / (end - start) : 0;
+    const double off = std::abs(places[i].distance - (first + (last - first) * share));
+    if (off > most) {
+      most = off;
+      farthest = i;
+    }
+  }
+  if (farthest == from) {
+    course.push_back(places[to]);
+    return;
+  }
+  append_course(places, from, farthest, tolerance, course);
+  append_course(places, farthest, to, tolerance, course);
+}
+
+std::vector<SidePlace> course_of(const std::vector<SidePlace>& places, double distance,
+                                   double tolerance) {
+  std::vector<SidePlace> course{places.front()};
+  append_course(places, 0, places.size() - 1, tolerance, course);
+  if (std::all_of(course.begin(), course.end(), [&](const SidePlace& place) {
+        return std::abs(place.distance - distance) <= tolerance;
+      }))
+    course.clear();
+  return course;
 }
 
 class SourceFinder {
@@ -139,13 +167,13 @@ class SourceFinder {
   void look(int footway, int e, const Point& place, const Point& direction) {
     const EdgeBeside beside(edges_[e].line, place, direction, reach_[e]);
     for (const int s : sides_of_[e])
-      if (const std::optional<Beside> found = beside.side(sides_[s], match_))
+      if (const std::optional<SidePlace> found = beside.side(sides_[s], match_))
         beside_[{s, footway}].push_back(*found);
   }
 
-  static void add_stretches(int side, int footway, std::vector<Beside>& places,
-                            std::vector<SidewalkSource>& sources) {
-    std::sort(places.begin(), places.end(), [](const Beside& a, const Beside& b) {
+  void add_stretches(int side, int footway, std::vector<SidePlace>& places,
+                     std::vector<SidewalkSource>& sources) const {
+    std::sort(places.begin(), places.end(), [](const SidePlace& a, const SidePlace& b) {
       return std::pair(a.abscissa, a.distance) < std::pair(b.abscissa, b.distance);
     });
     for (std::size_t from = 0, to; from < places.size(); from = to) {
@@ -154,7 +182,12 @@ class SourceFinder {
            ++to)
         distances.push_back(places[to].distance);
       const double start = places[from].abscissa, end = places[to - 1].abscissa;
-      if (end > start) sources.push_back({side, footway, start, end, median(distances)});
+      if (end <= start) continue;
+      const double middle = median(std::move(distances));
+      sources.push_back({side, footway, start, end, middle,
+                         course_of({places.begin() + static_cast<std::ptrdiff_t>(from),
+                                    places.begin() + static_cast<std::ptrdiff_t>(to)},
+                                   middle, match_.straight)});
     }
   }
 
@@ -166,7 +199,7 @@ class SourceFinder {
   std::vector<double> reach_;               // by edge: metres to the farthest footway beside it
   std::vector<Box> boxes_;                  // by edge, with its reach
   BoxIndex index_;                          // of them
-  std::map<std::pair<int, int>, std::vector<Beside>> beside_;  // by side and footway
+  std::map<std::pair<int, int>, std::vector<SidePlace>> beside_;  // by side and footway
 };
 
 }  // namespace

@@ -26,7 +26,8 @@ std::vector<Sidewalk> find_sidewalks(std::vector<SidewalkKerb> kerbs, double tra
       if (!kerbs[i].wanted || strips[i].surface.empty()) continue;
       Sidewalk sidewalk;
       sidewalk.kerb = i;
-      sidewalk.width = kerbs[i].width.value_or(strips[i].width);
+      sidewalk.width =
+          kerbs[i].course.empty() ? kerbs[i].width.value_or(strips[i].width) : strips[i].widest;
       if (strips[i].narrow) sidewalk.method = Method::contested;
       const std::vector<int> rivals = shared.rivals(i);
       if (!rivals.empty() || !strips[i].plain) {

@@ -36,6 +36,19 @@ double width_at(const std::vector<WidthKnot>& knots, double abscissa) {
   return knots.back().width;
 }
 
+// From the start of a kerb to its end; of a kerb without a course as wide all along.
+std::vector<WidthKnot> knots_of(const SidewalkKerb& kerb, double length) {
+  if (kerb.course.empty()) return {{0, *kerb.width}, {length, *kerb.width}};
+  std::vector<WidthKnot> course;
+  for (const WidthAt& place : kerb.course) course.push_back({place.share * length, place.width});
+  std::vector<WidthKnot> knots{{0, width_at(course, 0)}};
+  for (const WidthKnot& knot : course)
+    if (knot.abscissa > knots.back().abscissa + same_place && knot.abscissa < length - same_place)
+      knots.push_back(knot);
+  knots.push_back({length, width_at(course, length)});
+  return knots;
+}
+
 }  // namespace
 
 Point direction_at(const Line& line, bool at_start) {
@@ -47,8 +60,7 @@ KerbChains::KerbChains(const std::vector<SidewalkKerb>& kerbs, double transition
   for (const SidewalkKerb& kerb : kerbs) lengths_.push_back(length(kerb.line));
   link();
   for (std::size_t i = 0; i < kerbs.size(); ++i)
-    if (kerbs[i].width && *kerbs[i].width > 0)
-      widths_[i] = {{0, *kerbs[i].width}, {lengths_[i], *kerbs[i].width}};
+    if (kerbs[i].width && *kerbs[i].width > 0) widths_[i] = knots_of(kerbs[i], lengths_[i]);
   for (std::size_t i = 0; i < kerbs.size(); ++i)
     if (kerbs[i].width || (!kerbs[i].ends && previous_[i] < 0))
       widen(static_cast<int>(i), transition);
@@ -88,8 +100,12 @@ void KerbChains::widen(int from, double transition) {
   }
   const bool known_from = kerbs_[from].width.has_value(), known_to = to >= 0 && kerbs_[to].width;
   if (!known_from && !known_to) return;
-  const double start = known_from ? *kerbs_[from].width : *kerbs_[to].width;
-  const double end = known_to ? *kerbs_[to].width : start;
+  const auto width_beside = [&](int kerb, bool at_end) {
+    const std::vector<WidthKnot> knots = knots_of(kerbs_[kerb], lengths_[kerb]);
+    return at_end ? knots.back().width : knots.front().width;
+  };
+  const double start = known_from ? width_beside(from, true) : width_beside(to, false);
+  const double end = known_to ? width_beside(to, false) : start;
   const bool across =
       std::any_of(between.begin(), between.end(), [&](int kerb) { return kerbs_[kerb].across; });
   if (std::min(start, end) <= 0) {

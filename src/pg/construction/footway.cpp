@@ -50,6 +50,13 @@ std::vector<SidewalkSource> sources_of(const GivenFootways& given) {
                           given.match);
 }
 
+Datum array_of(const std::vector<SidePlace>& course, double SidePlace::*value) {
+  Datum* values = static_cast<Datum*>(palloc(sizeof(Datum) * (course.size() + 1)));
+  for (std::size_t i = 0; i < course.size(); ++i) values[i] = Float8GetDatum(course[i].*value);
+  return PointerGetDatum(construct_array(values, static_cast<int>(course.size()), FLOAT8OID, 8,
+                                         FLOAT8PASSBYVAL, TYPALIGN_DOUBLE));
+}
+
 }  // namespace
 
 STREETGEN_FUNCTION(streetgen_sidewalk_sources) {
@@ -73,10 +80,14 @@ STREETGEN_FUNCTION(streetgen_sidewalk_sources) {
   }));
   auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
   for (const SidewalkSource& source : *slot->value) {
-    Datum values[5] = {Int32GetDatum(source.side + 1), Int32GetDatum(source.footway + 1),
-                       Float8GetDatum(source.start), Float8GetDatum(source.end),
-                       Float8GetDatum(source.distance)};
-    bool nulls[5] = {};
+    Datum values[7] = {Int32GetDatum(source.side + 1),
+                       Int32GetDatum(source.footway + 1),
+                       Float8GetDatum(source.start),
+                       Float8GetDatum(source.end),
+                       Float8GetDatum(source.distance),
+                       array_of(source.course, &SidePlace::abscissa),
+                       array_of(source.course, &SidePlace::distance)};
+    bool nulls[7] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   }
   PG_RETURN_NULL();

@@ -10,6 +10,7 @@
 #include "frame/border.hpp"
 #include "value/line_array.hpp"
 #include "value/stored.hpp"
+#include "value/value_array.hpp"
 #include "value/wkb.hpp"
 
 extern "C" {
@@ -51,6 +52,7 @@ Elements take_elements(FunctionCallInfo fcinfo, int argument, Oid type, int size
 struct Given {
   LineArray lines;
   Elements levels, widths, across, ends, by_hand, wanted;
+  ValueArray course_kerbs, course_shares, course_widths;
 };
 
 std::vector<SidewalkKerb> kerbs_of(const Given& given) {
@@ -67,6 +69,15 @@ std::vector<SidewalkKerb> kerbs_of(const Given& given) {
     kerb.by_hand = DatumGetBool(given.by_hand.values[i]);
     kerb.wanted = DatumGetBool(given.wanted.values[i]);
     kerbs.push_back(std::move(kerb));
+  }
+  for (int i = 0; i < given.course_kerbs.count; ++i) {
+    const int kerb = DatumGetInt32(given.course_kerbs.values[i]) - 1;
+    if (kerb < 0 || kerb >= static_cast<int>(kerbs.size()) || !kerbs[kerb].width)
+      throw Error(ErrorKind::invalid_input,
+                  "place " + std::to_string(i + 1) + " is of no kerb with a width");
+    kerbs[kerb].course.push_back(
+        {in_range(DatumGetFloat8(given.course_shares.values[i]), -1e6, 1e6, "share"),
+         in_range(DatumGetFloat8(given.course_widths.values[i]), 0, 50, "width")});
   }
   return kerbs;
 }
@@ -86,9 +97,10 @@ Datum geometry_datum(const MultiPolygon& surface, int srid) {
 
 STREETGEN_FUNCTION(streetgen_sidewalks) {
   InitMaterializedSRF(fcinfo, 0);
-  for (int i = 0; i < 9; ++i)
+  for (int i = 0; i < 12; ++i)
     if (PG_ARGISNULL(i)) PG_RETURN_NULL();
-  Given given{take_lines(PG_GETARG_ARRAYTYPE_P(0), "kerbs"), {}, {}, {}, {}, {}, {}};
+  Given given{};
+  given.lines = take_lines(PG_GETARG_ARRAYTYPE_P(0), "kerbs");
   const int count = given.lines.count;
   given.levels = take_elements(fcinfo, 1, INT4OID, 4, count, "levels", false);
   given.widths = take_elements(fcinfo, 2, FLOAT8OID, 8, count, "widths", true);
@@ -96,8 +108,12 @@ STREETGEN_FUNCTION(streetgen_sidewalks) {
   given.ends = take_elements(fcinfo, 4, BOOLOID, 1, count, "ends", false);
   given.by_hand = take_elements(fcinfo, 5, BOOLOID, 1, count, "by_hand", false);
   given.wanted = take_elements(fcinfo, 6, BOOLOID, 1, count, "wanted", false);
-  const double transition = PG_GETARG_FLOAT8(7);
-  const int srid = PG_GETARG_INT32(8);
+  given.course_kerbs = take_values(fcinfo, 7, INT4OID, any_count, "course_kerbs");
+  const int places = given.course_kerbs.count;
+  given.course_shares = take_values(fcinfo, 8, FLOAT8OID, places, "course_shares");
+  given.course_widths = take_values(fcinfo, 9, FLOAT8OID, places, "course_widths");
+  const double transition = PG_GETARG_FLOAT8(10);
+  const int srid = PG_GETARG_INT32(11);
   Slot<std::vector<Sidewalk>>* slot = make_slot<std::vector<Sidewalk>>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new std::vector<Sidewalk>(

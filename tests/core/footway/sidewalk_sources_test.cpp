@@ -81,6 +81,39 @@ TEST(SidewalkSources, AKerbThatRunsAwayFromItsAxisIsMeasuredWhereItLies) {
   EXPECT_NEAR(sources[0].distance, 2, 0.1);
 }
 
+TEST(SidewalkSources, AFootwayThatKeepsItsDistanceHasNoCourse) {
+  const auto sources = beside({{{{10, 6}, {50, 6.4}, {90, 6}}, 0}});
+  ASSERT_EQ(sources.size(), 1u);
+  EXPECT_TRUE(sources[0].course.empty());
+}
+
+TEST(SidewalkSources, ACourseFollowsTheFootway) {
+  std::mt19937 random(4812);
+  std::uniform_real_distribution<double> aside(5, 12);
+  for (int n = 0; n < 50; ++n) {
+    Line line;
+    for (int i = 0; i <= 4; ++i) line.push_back({10.0 + 20 * i, aside(random)});
+    const auto sources = beside({{line, 0}}, {both_sides[0]});
+    ASSERT_EQ(sources.size(), 1u);
+    const auto& course = sources[0].course;
+    if (course.empty()) continue;
+    EXPECT_EQ(course.front().abscissa, sources[0].start);
+    EXPECT_EQ(course.back().abscissa, sources[0].end);
+    for (std::size_t c = 1; c < course.size(); ++c) {
+      const auto& [from, near] = course[c - 1];
+      const auto& [to, far] = course[c];
+      ASSERT_LE(from, to);
+      for (double at = std::ceil(from); at <= to; ++at) {
+        std::size_t i = 0;
+        while (line[i + 1].x < at) ++i;
+        const double wanted = line[i].y + (line[i + 1].y - line[i].y) * (at - line[i].x) / 20 - 4;
+        // Looks stand 2 m apart, and between them the line may have a vertex.
+        EXPECT_NEAR(near + (far - near) * (at - from) / (to - from), wanted, 0.5 + 0.7);
+      }
+    }
+  }
+}
+
 // Turned and shifted, all is the same; the mirror swaps the sides.
 TEST(SidewalkSources, NothingDependsOnThePlace) {
   std::mt19937 random(48);

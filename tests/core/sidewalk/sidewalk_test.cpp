@@ -59,6 +59,30 @@ TEST(Sidewalk, IsNoneWithoutWidth) {
   EXPECT_TRUE(find_sidewalks({kerb({{0, 0, 0}, {40, 0, 0}}, std::nullopt)}, 5).empty());
 }
 
+TEST(Sidewalk, ChangesItsWidthAlongAKerbWithACourse) {
+  SidewalkKerb changing = kerb({{0, 0, 0}, {40, 0, 0}}, 3);
+  // Beyond its start the width is known as well: 1 m there, and 2 at the start.
+  changing.course = {{-0.5, 1}, {0.5, 3}, {1, 3}};
+  const auto sidewalks = find_sidewalks({changing}, 5);
+  ASSERT_EQ(sidewalks.size(), 1u);
+  EXPECT_NEAR(area(sidewalks[0].surface), 20 * 2.5 + 20 * 3, 1e-9);
+  EXPECT_TRUE(inside({0.1, 1.9, 0}, sidewalks[0].surface));
+  EXPECT_FALSE(inside({0.1, 2.2, 0}, sidewalks[0].surface));
+  EXPECT_DOUBLE_EQ(sidewalks[0].width, 3);
+}
+
+TEST(Sidewalk, ACornerLeadsFromTheEndOfACourse) {
+  const Line down{{0, 50, 0}, {0, 6, 0}}, east{{6, 0, 0}, {60, 0, 0}};
+  SidewalkKerb changing = kerb(down, 2);
+  changing.course = {{0, 2}, {1, 4}};
+  const auto sidewalks = find_sidewalks(
+      {changing, kerb(quarter({6, 6, 0}, 6, M_PI), std::nullopt), kerb(east, 4)}, 5);
+  ASSERT_EQ(sidewalks.size(), 3u);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 44 * 3, 0.05);
+  EXPECT_DOUBLE_EQ(of_kerb(sidewalks, 1).width, 4);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 2).surface), 54 * 4, 0.1);
+}
+
 // A block's corner: down, round to the left by an arc of radius 6, and east; 2 and 4 m wide.
 TEST(Sidewalk, ChangesItsWidthAlongTheArcOfACorner) {
   const Line down{{0, 50, 0}, {0, 6, 0}}, east{{6, 0, 0}, {60, 0, 0}};
