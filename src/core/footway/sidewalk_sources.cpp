@@ -17,6 +17,8 @@ namespace {
 constexpr double step = 2;      // metres along a footway from one look at the sides to the next
 constexpr double gap = 6;       // metres along an edge that part two stretches
 constexpr double slack = 1e-6;  // metres
+// Metres from its ends in which a footway that comes nearer to the kerb leads to a crossing.
+constexpr double approach = 10;
 
 // The sides of one edge, beside a place of a footway.
 class EdgeBeside {
@@ -86,8 +88,22 @@ void append_course(const std::vector<SidePlace>& places, std::size_t from, std::
   append_course(places, farthest, to, tolerance, course);
 }
 
-std::vector<SidePlace> course_of(const std::vector<SidePlace>& places, double distance,
-                                   double tolerance) {
+// Where a footway leads to a crossing, its sidewalk stays as wide as before.
+void keep_away_at_ends(std::vector<SidePlace>& places) {
+  const double reach = std::min(approach, (places.back().abscissa - places.front().abscissa) / 2);
+  const auto keep = [&](auto from, auto to) {
+    const double end = from->abscissa;
+    const auto away = [&](const SidePlace& p) { return std::abs(p.abscissa - end) >= reach; };
+    const auto kept = std::find_if(from, to, away);
+    for (auto place = from; place != kept; ++place)
+      place->distance = std::max(place->distance, kept->distance);
+  };
+  keep(places.begin(), places.end());
+  keep(places.rbegin(), places.rend());
+}
+
+std::vector<SidePlace> course_of(std::vector<SidePlace> places, double distance, double tolerance) {
+  keep_away_at_ends(places);
   std::vector<SidePlace> course{places.front()};
   append_course(places, 0, places.size() - 1, tolerance, course);
   if (std::all_of(course.begin(), course.end(), [&](const SidePlace& place) {
