@@ -254,11 +254,16 @@ BEGIN
                         metres), 0), aside)::geometry AS place) o) l
         WHERE NOT e.edge_id IN (SELECT edge_id FROM walk_edge WHERE street) AND NOT EXISTS (SELECT FROM over_edge o
             WHERE o.edge_id = c.edge_id AND abs(o.abscissa - c.abscissa) <= 5)
-        -- One that comes to streets with sidewalks ends at those.
-        UNION ALL SELECT 5, edge_id, 'street', level, width, false, 0, 0,
-            CASE WHEN f.streets = 1 AND f.arms > 1 THEN far + of_arm ELSE 0 END,
-            CASE WHEN t.streets = 1 AND t.arms > 1 THEN far + of_arm ELSE 0 END, NULL, edge_id, NULL, NULL, geom
-        FROM walk_edge JOIN at_node f ON f.node_id = from_node JOIN at_node t ON t.node_id = to_node
+        -- One that comes to streets with sidewalks ends at those, on this side or across.
+        UNION ALL SELECT 5, edge_id, 'street', level, width, false,
+            CASE WHEN at_street_from THEN near + streetgen._across_roadway(model, ST_StartPoint(geom), level)
+                ELSE 0 END,
+            CASE WHEN at_street_to THEN near + streetgen._across_roadway(model, ST_EndPoint(geom), level) ELSE 0 END,
+            CASE WHEN at_street_from THEN far + of_arm ELSE 0 END,
+            CASE WHEN at_street_to THEN far + of_arm ELSE 0 END, NULL, edge_id, NULL, NULL, geom
+        FROM walk_edge JOIN at_node f ON f.node_id = from_node JOIN at_node t ON t.node_id = to_node,
+            LATERAL (SELECT f.streets = 1 AND f.arms > 1 AS at_street_from, t.streets = 1 AND t.arms > 1
+                AS at_street_to) a
         -- One within a junction, without kerbs, joins streets that are walked along or is none.
         WHERE street AND (f.streets + t.streets > 2 OR edge_id IN (SELECT edge_id FROM sides)))
     SELECT row_number() OVER (ORDER BY turn, id, ST_Length(geom)), kind, level, width, mapped, reach_start, reach_end,

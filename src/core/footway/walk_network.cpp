@@ -88,7 +88,7 @@ class Network {
       poll_cancel();
       const auto [line, i] = segments_[s];
       if (given_[line].mapped) continue;
-      index_.each_near(box_of(lines_[line][i], lines_[line][i + 1]), 0, [&](int other) {
+      index_.each_near(box_of(lines_[line][i], lines_[line][i + 1]), one_place, [&](int other) {
         const auto [beside, j] = segments_[other];
         // Two that are not mapped find each other twice.
         if (beside == line || given_[beside].level != given_[line].level ||
@@ -103,10 +103,26 @@ class Network {
     const Point &a = lines_[line][i], &b = lines_[line][i + 1];
     const Point &c = lines_[other][j], &d = lines_[other][j + 1];
     std::optional<Point> place = crossing(a, b, c, d);
+    if (!place) place = touch(line, i, other, j);
     if (!place) return;
     const Point met = settled(*place, {&a, &b, &c, &d}, line, other);
     cut(line, i, met);
     cut(other, j, met);
+  }
+
+  // The end of one line on a segment of the other.
+  std::optional<Point> touch(int line, std::size_t i, int other, std::size_t j) const {
+    const auto end_beside = [&](const Line& ending, std::size_t segment, const Point& a,
+                                const Point& b) -> std::optional<Point> {
+      if (segment == 0 && distance_to_segment(ending.front(), a, b) < one_place)
+        return ending.front();
+      if (segment + 2 == ending.size() && distance_to_segment(ending.back(), a, b) < one_place)
+        return ending.back();
+      return std::nullopt;
+    };
+    const Line &first = lines_[line], &second = lines_[other];
+    if (const auto end = end_beside(first, i, second[j], second[j + 1])) return end;
+    return end_beside(second, j, first[i], first[i + 1]);
   }
 
   // The place itself, or an end or a vertex beside it.
@@ -225,17 +241,19 @@ class Network {
     if (const auto cut = ends_before_.find({l, true}); cut != ends_before_.end())
       while (nodes.size() > 1 && abscissa_of(l, nodes.back()) > cut->second) nodes.pop_back();
     const std::size_t first = links.size();
-    for (std::size_t n = 1; n < nodes.size(); ++n) {
+    const auto add = [&](Line line) {
       WalkLink link;
       link.line = l;
-      link.geometry = between(lines_[l], nodes[n - 1], nodes[n]);
-      if (n == 1) add_way_on(l, false, link.geometry);
-      if (n + 1 == nodes.size()) add_way_on(l, true, link.geometry);
-      link.geometry = distinct(std::move(link.geometry));
-      if (link.geometry.size() < 2) continue;
+      link.geometry = distinct(std::move(line));
+      if (link.geometry.size() < 2) return;
       name(link);
       if (known.insert(link.id).second) links.push_back(std::move(link));
-    }
+    };
+    std::vector<Line> pieces;
+    for (std::size_t n = 1; n < nodes.size(); ++n)
+      pieces.push_back(between(lines_[l], nodes[n - 1], nodes[n]));
+    for (const bool at_end : {false, true}) add_way_on(l, at_end, pieces);
+    for (Line& piece : pieces) add(std::move(piece));
     const int parts = static_cast<int>(links.size() - first);
     for (int part = 1; part <= parts; ++part) {
       links[first + part - 1].part = part;
@@ -243,9 +261,17 @@ class Network {
     }
   }
 
-  void add_way_on(int l, bool at_end, Line& line) const {
+  // A piece of its own where others were led on to the end as well.
+  void add_way_on(int l, bool at_end, std::vector<Line>& pieces) const {
     const auto place = led_on_.find({l, at_end});
-    if (place != led_on_.end()) line.insert(at_end ? line.end() : line.begin(), place->second);
+    if (place == led_on_.end() || pieces.empty()) return;
+    Line& line = at_end ? pieces.back() : pieces.front();
+    const Point end = at_end ? line.back() : line.front();
+    if (is_node(end))
+      pieces.insert(at_end ? pieces.end() : pieces.begin(),
+                    at_end ? Line{end, place->second} : Line{place->second, end});
+    else
+      line.insert(at_end ? line.end() : line.begin(), place->second);
   }
 
   static Line between(const Line& line, const Cut& from, const Cut& to) {

@@ -44,6 +44,15 @@ TEST(WalkNetwork, WhatIsBuiltMeetsWhatItCrosses) {
   EXPECT_EQ(links[0].to_node, links[1].to_node);
 }
 
+TEST(WalkNetwork, AnEndThatRoundingLeftBesideALineMeetsIt) {
+  for (const double beside : {-1e-9, 0.0, 1e-9, 5e-3}) {
+    const Line across{{3, 40}, {3 - beside, 0}}, along{{0, beside}, {10, 0}};
+    EXPECT_EQ(walk_network({built(across), built(along)}).size(), 3u);
+    EXPECT_EQ(walk_network({mapped(along), built(across)}).size(), 3u);
+  }
+  EXPECT_EQ(walk_network({built({{3, 40}, {3, 0.1}}), built({{0, 0}, {10, 0}})}).size(), 2u);
+}
+
 TEST(WalkNetwork, ALooseEndIsLedOnToTheNearestLineAhead) {
   const auto links = walk_network(
       {mapped({{0, 0}, {8, 0}}, 3), built({{10, -5}, {10, 5}}), built({{-9, 0}, {-9, 5}})});
@@ -61,6 +70,17 @@ TEST(WalkNetwork, ALooseEndIsLedOnToTheNearestLineAhead) {
   WalkLine below = built({{0, 0}, {8, 0}});
   below.reach_end = 3;
   EXPECT_NEAR(length(walk_network({below, above})[0].geometry), 8, 1e-9);
+}
+
+TEST(WalkNetwork, AnEndThatIsLedOnIsANodeWhereAnotherIsLedOnToIt) {
+  // The first is led on to the second, and the third to the first.
+  const auto links = walk_network(
+      {mapped({{0, 0}, {10, 0}}, 3), built({{12, -9}, {12, 9}}), mapped({{10, -30}, {10, -2}}, 2)});
+  std::set<std::pair<double, double>> ends;
+  for (const WalkLink& link : links)
+    if (link.line == 0) ends.insert({link.geometry.front().x, link.geometry.back().x});
+  EXPECT_EQ(ends, (std::set<std::pair<double, double>>{{0, 10}, {10, 12}}));
+  EXPECT_EQ(links.size(), 5u);
 }
 
 TEST(WalkNetwork, WhatLeadsBeyondTheLastWalkIsCutOff) {
