@@ -180,11 +180,38 @@ local function insert_area(object, id, geom)
     area:insert({ [id] = object.id, name = object.tags.name, tags = tags, geom = geom })
 end
 
+local standing = osm2pgsql.define_table({ name = prefix .. '_object', columns = {
+    { column = 'class', type = 'text', not_null = true },
+    { column = 'direction', type = 'text' },
+    { column = 'geom', type = 'point', projection = srid, not_null = true },
+}, ids = { type = 'any', id_column = 'node_id' } }) -- of a way less than 0
+
+local standing_classes = { crossing = true, street_lamp = true, bus_stop = true, traffic_signals = true,
+                           stop = true, give_way = true, tree = true, bench = true, bollard = true, tram_stop = true }
+
+-- Where people wait for trams; that of buses is a bus stop.
+local function is_tram_platform(tags)
+    return tags.railway == 'platform' or
+        tags.public_transport == 'platform' and (tags.tram == 'yes' or tags.light_rail == 'yes')
+end
+
+-- What stands at a place, as a word of one of the keys.
+local function standing_class(tags)
+    for _, key in ipairs({ 'highway', 'natural', 'amenity', 'barrier', 'railway' }) do
+        if standing_classes[tags[key]] then
+            return tags[key]
+        end
+    end
+    return is_tram_platform(tags) and 'platform' or nil
+end
+
 local known_of_way = known_tags({ highway = {}, aeroway = {}, railway = { 'tram', 'light_rail' } })
 
 function osm2pgsql.process_way(object)
     if object.is_closed and is_area_of_street(object.tags, true) then
         insert_area(object, 'way_id', object:as_linestring())
+    elseif not object.is_closed and is_tram_platform(object.tags) then
+        standing:insert({ class = 'platform', geom = object:as_linestring():centroid() })
     end
     local track = tracked[object.tags.railway] and object.tags.railway
     local class = object.tags.highway or object.tags.aeroway or track
@@ -228,15 +255,6 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
 local controls = { traffic_signals = true, stop = true, give_way = true, mini_roundabout = true, crossing = true,
                    turning_circle = true, turning_loop = true, passing_place = true }
 
-local standing = osm2pgsql.define_node_table(prefix .. '_object', {
-    { column = 'class', type = 'text', not_null = true },
-    { column = 'direction', type = 'text' },
-    { column = 'geom', type = 'point', projection = srid, not_null = true },
-})
-
-local standing_classes = { crossing = true, street_lamp = true, bus_stop = true, traffic_signals = true,
-                           stop = true, give_way = true, tree = true, bench = true, bollard = true }
-
 -- A place of which somebody says that nobody crosses there.
 local function no_crossing(tags)
     return tags.highway == 'crossing' and tags.crossing == 'no'
@@ -250,7 +268,7 @@ end
 local known_of_node = known_tags({
     highway = { 'traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing', 'turning_circle', 'turning_loop',
                 'passing_place', 'street_lamp', 'bus_stop' },
-    natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard', 'kerb' },
+    natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard', 'kerb' }, railway = { 'tram_stop' },
     crossing = { 'traffic_signals', 'uncontrolled', 'unmarked', 'zebra' }, ['crossing:signals'] = { 'yes' },
     ['crossing:markings'] = { 'zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface' },
     direction = { 'forward', 'backward', 'both' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },
@@ -261,11 +279,9 @@ function osm2pgsql.process_node(object)
     if no_crossing(object.tags) then
         return
     end
-    for _, key in ipairs({ 'highway', 'natural', 'amenity', 'barrier' }) do
-        if standing_classes[object.tags[key]] then
-            standing:insert({ class = object.tags[key], direction = object.tags.direction, geom = object:as_point() })
-            break
-        end
+    local class = standing_class(object.tags)
+    if class then
+        standing:insert({ class = class, direction = object.tags.direction, geom = object:as_point() })
     end
     if controls[object.tags.highway] then
         control:insert({ class = object.tags.highway, direction = object.tags.direction,

@@ -53,6 +53,9 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
         'Of a crossing: yes is signals beside it. Of traffic_signals: yes is a crossing beside them.'),
     ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),
     ('OpenStreetMap, nodes', 'traffic_signals:direction', 'The direction of the traffic that signals are for.'),
+    ('OpenStreetMap, nodes', 'railway, public_transport, tram, light_rail',
+        'Value tram_stop is an object, and so is a platform of trams (railway; or public_transport with tram=yes or '
+        'light_rail=yes), in the middle of it where that is a line.'),
     ('OpenStreetMap, nodes', 'natural', 'Value tree is an object.'),
     ('OpenStreetMap, nodes', 'amenity', 'Value bench is an object.'),
     ('OpenStreetMap, nodes', 'barrier',

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 SCOPES = {"process_way": "ways", "process_node": "nodes", "no_crossing": "nodes", "has_lights": "nodes", "insert_crossing_way": "crossings", "process_relation": "relations", "held_for": "relations", "insert_route": "relations",
-          "is_area_of_street": "areas", "insert_area": "areas"}
+          "is_area_of_street": "areas", "insert_area": "areas", "standing_class": "nodes", "is_tram_platform": "nodes"}
 
 
 def expanded(pattern):

@@ -79,6 +79,10 @@ DELETE FROM town.open_conflict;
 -- Of OpenStreetMap.
 CREATE TABLE osm_object (node_id bigint, class varchar(30), direction varchar(10), geom geometry(Point, 2154));
 INSERT INTO osm_object VALUES (10, 'crossing', NULL, 'SRID=2154;POINT(650050 6860000)'), (11, 'tree', 'north', 'SRID=2154;POINT(650050 6860007)'), (12, 'bench', '180', 'SRID=2154;POINT(650055 6860007)'), (13, 'stop', NULL, 'SRID=2154;POINT(650090 6859994)');
+INSERT INTO osm_object VALUES (17, 'tram_stop', NULL, 'SRID=2154;POINT(650070 6860001)'), (-18, 'platform', NULL, 'SRID=2154;POINT(650070 6860005)');
+SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
+SELECT 'stops of trams and their platforms are objects', string_agg(type || ' ' || source_ref || ' ' || method, ', ' ORDER BY source_ref) = 'platform -18 relative, tram_stop 17 relative' FROM town.street_object WHERE type IN ('tram_stop', 'platform');
+DELETE FROM osm_object WHERE node_id IN (17, -18);
 SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
 SELECT 'of OpenStreetMap', string_agg(type || ' ' || round(angle), ', ' ORDER BY source_ref) = 'crossing 90, tree 90, bench 180, sign 90' FROM town.street_object WHERE source = 'osm_object';
 SELECT 'a crossing has its ground', ST_Area(surface) = 40 FROM town.pedestrian_crossing;

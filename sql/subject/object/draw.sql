@@ -126,11 +126,15 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width,
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('print', 'object', 'tree', 2500, 953, '#d0d0d0b3', '#000000', 0.5, 'pixel', 'tree or hedge'),
     ('print', 'object', 'green', 2500, 951, '#d0d0d0b3', '#000000', 0.5, 'pixel', 'tree or hedge');
+-- A stop is a stop, whoever comes.
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)
+    SELECT theme, layer, 'tram_stop', to_scale, place, fill, line, width, unit, 'tram stop' FROM streetgen.symbol_rule
+    WHERE kind = 'bus_stop';
 -- In black and white their shapes tell them apart.
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning)
     SELECT 'print', 'object', kind, 1500, 952, '#000000', CASE kind WHEN 'arrow' THEN 'paint'
         ELSE 'lamp, signal, sign or furniture' END
-    FROM unnest('{lamp,traffic_light,sign,bus_stop,furniture,protection,manhole,arrow}'::text[]) kind;
+    FROM unnest('{lamp,traffic_light,sign,bus_stop,tram_stop,furniture,protection,manhole,arrow}'::text[]) kind;
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('print', 'object', 1500, 952, '#000000', 'object'),
     ('print', 'crossing', 2500, 7, '#000000', 'crossing');

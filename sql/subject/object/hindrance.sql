@@ -22,7 +22,8 @@ BEGIN
     CREATE OR REPLACE FUNCTION _types_on_roadway() RETURNS text[]
         LANGUAGE sql STABLE SET search_path FROM CURRENT
         AS $body$
-        SELECT array_agg(DISTINCT below) FROM unnest('{crossing,parking_bay,arrow,manhole,runway_light}'::text[]) above,
+        SELECT array_agg(DISTINCT below)
+        FROM unnest('{crossing,parking_bay,arrow,manhole,runway_light,tram_stop}'::text[]) above,
             unnest(_types_below(above)) below $body$;
     CREATE OR REPLACE FUNCTION _object_spacing() RETURNS TABLE(type text, other text, metres float8)
         LANGUAGE sql STABLE ROWS 50 SET search_path FROM CURRENT

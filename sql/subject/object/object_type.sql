@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     RETURNS TABLE(type text, category text, parent text, geometry text, symbol text, size float8, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 17 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 19 SET search_path = pg_catalog
     AS $$ VALUES
     ('crossing', 'traffic', NULL, 'point', 'crossing', 4, 'a pedestrian crossing'),
     ('pole', 'furniture', NULL, 'point', 'circle', 0.3, 'a pole that carries something'),
@@ -18,6 +18,8 @@ CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     ('bench', 'furniture', NULL, 'point', 'rectangle', 1.8, 'a bench'),
     ('kiosk', 'furniture', NULL, 'point', 'square', 3, 'a kiosk'),
     ('bus_stop', 'traffic', NULL, 'point', 'square', 1, 'where buses stop'),
+    ('tram_stop', 'traffic', NULL, 'point', 'square', 1, 'where trams stop'),
+    ('platform', 'traffic', NULL, 'point', 'rectangle', 2, 'where people wait for trams'),
     ('parking_bay', 'traffic', NULL, 'point', 'bay', 5, 'a place where a car parks'),
     ('manhole', 'ground', NULL, 'point', 'circle', 0.7, 'a manhole'),
     ('runway_light', 'traffic', NULL, 'point', 'circle', 0.3, 'a light of a runway') $$;

@@ -14,7 +14,8 @@ CREATE OR REPLACE VIEW rail WITH (security_invoker = true) AS
 SELECT t.rail_track_id, t.level, t.tracks, g.gauge, t.geom, (SELECT ST_Multi(ST_Collect(ST_OffsetCurve(
         ST_Force2D(t.geom), (number - (t.tracks + 1) / 2.0) * width + beside * g.gauge / 2000, 'quad_segs=8')
         ORDER BY number, beside))
-    FROM generate_series(1, t.tracks) number, (VALUES (-1), (1)) v(beside))::geometry(MultiLineString, {srid}) AS rails
+    FROM (VALUES (1), (2), (3), (4)) n(number), (VALUES (-1), (1)) v(beside)
+    WHERE number <= t.tracks)::geometry(MultiLineString, {srid}) AS rails
 FROM rail_track t, LATERAL (SELECT coalesce(t.gauge, value::float8) AS gauge FROM setting
         WHERE name = 'track_gauge') g,
     LATERAL (SELECT value::float8 AS width FROM setting WHERE name = 'track_width') w
