@@ -52,8 +52,8 @@ BEGIN
                 AND n.type <> ALL (_types_below('parking_bay')) RETURNING b.surface)
         SELECT array_agg(surface) FROM gone INTO bays;
         PERFORM _renew_crossings(ARRAY(SELECT street_object_id FROM new_object)),
-            _cut_sidewalks(coalesce(bays || _renew_bays(ARRAY(SELECT street_object_id FROM new_object), told => true),
-                '{}')),
+            _cut_sidewalks(_sidewalks_on(coalesce(bays || _renew_bays(ARRAY(SELECT street_object_id FROM new_object),
+                told => true), '{}'))),
             streetgen._join_specialised(current_schema(), ARRAY(SELECT street_object_id FROM new_object));
         PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM new_object));
         IF TG_OP = 'UPDATE' THEN

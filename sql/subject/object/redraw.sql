@@ -13,7 +13,7 @@ BEGIN
         PERFORM streetgen._require_one_build();
         IF TG_OP = 'DELETE' THEN
             IF TG_TABLE_NAME = 'parking_bay' THEN
-                PERFORM _cut_sidewalks(ARRAY(SELECT surface FROM before));
+                PERFORM _cut_sidewalks(_sidewalks_on(ARRAY(SELECT surface FROM before)));
             END IF;
             DELETE FROM street_object o USING before b WHERE o.street_object_id = b.street_object_id;
             RETURN NULL;
@@ -22,7 +22,7 @@ BEGIN
         IF TG_TABLE_NAME = 'pedestrian_crossing' THEN
             PERFORM _renew_crossings(ARRAY(SELECT street_object_id FROM after));
         ELSE
-            PERFORM _cut_sidewalks(_renew_bays(ARRAY(SELECT street_object_id FROM after), told => true));
+            PERFORM _cut_sidewalks(_sidewalks_on(_renew_bays(ARRAY(SELECT street_object_id FROM after), told => true)));
         END IF;
         PERFORM _renew_rules_beside(ARRAY(SELECT geom FROM after JOIN street_object USING (street_object_id)));
         IF TG_TABLE_NAME = 'pedestrian_crossing' THEN

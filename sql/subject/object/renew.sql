@@ -87,7 +87,7 @@ BEGIN
             END IF;
             PERFORM _renew_all_rule_objects(NULL, lying => false, ground => NULL, edges => NULL);
         END IF;
-        PERFORM _cut_sidewalks(coalesce(bays, '{}'));
+        PERFORM _cut_sidewalks(_sidewalks_on(coalesce(bays, '{}')));
         PERFORM streetgen._renew_specialised(current_schema(), NULL);
     END $body$;
     CREATE OR REPLACE FUNCTION _lines_of(axes bigint[], OUT lines bigint[], OUT places geometry[],
@@ -187,7 +187,7 @@ BEGIN
                 INTO streets;
             placed := placed || streets;
         END IF;
-        PERFORM _cut_sidewalks(coalesce(bays, '{}'));
+        PERFORM _cut_sidewalks(_sidewalks_on(coalesce(bays, '{}')));
         RETURN placed;
     END $body$;
     CREATE OR REPLACE FUNCTION _place_objects(axes bigint[], ground geometry[] DEFAULT NULL,

@@ -55,10 +55,10 @@ BEGIN
     PERFORM streetgen._compose_function(model, '_renew_tracks(edges bigint[])', 'TABLE(relation text, inserted bigint, '
             'updated bigint, deleted bigint, unchanged bigint, fallbacks bigint)', streetgen._part('renew_tracks'),
             '_renew_tracks(bigint[])', 'Brings the tracks along edges (NULL: all) up to date', 'VOLATILE ROWS 1'),
-        streetgen._compose_function(model, '_sidewalks_at_tracks(edges bigint[])', 'geometry[]',
+        streetgen._compose_function(model, '_sidewalks_at_tracks(edges bigint[])', 'bigint[]',
             CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._part('sidewalks_at_tracks')
-            ELSE 'BEGIN RETURN ''{}''::geometry[]; END' END, '_sidewalks_at_tracks(bigint[])',
-            'The ground of sidewalks of edges that tracks take, or took', 'STABLE');
+            ELSE 'BEGIN RETURN ''{}''::bigint[]; END' END, '_sidewalks_at_tracks(bigint[])',
+            'The sidewalks of edges whose ground tracks take, or took', 'STABLE');
 END $$;
 COMMENT ON FUNCTION streetgen._make_rail_functions(name) IS
     'Makes the functions of a model that bring tracks along its streets up to date, or drops them where it computes '

@@ -123,8 +123,8 @@ END
 
 --{sidewalks_at_tracks
 BEGIN
-    RETURN ARRAY(SELECT w.ground FROM edge e, LATERAL (SELECT coalesce(strip, surface) AS ground,
-            strip IS NOT NULL AS cut FROM sidewalk w WHERE w.edge_id = e.edge_id) w
-        WHERE e.edge_id = ANY (edges) AND (w.cut OR EXISTS (SELECT FROM rail_track t
-            WHERE t.geom && ST_Expand(w.ground, 8))));
+    RETURN ARRAY(SELECT w.sidewalk_id FROM sidewalk w, setting s WHERE s.name = 'track_width'
+        AND w.edge_id = ANY (edges) AND (w.strip IS NOT NULL OR EXISTS (SELECT FROM rail_track t
+            WHERE t.geom && ST_Expand(w.surface, 8)
+                AND ST_DWithin(t.geom, w.surface, t.tracks * s.value::float8 / 2))));
 END

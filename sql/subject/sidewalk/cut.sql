@@ -39,13 +39,16 @@ DECLARE
     subjects constant text[] := streetgen._subjects(model);
 BEGIN
     IF '{object,rail}' && subjects THEN
-        PERFORM streetgen._compose_function(model, '_cut_sidewalks(ground geometry[])', 'void',
+        PERFORM streetgen._compose_function(model, '_cut_sidewalks(sidewalks bigint[])', 'void',
             streetgen._fill_template(streetgen._part('cut_sidewalks'), streetgen._sidewalk_holes('', subjects, false)),
-            '_cut_sidewalks(geometry[])', 'Takes from sidewalks what bays and tracks lie on, near ground where some '
-                'came, went or moved (NULL: everywhere)', 'VOLATILE SET jit = off SET streetgen.computes = ''on''');
+            '_cut_sidewalks(bigint[])', 'Takes from sidewalks (NULL: all) what bays and tracks lie on',
+            'VOLATILE SET jit = off SET streetgen.computes = ''on'''),
+            streetgen._compose_function(model, '_sidewalks_on(ground geometry[])', 'bigint[]',
+            streetgen._part('sidewalks_on'), '_sidewalks_on(geometry[])', 'The sidewalks on ground where bays came, '
+                'went or moved (NULL: all, as NULL)', 'STABLE SET jit = off');
     ELSE
-        PERFORM streetgen._drop_own_functions(model, '{_cut_sidewalks}');
+        PERFORM streetgen._drop_own_functions(model, '{_cut_sidewalks,_sidewalks_on}');
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_sidewalk_functions(name) IS
-    'Makes the function of a model by which sidewalks follow parking bays and tracks; none where it computes neither.';
+    'Makes the functions of a model by which sidewalks follow parking bays and tracks; none where it computes neither.';

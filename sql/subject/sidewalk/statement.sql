@@ -24,8 +24,8 @@ SELECT b.surface FROM {of_model}parking_bay b, LATERAL (SELECT axis_id FROM {of_
 
 --{sidewalk_tracks
 SELECT t.surface FROM (SELECT t.surface FROM {of_model}track_strip t
-            WHERE {cut_anew}t.geom && ST_Expand(w.surface, 8) AND t.level = k.level OFFSET 0) t
-        WHERE t.surface && w.surface
+            WHERE {cut_anew}t.geom && ST_Expand(w.surface, 8) AND t.level = k.level
+                AND ST_DWithin(t.geom, w.surface, t.width / 2) OFFSET 0) t
 
 --{sidewalk_stands
 
@@ -37,22 +37,30 @@ SELECT t.surface FROM (SELECT t.surface FROM {of_model}track_strip t
 --{cut_sidewalks
 #variable_conflict use_column
 BEGIN
-    IF to_regclass('sidewalk') IS NULL OR cardinality(ground) = 0 THEN
+    IF to_regclass('sidewalk') IS NULL OR cardinality(sidewalks) = 0 THEN
         RETURN;
     END IF;
     UPDATE sidewalk s SET surface = n.surface, strip = n.strip
     FROM (SELECT w.sidewalk_id, {surface} AS surface, {strip} AS strip
         FROM (SELECT sidewalk_id, edge_id, side, part, coalesce(strip, surface) AS surface, strip FROM sidewalk
-                WHERE ground IS NULL OR sidewalk_id = ANY (ARRAY(
-                    -- Bays lie side by side: those of a place are looked up together.
-                    SELECT near.sidewalk_id FROM (SELECT ST_SetSRID(ST_Extent(g)::geometry, min(ST_SRID(g))) AS box
-                        FROM unnest(ground) g GROUP BY floor(ST_XMin(g) / 20), floor(ST_YMin(g) / 20)) g, LATERAL (
-                    SELECT s.sidewalk_id, s.surface FROM sidewalk s WHERE s.surface && g.box
-                    UNION SELECT s.sidewalk_id, s.strip FROM sidewalk s WHERE s.strip && g.box OFFSET 0) near
-                    WHERE EXISTS (SELECT FROM unnest(ground) g WHERE g && near.surface)))) w
+                WHERE sidewalks IS NULL OR sidewalk_id = ANY (sidewalks)) w
             JOIN kerb k USING (edge_id, side, part){holes}
         WHERE b.cut IS NOT NULL OR w.strip IS NOT NULL) n
     WHERE s.sidewalk_id = n.sidewalk_id AND (s.surface, s.strip) IS DISTINCT FROM (n.surface, n.strip);
+END
+
+--{sidewalks_on
+BEGIN
+    IF to_regclass('sidewalk') IS NULL OR ground IS NULL THEN
+        RETURN NULL;
+    END IF;
+    RETURN ARRAY(
+        -- Bays lie side by side: those of a place are looked up together.
+        SELECT DISTINCT near.sidewalk_id FROM (SELECT ST_SetSRID(ST_Extent(g)::geometry, min(ST_SRID(g))) AS box
+            FROM unnest(ground) g GROUP BY floor(ST_XMin(g) / 20), floor(ST_YMin(g) / 20)) g, LATERAL (
+            SELECT s.sidewalk_id, s.surface FROM sidewalk s WHERE s.surface && g.box
+            UNION SELECT s.sidewalk_id, s.strip FROM sidewalk s WHERE s.strip && g.box OFFSET 0) near
+        WHERE EXISTS (SELECT FROM unnest(ground) g WHERE g && near.surface));
 END
 
 --{sidewalk_kerbs_of_part
