@@ -249,6 +249,7 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'markings', type = 'text' }, -- of the crossing
     { column = 'kerb', type = 'text' }, -- at both of its ends; of class kerb: where a footway comes over it
     { column = 'kerb_height', type = 'text' },
+    { column = 'island', type = 'text' }, -- in the middle of the crossing
     { column = 'geom', type = 'point', projection = srid, not_null = true },
 })
 
@@ -289,6 +290,7 @@ function osm2pgsql.process_node(object)
                          lights = has_lights(object.tags),
                          crossing = object.tags.crossing, markings = object.tags['crossing:markings'],
                          kerb = object.tags.kerb, kerb_height = object.tags['kerb:height'],
+                         island = object.tags['crossing:island'] or object.tags.crossing == 'island' and 'yes' or nil,
                          geom = object:as_point() })
     elseif object.tags.barrier == 'kerb' or object.tags.kerb then
         control:insert({ class = 'kerb', kerb = object.tags.kerb, kerb_height = object.tags['kerb:height'],

@@ -59,6 +59,7 @@ GROUNDS = (
     Shape('marking', ('marking',), 'marking_id', 'kind', geometry='m.surface', rows='@.marking m ' + EDGE, instead='rim_marking'),
     Shape('rim_marking', ('rim_marking',), 'marking_id', 'm.kind', geometry='m.surface', rows='@.rim_marking m ' + EDGE),
     Shape('crossing', ('pedestrian_crossing', 'street_object'), 'street_object_id', "coalesce(p.painted_as, '')", level='coalesce(a.level, 0)', geometry='p.stripes', rows='@.pedestrian_crossing p ' + OF_AXIS),
+    Shape('refuge', ('pedestrian_crossing', 'street_object'), 'street_object_id', level='coalesce(a.level, 0)', geometry='p.island', rows='@.pedestrian_crossing p ' + OF_AXIS),
     Shape('bus_stop_box', ('bus_stop_box',), 'street_object_id', 'kind', geometry='p.paint', rows='@.bus_stop_box p'),
     Shape('bridge_shadow', geometry=DECK_SHADOW, **ENDING),
     Shape('bridge', **BRIDGE),

@@ -12,19 +12,21 @@ BEGIN
             WHEN direction NOT IN ('direct', 'reverse', 'both') THEN format('direction "%s"', direction)
             WHEN marking !~ streetgen._crossing_marking_pattern() THEN format('marking "%s"', marking)
             WHEN kerb !~ streetgen._crossing_kerb_pattern() THEN format('kerb "%s"', kerb)
+            WHEN refuge NOT IN ('yes', 'no') THEN format('refuge "%s"', refuge)
             WHEN GeometryType(geom) NOT IN ('POINT', 'POINTM') THEN format('a %s as geom', GeometryType(geom))
             WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
             WHEN NOT (ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12)
                 THEN 'a coordinate that is not finite' END AS has,
         'The kinds are signals, stop, yield, mini_roundabout and pedestrian_crossing; a direction is direct, reverse, '
         'both or NULL; a marking is zebra, ladder, lines, dashes, dots, surface, yes, no or NULL; a kerb is raised, '
-        'lowered, rolled, flush, no or NULL; geom is a point with a known SRID.' AS hint
+        'lowered, rolled, flush, no or NULL; a refuge is yes, no or NULL; geom is a point with a known SRID.' AS hint
         INTO bad FROM pg_temp._import_control_point
         WHERE geom IS NOT NULL AND NOT ST_IsEmpty(geom) AND NOT coalesce(
             kind IN ('signals', 'stop', 'yield', 'mini_roundabout', 'pedestrian_crossing')
             AND (direction IN ('direct', 'reverse', 'both')) IS NOT FALSE
             AND (marking ~ streetgen._crossing_marking_pattern()) IS NOT FALSE
             AND (kerb ~ streetgen._crossing_kerb_pattern()) IS NOT FALSE
+            AND (refuge IN ('yes', 'no')) IS NOT FALSE
             AND GeometryType(geom) IN ('POINT', 'POINTM')
             AND ST_SRID(geom) IN (SELECT srid FROM spatial_ref_sys)
             AND ST_X(geom) BETWEEN -1e12 AND 1e12 AND ST_Y(geom) BETWEEN -1e12 AND 1e12, false) LIMIT 1;
@@ -39,8 +41,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_control_points() IS
-    'Raises 22023 for the first control point of the import of an unknown kind, direction, marking or kerb, or '
-    'without a sound place, and for a source_ref that comes twice.';
+    'Raises 22023 for the first control point of the import of an unknown kind, direction, marking, kerb or '
+    'refuge, or without a sound place, and for a source_ref that comes twice.';
 
 CREATE OR REPLACE FUNCTION streetgen._crossing_off_axis() RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -77,7 +79,7 @@ BEGIN
     DELETE FROM pg_temp._import_control_point c WHERE c.axis_id IS NULL AND only_on_axes;
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS
         SELECT c.source_ref, c.geom AS source_geom, NULL::geometry AS cleaned, c.kind, c.direction,
-            c.marking, c.kerb, c.axis_id
+            c.marking, c.kerb, c.refuge, c.axis_id
         FROM pg_temp._import_control_point c ORDER BY c.source_ref, c.label;
     RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'control_point', source);
     -- Of what did not change the axis may be another one.
@@ -102,16 +104,17 @@ BEGIN
     PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
     PERFORM streetgen._pause();
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, source::text,
-        streetgen._point_query('control_point', '{geom,kind,direction,marking,kerb,source_ref}', '{geom,kind}', source,
-            mapping), only_on_axes => false);
+        streetgen._point_query('control_point', '{geom,kind,direction,marking,kerb,refuge,source_ref}', '{geom,kind}',
+            source, mapping), only_on_axes => false);
     RETURN QUERY SELECT 'generate is due', NULL::text, streetgen._stale_axes(model), NULL::text[]
         WHERE streetgen._stale_axes(model) > 0;
 END $$;
 COMMENT ON FUNCTION streetgen.import_control_points(name, regclass, jsonb) IS
-    'Imports a table of points as control points. mapping: geom, kind, direction, marking, kerb, source_ref -> '
-    'source column (string) or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield, '
+    'Imports a table of points as control points. mapping: geom, kind, direction, marking, kerb, refuge, '
+    'source_ref -> source column (string) or {"value": constant}; SQL is never evaluated. kind: signals, stop, yield, '
     'mini_roundabout or pedestrian_crossing; direction: direct (along the axis), reverse or both, NULL where unknown; '
-    'marking and kerb: how a crossing is painted, and the kerbs at its ends, as these columns have it. With a '
+    'marking, kerb and refuge: how a crossing is painted, the kerbs at its ends, and whether a refuge stands in its '
+    'middle, as these columns have it. With a '
     'source_ref, importing again follows the source. Reports counts by kind, and points off all axes, which are kept '
     'and change nothing. A missing column: 42703; a bad row or mapping: 22023; then the model stays as it was. Needs '
     'the rights of the owner (42501).';
@@ -180,6 +183,8 @@ DECLARE
     markings constant text := CASE WHEN 'markings' = ANY (there) THEN 'markings' ELSE 'NULL::text' END;
     kerb constant text := CASE WHEN 'kerb' = ANY (there) THEN 'streetgen._osm_kerb(kerb, kerb_height)'
         ELSE 'NULL' END;
+    refuge constant text := CASE WHEN 'island' = ANY (there)
+        THEN 'CASE WHEN island IN (''yes'', ''no'') THEN island END' ELSE 'NULL' END;
     marking constant text := format('coalesce(nullif(way.painted, ''yes''), streetgen._osm_marking(%s), way.painted, '
         'way.kind_of, streetgen._osm_crossing(%s))', markings, crossing);
     -- The word of the way on which people cross comes before that of the node.
@@ -211,12 +216,13 @@ BEGIN
         'SELECT geom, kind, streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
         'CASE kind WHEN ''pedestrian_crossing'' THEN %3$s END AS marking, '
         'CASE kind WHEN ''pedestrian_crossing'' THEN %5$s END AS kerb, '
+        'CASE kind WHEN ''pedestrian_crossing'' THEN %6$s END AS refuge, '
         'node_id::text AS source_ref FROM (SELECT *, streetgen._osm_control(class) AS kind FROM %1$s) c, '
         '%4$s WHERE kind IS NOT NULL UNION ALL SELECT geom, ''signals'', '
-        'streetgen._osm_direction(traffic_signals_direction), NULL, NULL, node_id || ''/lights'' FROM %1$s WHERE %2$s '
-        'AND class = ''crossing'' UNION ALL SELECT geom, ''pedestrian_crossing'', NULL, %3$s, %5$s, '
+        'streetgen._osm_direction(traffic_signals_direction), NULL, NULL, NULL, node_id || ''/lights'' FROM %1$s '
+        'WHERE %2$s AND class = ''crossing'' UNION ALL SELECT geom, ''pedestrian_crossing'', NULL, %3$s, %5$s, %6$s, '
         'node_id || ''/crossing'' FROM %1$s c, %4$s WHERE %2$s AND class = ''traffic_signals''',
-        control, lights, marking, crossed, kerb), only_on_axes => true);
+        control, lights, marking, crossed, kerb, refuge), only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes, of a crossing with lights the '

@@ -3,7 +3,7 @@
 CREATE OR REPLACE FUNCTION streetgen._delivered_columns(relation text) RETURNS text[]
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT CASE relation WHEN 'axis' THEN ARRAY(SELECT name FROM streetgen._axis_input())
-        WHEN 'control_point' THEN '{kind,direction,marking,kerb}'
+        WHEN 'control_point' THEN '{kind,direction,marking,kerb,refuge}'
         WHEN 'turn_restriction' THEN '{from_axis,to_axis,kind,turn,except_kinds,via_axes,via_geom,to_geom}'
         WHEN 'footway' THEN '{kind,width,level,name}'::text[] || ARRAY(SELECT i.name FROM streetgen._footway_input() i)
         WHEN 'footway_kerb' THEN '{kerb}'

@@ -49,6 +49,9 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, nodes', 'kerb, kerb:height',
         'Of a crossing: the kerbs at both of its ends, column kerb of its control point; by height flush under 1 cm, '
         'lowered up to 3 cm, else raised.'),
+    ('OpenStreetMap, nodes', 'crossing:island',
+        'Of a crossing: yes is a refuge in the middle of the roadway between both directions, column refuge of its '
+        'control point, as crossing=island is; on a one-way carriageway the median is it.'),
     ('OpenStreetMap, nodes', 'crossing:signals',
         'Of a crossing: yes is signals beside it. Of traffic_signals: yes is a crossing beside them.'),
     ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),

@@ -117,7 +117,7 @@ BEGIN
         RETURN ARRAY[format(CASE edit WHEN 'no track' THEN 'DELETE FROM edited.rail_track' ELSE edits.one_of('UPDATE edited.rail_track SET geom = ST_Translate(geom, 1.5, -0.7)', 'UPDATE edited.rail_track SET tracks = 2') END || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
       END IF;
     WHEN 'crossing' THEN
-      RETURN ARRAY[format('INSERT INTO edited.pedestrian_crossing_editing (geom, width, angle) VALUES (%L, %s, %s)', ST_AsEWKT(ST_LineInterpolatePoint(a.geom, edits.between(0, 1))), edits.between(2, 6), edits.one_of('90', '90', '60', '125'))];
+      RETURN ARRAY[format('INSERT INTO edited.pedestrian_crossing_editing (geom, width, angle, refuge) VALUES (%L, %s, %s, %s)', ST_AsEWKT(ST_LineInterpolatePoint(a.geom, edits.between(0, 1))), edits.between(2, 6), edits.one_of('90', '90', '60', '125'), edits.one_of('NULL', '1.2', '2'))];
     WHEN 'bay' THEN
       RETURN ARRAY[format('INSERT INTO edited.parking_bay_editing (geom, angle) VALUES (%L, %s)', ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('0', '60', '90'))];
     WHEN 'rule' THEN

@@ -47,9 +47,9 @@ ALTER TABLE older.roundabout_edge DROP face CASCADE;
 ALTER TABLE older.profile DROP tied_from CASCADE, DROP tied_to CASCADE;
 ALTER TABLE older.turn_restriction DROP via_axes CASCADE, DROP via_geom CASCADE, DROP to_geom CASCADE;
 ALTER TABLE older.street_object DROP control_point_id CASCADE;
-ALTER TABLE older.control_point DROP marking CASCADE, DROP kerb CASCADE;
+ALTER TABLE older.control_point DROP marking CASCADE, DROP kerb CASCADE, DROP refuge CASCADE;
 -- Of the columns that one statement adds the first may be there: they came one by one.
-ALTER TABLE older.pedestrian_crossing DROP painted_as CASCADE, DROP footway_id CASCADE, DROP kerb CASCADE;
+ALTER TABLE older.pedestrian_crossing DROP painted_as CASCADE, DROP footway_id CASCADE, DROP kerb CASCADE, DROP refuge CASCADE, DROP island CASCADE;
 ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES older.street_object ON DELETE CASCADE, ADD FOREIGN KEY (edge_id) REFERENCES older.edge ON DELETE CASCADE;
 ALTER TABLE older.lane_override DROP line CASCADE, DROP geom CASCADE;
 ALTER TABLE older.transition_override DROP geom CASCADE;

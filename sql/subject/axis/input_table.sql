@@ -23,6 +23,12 @@ COMMENT ON COLUMN :"model".control_point.kerb IS
     'the kerbs at both ends of a pedestrian_crossing: raised, lowered, rolled, flush or no; NULL: nothing is said';
 COMMENT ON CONSTRAINT control_point_kerb_check ON :"model".control_point IS
     'raised, lowered, rolled, flush or no. Leave it empty where nothing is said.';
+ALTER TABLE :"model".control_point ADD COLUMN IF NOT EXISTS refuge text CONSTRAINT control_point_refuge_check
+    CHECK (refuge IN ('yes', 'no'));
+COMMENT ON COLUMN :"model".control_point.refuge IS
+    'yes: a refuge stands in the middle of a pedestrian_crossing; no: none; NULL: nothing is said';
+COMMENT ON CONSTRAINT control_point_refuge_check ON :"model".control_point IS
+    'yes or no. Leave it empty where nothing is said.';
 CREATE INDEX control_point_geom ON :"model".control_point USING gist (geom);
 CREATE INDEX control_point_axis ON :"model".control_point (axis_id);
 CREATE OR REPLACE TRIGGER fill_axis BEFORE INSERT OR UPDATE ON :"model".control_point FOR EACH ROW

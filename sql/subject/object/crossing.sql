@@ -40,7 +40,7 @@ BEGIN
         WITH drawn AS MATERIALIZED (
             SELECT c.street_object_id, c.surface AS was, c.stripes AS stripes_were, c.painted_as AS painted_was,
                 c.footway_id AS footway_was, f.footway_id, ARRAY[c.kerb_left, c.kerb_right] AS kerbs_were, k.kerbs,
-                l.painted_as, a.level, g.ground,
+                l.painted_as, a.level, g.ground, c.island AS island_was, i.island,
                 CASE WHEN g.ground IS NOT NULL AND l.painted_as NOT IN ('surface', 'no')
                     THEN streetgen._crossing_stripes(a.line::bytea, w.borders, o.abscissa, c.width, c.angle,
                         l.painted_as)::geometry END AS stripes
@@ -74,6 +74,9 @@ BEGIN
                             LATERAL (SELECT streetgen._place_on(a.line::bytea, o.abscissa + aside * cotd(c.angle),
                                 aside)::geometry AS foot) e
                         WINDOW by_side AS (ORDER BY side)) e) k
+                LEFT JOIN LATERAL (SELECT _refuge(o.axis_id, a.line, o.abscissa, c.width, c.angle, coalesce(c.refuge,
+                    CASE p.refuge WHEN 'yes' THEN (SELECT value::float8 FROM setting WHERE name = 'refuge_width')
+                        END)) AS island) i ON g.ground IS NOT NULL
             WHERE c.street_object_id = ANY (objects)),
         -- A kerb may lie within the border that the width of the axis gives, as where a street tapers.
         clipped AS MATERIALIZED (
@@ -86,16 +89,19 @@ BEGIN
         new AS MATERIALIZED (
             -- Stripe by stripe, since they may touch in a bend.
             SELECT street_object_id, was, stripes_were, painted_was, painted_as, footway_was, footway_id,
-                kerbs_were, kerbs, kept AS ground,
-                CASE WHEN painted_as = 'surface' THEN ST_Multi(kept) WHEN kept = ground THEN stripes ELSE (
+                kerbs_were, kerbs, kept AS ground, island_was, island, CASE WHEN island IS NULL THEN paint
+                    ELSE ST_Multi(ST_CollectionExtract(ST_Difference(paint, island), 3)) END AS stripes
+            FROM clipped, LATERAL (SELECT CASE WHEN painted_as = 'surface' THEN ST_Multi(kept)
+                WHEN kept = ground THEN stripes ELSE (
                     SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))
-                    FROM ST_Dump(stripes) s) END AS stripes FROM clipped),
+                    FROM ST_Dump(stripes) s) END AS paint) l),
         drawn_anew AS (
             UPDATE pedestrian_crossing c SET surface = n.ground, stripes = n.stripes, painted_as = n.painted_as,
-                footway_id = n.footway_id, kerb_left = n.kerbs[1], kerb_right = n.kerbs[2]
+                footway_id = n.footway_id, kerb_left = n.kerbs[1], kerb_right = n.kerbs[2], island = n.island
             FROM new n WHERE n.street_object_id = c.street_object_id
-                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was, n.footway_was, n.kerbs_were)
-                    IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as, n.footway_id, n.kerbs)
+                AND (n.was::bytea, n.stripes_were::bytea, n.painted_was, n.footway_was, n.kerbs_were,
+                    n.island_was::bytea) IS DISTINCT FROM (n.ground::bytea, n.stripes::bytea, n.painted_as,
+                    n.footway_id, n.kerbs, n.island::bytea)
             RETURNING n.was, n.ground)
         SELECT array_agg(was) FILTER (WHERE told) || array_agg(ground) FILTER (WHERE told) FROM drawn_anew INTO moved;
     END $body$;
@@ -114,7 +120,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'UPDATE' THEN
-        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle,marking,kerb}');
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{geom,axis_id,abscissa,width,angle,marking,kerb,refuge}');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
         END IF;
@@ -145,9 +151,10 @@ BEGIN
     END IF;
     SELECT coalesce(NEW.width, u.width), coalesce(NEW.angle, u.angle) FROM streetgen._usual_crossing() u
         INTO NEW.width, NEW.angle;
-    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle, marking = NEW.marking, kerb = NEW.kerb
-        WHERE street_object_id = NEW.street_object_id
-            AND (width, angle, marking, kerb) IS DISTINCT FROM (NEW.width, NEW.angle, NEW.marking, NEW.kerb);
+    UPDATE pedestrian_crossing SET width = NEW.width, angle = NEW.angle, marking = NEW.marking, kerb = NEW.kerb,
+            refuge = NEW.refuge
+        WHERE street_object_id = NEW.street_object_id AND (width, angle, marking, kerb, refuge)
+            IS DISTINCT FROM (NEW.width, NEW.angle, NEW.marking, NEW.kerb, NEW.refuge);
     SELECT * FROM pedestrian_crossing_editing WHERE street_object_id = NEW.street_object_id INTO NEW;
     RETURN NEW;
 END $$;

@@ -235,14 +235,15 @@ CREATE OR REPLACE FUNCTION streetgen._object_edit_view()
             axis_offset, orientation, orientation_kind, angle, method
         FROM {model}.street_object WHERE abscissa_end IS NULL AND ST_Dimension(geom) = 0$sql$, 'object'),
     ('pedestrian_crossing_editing', 'Edit layer: drop or drag a pedestrian crossing; type its width, angle, '
-            'paint and kerbs',
+            'paint, kerbs and refuge',
         ARRAY['key; NULL for a new crossing', 'its middle on the axis', 'the axis; NULL: the nearest',
             'metres along the axis', 'metres along the street; NULL: 4',
             'degrees counter-clockwise from the axis to the way across; NULL: 90',
             'zebra, ladder, lines, dashes, dots, surface, yes or no; NULL: as its control point or settings say',
-            'raised, lowered, rolled, flush or no; NULL: as its control point says, else flush'],
+            'raised, lowered, rolled, flush or no; NULL: as its control point says, else flush',
+            'width of the refuge in its middle, metres; 0: none; NULL: as its control point says'],
         $sql$SELECT c.street_object_id, o.geom::geometry(Point, {srid}) AS geom, o.axis_id, o.abscissa, c.width,
-            c.angle, c.marking, c.kerb
+            c.angle, c.marking, c.kerb, c.refuge
         FROM {model}.pedestrian_crossing c JOIN {model}.street_object o USING (street_object_id)$sql$, 'object'),
     ('parking_bay_editing', 'Edit layer: drop or drag a parking bay; type its size and its angle',
         ARRAY['key; NULL for a new bay', 'the middle of its end at the border', 'the axis; NULL: the nearest',

@@ -31,6 +31,9 @@ BEGIN
     RETURN QUERY SELECT 'crossing', painted_as, coalesce(level, 0), stripes::geometry, street_object_id
         FROM pedestrian_crossing JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
         WHERE 'crossing' = ANY (layers) AND stripes && box;
+    RETURN QUERY SELECT 'refuge', '', coalesce(level, 0), island::geometry, street_object_id
+        FROM pedestrian_crossing JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
+        WHERE 'refuge' = ANY (layers) AND island && box;
     RETURN QUERY SELECT 'bay', '', coalesce(level, 0), surface::geometry, street_object_id
         FROM parking_bay JOIN street_object USING (street_object_id) LEFT JOIN axis USING (axis_id)
         WHERE 'bay' = ANY (layers) AND surface && box;
@@ -41,8 +44,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._object_drawn(name, geometry, text[]) IS
-    'What can be drawn of objects in a box: object, by type; crossing, the stripes, by what they are; bay; and '
-    'bus_stop_box, the paint where buses stand, on a bay or on a lane.';
+    'What can be drawn of objects in a box: object, by type; crossing, the stripes, by what they are; '
+    'refuge; bay; and bus_stop_box, the paint where buses stand, on a bay or on a lane.';
 
 CREATE OR REPLACE FUNCTION streetgen._object_kept_clear(model name, box geometry) RETURNS SETOF geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
@@ -106,6 +109,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning)
     ('dark', 'bus_stop_box', 2500, 7, '#b8942a', 'where buses stop'),
     ('construction', 'bus_stop_box', 2000, 7, '#eab308', 'where buses stop'),
     ('print', 'bus_stop_box', 2500, 7, '#000000', 'where buses stop');
+INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
+    ('street', 'refuge', 5000, 7.5, '#bbb5aa', '#efece4', 0.15, 'metre', 'refuge'),
+    ('dark', 'refuge', 5000, 7.5, '#7d848e', '#9aa1ab', 0.15, 'metre', 'refuge'),
+    ('construction', 'refuge', 5000, 7.5, '#e9d6ac', '#c9b791', 0.4, 'pixel', 'refuge'),
+    ('print', 'refuge', 5000, 7.5, '#ffffff', '#000000', 0.5, 'pixel', 'refuge');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'bay', 1500, 3.5, '#73777f', '#fbfbf8', 0.1, 'metre', 'parking bay'),
     ('dark', 'bay', 1500, 3.5, '#454b54', '#dfe2e6', 0.1, 'metre', 'parking bay'),

@@ -11,7 +11,7 @@ BEGIN
             '_renew_grounds,_renew_grounds_along,_lines_of,_join_edges,_join_edges_of,_edges_near,_object_spread,'
             '_renew_all_rule_objects,_carry_objects,'
             'carry_objects_insert,carry_objects_update,carry_objects_delete,join_objects,_renew_rule_objects,'
-            '_renew_crossings,_renew_bays,_edges_between_borders,_lanes_across,_parking_lanes,_bay_room,'
+            '_renew_crossings,_refuge,_renew_bays,_edges_between_borders,_lanes_across,_parking_lanes,_bay_room,'
             '_laid_bays,_judged_bays,'
             '_types_below,_has_rules,_has_rules_at_kerbs,_renew_placed,_types_on_roadway,_object_spacing,'
             '_hindrances,_near_earlier,_take_from_rules,'
@@ -22,9 +22,9 @@ BEGIN
     END IF;
     PERFORM streetgen._make_type_function(model), streetgen._make_street_function(model),
         streetgen._make_hindrances(model), streetgen._make_rule_functions(model), streetgen._make_rule_edits(model),
-        streetgen._make_crossing_functions(model), streetgen._make_bay_functions(model),
-        streetgen._make_bay_room(model), streetgen._make_object_renewal(model),
-        streetgen._make_redraw(model);
+        streetgen._make_refuge_function(model), streetgen._make_crossing_functions(model),
+        streetgen._make_bay_functions(model), streetgen._make_bay_room(model),
+        streetgen._make_object_renewal(model), streetgen._make_redraw(model);
     CREATE OR REPLACE FUNCTION join_objects() RETURNS trigger
         LANGUAGE plpgsql VOLATILE SECURITY DEFINER SET search_path FROM CURRENT SET streetgen.computes = 'on'
         AS $body$

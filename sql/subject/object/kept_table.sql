@@ -206,7 +206,16 @@ ALTER TABLE :"model".pedestrian_crossing
     ADD COLUMN IF NOT EXISTS painted_as text, ADD COLUMN IF NOT EXISTS footway_id bigint,
     ADD COLUMN IF NOT EXISTS kerb_left text, ADD COLUMN IF NOT EXISTS kerb_right text,
     ADD COLUMN IF NOT EXISTS kerb text CONSTRAINT pedestrian_crossing_kerb_check
-        CHECK (kerb ~ '^(raised|lowered|rolled|flush|no)$');
+        CHECK (kerb ~ '^(raised|lowered|rolled|flush|no)$'),
+    ADD COLUMN IF NOT EXISTS refuge float8 CONSTRAINT pedestrian_crossing_refuge_check CHECK (refuge BETWEEN 0 AND 20),
+    ADD COLUMN IF NOT EXISTS island geometry(Polygon, :srid);
+COMMENT ON COLUMN :"model".pedestrian_crossing.refuge IS
+    'by hand, the width of the refuge in its middle, metres; 0: none; NULL: as setting refuge_width says where its '
+    'control point has one';
+COMMENT ON CONSTRAINT pedestrian_crossing_refuge_check ON :"model".pedestrian_crossing IS
+    '0 to 20 m. Leave it empty to follow the source.';
+COMMENT ON COLUMN :"model".pedestrian_crossing.island IS
+    'the refuge between the lanes of both directions; NULL: none, or it has no room; computed';
 COMMENT ON COLUMN :"model".pedestrian_crossing.kerb IS
     'by hand, the kerbs at both of its ends: raised, lowered, rolled, flush or no; NULL: as a footway_kerb there says, '
     'else its control point, else flush';

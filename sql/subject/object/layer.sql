@@ -13,6 +13,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_layer()
         'object_edge RIGHT JOIN %1$I.street_object USING (street_object_id) WHERE ST_Dimension(geom) = 1'),
     (72, 'crossings', 'POLYGON', false, 'street_object_id AS id, width, angle, painted_as', 'surface',
         'pedestrian_crossing'),
+    (75, 'refuges', 'POLYGON', false, 'street_object_id AS id', 'island',
+        'pedestrian_crossing WHERE island IS NOT NULL'),
     (73, 'parking_bays', 'POLYGON', false, 'street_object_id AS id, length, width, angle', 'surface', 'parking_bay'),
     (74, 'bus_stops', 'POLYGON', false, 'street_object_id AS id, kind, width, edge_id, lane_id, level', 'surface',
         'bus_stop_box') $$;

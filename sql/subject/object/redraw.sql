@@ -42,8 +42,8 @@ BEGIN
             places := ARRAY(SELECT geom FROM before);
         ELSE
             places := ARRAY(SELECT unnest(ARRAY[b.geom, a.geom]) FROM before b JOIN after a USING (control_point_id)
-                WHERE (a.kind, a.marking, a.kerb, a.geom::bytea)
-                    IS DISTINCT FROM (b.kind, b.marking, b.kerb, b.geom::bytea));
+                WHERE (a.kind, a.marking, a.kerb, a.refuge, a.geom::bytea)
+                    IS DISTINCT FROM (b.kind, b.marking, b.kerb, b.refuge, b.geom::bytea));
         END IF;
         -- Signals tell how the crossing at which they stand is painted.
         PERFORM _renew_crossings(ARRAY(SELECT o.street_object_id FROM unnest(places) place

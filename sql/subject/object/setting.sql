@@ -21,6 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting()
     ('crossing_marking_at_signals', 'zebra', NULL,
         'the same where signals stand at the crossing: such as dashes in Germany, dots in Great Britain, lines in the '
         'United States', NULL, NULL, ARRAY['zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface', 'no']),
+    ('refuge_width', '2', 'm', 'so wide is the refuge in the middle of a crossing that has one', 1, 20, NULL),
     ('bus_stop_length', '15', 'm', 'so long is the ground that a bus takes at its stop', 5, 100, NULL),
     ('object_snap', '20', 'm', 'an object that is dropped so near to an axis is placed by it', 0, 200, NULL) $$;
 COMMENT ON FUNCTION streetgen._object_setting() IS 'The settings of objects, with their defaults and ranges.';

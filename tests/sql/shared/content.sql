@@ -73,7 +73,7 @@ BEGIN
       FROM @.signal_movement m JOIN @.controller c USING (controller_id) JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'signal_head', e.axis_id, e.start_abscissa, l.ordinality, h.along_axis, h.angle, h.geom::text) FROM @.signal_head h JOIN @.lane l USING (lane_id) JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.street_object', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.angle, c.painted_as, c.kerb_left, c.kerb_right, c.surface::text, c.stripes::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
+    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.angle, c.painted_as, c.kerb_left, c.kerb_right, c.surface::text, c.stripes::text, c.island::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
       LEFT JOIN @.parking_bay b USING (street_object_id)$q$ END
     || CASE WHEN to_regclass(format('%I.bridge', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'bridge', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.bridge b JOIN @.edge e USING (edge_id)
