@@ -85,6 +85,9 @@ SELECT count(*) FROM streetgen.switch_subject('town', 'rail', false) \g /dev/nul
 SELECT 'switched off, sidewalks and footways are whole again', to_regclass('town.track_bed') IS NULL AND (SELECT bool_and(strip IS NULL) FROM town.sidewalk) AND (SELECT ST_NumGeometries(surface) = 2 FROM town.footway_surface WHERE footway_id = 1) AND (SELECT bool_and(kind <> 'rail') FROM town.cross_section);
 SELECT count(*) FROM streetgen.switch_subject('town', 'rail', true) \g /dev/null
 SELECT 'switched on, they are cut', (SELECT ST_NumGeometries(surface) = 3 FROM town.footway_surface WHERE footway_id = 1) AND pg_temp.stands();
+INSERT INTO town.street_object_editing (type, geom) VALUES ('tree', pg_temp.line('POINT(50 -37)')), ('tree', pg_temp.line('POINT(50 -47)'));
+SELECT 'a tree on a track is told', (SELECT count(*) = 1 FROM streetgen.check_model('town') WHERE rule = 'object on a track');
+SELECT 'a format that has no tracks has the streets', (SELECT count(*) > 0 FROM streetgen.export_cityjson('town'));
 SELECT count(*) FROM streetgen.switch_subject('town', 'footway', false) \g /dev/null
 SELECT count(*) FROM streetgen.switch_subject('town', 'object', false) \g /dev/null
 SELECT 'the others may go', (SELECT count(*) > 0 FROM town.track_bed) AND pg_temp.as_from_scratch('town');

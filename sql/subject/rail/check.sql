@@ -30,6 +30,17 @@ BEGIN
     LOOP
         RETURN NEXT finding;
     END LOOP;
+    IF 'object' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY SELECT 'notice', 'object on a track', 'street_object', o.street_object_id, NULL::float8, o.geom
+            FROM street_object o LEFT JOIN axis a USING (axis_id), LATERAL (
+                SELECT surface FROM track_strip t WHERE t.geom && ST_Expand(o.geom, 8)
+                    AND t.level = coalesce(a.level, 0) AND ST_DWithin(t.geom, o.geom, t.width / 2) LIMIT 1) t
+            -- One in the roadway is told of as such.
+            WHERE o.type <> ALL (_types_on_roadway()) AND NOT EXISTS (SELECT FROM section s WHERE s.surface && o.geom
+                    AND s.level = coalesce(a.level, 0) AND ST_Intersects(s.surface, o.geom))
+                AND NOT EXISTS (SELECT FROM intersection i WHERE i.surface && o.geom
+                    AND i.level = coalesce(a.level, 0) AND ST_Intersects(i.surface, o.geom));
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_rail(name) IS 'The rows of streetgen.check_model for tracks.';
 
@@ -49,5 +60,7 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('tracks nearer than their width, m',
         'two tracks of one level that do not meet lie nearer to each other than setting track_width: trams cannot pass',
         'move a line of `rail_track`, or correct its `tracks` or `level`'),
+    ('object on a track', 'a tree, a lamp or the like stands on the ground of a track beside the roadway',
+        'move or delete it in `street_object_editing`: what a rule placed stays away'),
     ('footway along a track, m', 'most of a footway lies on the ground of a track, which it does not get',
         'move the line in `footway`, or delete it');
