@@ -71,6 +71,21 @@ struct WalkLink {
 // without length has no link.
 std::vector<WalkLink> walk_network(const std::vector<WalkLine>& lines);
 
+// A walk that is there already, or the shortest one over an area, between two of its places.
+struct AreaWalk {
+  int from = 0;  // index of a place
+  int to = 0;
+  Line line;  // empty: only the length is known
+  double metres = 0;
+};
+
+// The walks over an area that one misses: the shortest between two places where all walks that are
+// there, or were found before, shorter ones first, lead round by over `detour` times as far, and
+// over 5 m. They bend only where the area bends inwards. Between places that the area parts there
+// is none.
+std::vector<AreaWalk> walks_over_area(const MultiPolygon& area, const std::vector<Point>& places,
+                                      const std::vector<AreaWalk>& there, double detour);
+
 // Both nodes of a link.
 using WalkEnds = std::pair<std::int64_t, std::int64_t>;
 

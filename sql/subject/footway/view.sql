@@ -56,8 +56,8 @@ BEGIN
         'when it is asked for, and so live; streetgen.walk_links has those of an extent alone';
     COMMENT ON COLUMN walk_link.walk_link_id IS 'key, of its shape: kept while the link lies where it lies';
     COMMENT ON COLUMN walk_link.kind IS
-        'sidewalk: along a street; crossing: of a roadway; walk: another way; steps; elevator; street: on a roadway '
-        'that has no sidewalk';
+        'sidewalk: along a street; crossing: of a roadway; walk: another way; steps; elevator; square: over an '
+        'area; street: on a roadway that has no sidewalk';
     COMMENT ON COLUMN walk_link.from_node IS 'node at its start, as in walk_node';
     COMMENT ON COLUMN walk_link.to_node IS 'node at its end';
     COMMENT ON COLUMN walk_link.level IS 'level that it lies on; 0: the ground';
@@ -68,7 +68,8 @@ BEGIN
     COMMENT ON COLUMN walk_link.kerb_to IS 'the same where it ends';
     COMMENT ON COLUMN walk_link.marking IS
         'how a crossing is painted, as pedestrian_crossing.painted_as; NULL: nothing is known, or no crossing';
-    COMMENT ON COLUMN walk_link.surface IS 'what it is paved with, as footway.surface; NULL: unknown';
+    COMMENT ON COLUMN walk_link.surface IS 
+        'what it is paved with, as footway.surface or street_area.surface; NULL: unknown';
     COMMENT ON COLUMN walk_link.incline IS 'how steep it is from start to end, percent, up positive; NULL: unknown';
     COMMENT ON COLUMN walk_link.climb IS 'whether it leads up or down from start to end; NULL: unknown';
     COMMENT ON COLUMN walk_link.tactile_paving IS 'whether its paving guides the blind, as footway.tactile_paving';

@@ -225,7 +225,7 @@ BEGIN
             ARRAY(SELECT coalesce(leaves, 0) FROM arm ORDER BY number),
             ARRAY(SELECT coalesce(s.place, 0) FROM arm LEFT JOIN arm_street s USING (number) ORDER BY number),
             ARRAY(SELECT ST_Force2D(geom)::bytea FROM arm_street ORDER BY number), srid)),
-    line AS (
+    walk AS MATERIALIZED (
         SELECT 1 AS turn, footway_id AS id, kind, level, width, true AS mapped,
             greatest(reach, to_start) AS reach_start, greatest(reach, to_end) AS reach_end,
             CASE WHEN way THEN to_start WHEN to_start = 0 THEN near ELSE 0 END AS excess_start,
@@ -265,10 +265,18 @@ BEGIN
             LATERAL (SELECT f.streets = 1 AND f.arms > 1 AS at_street_from, t.streets = 1 AND t.arms > 1
                 AS at_street_to) a
         -- One within a junction, without kerbs, joins streets that are walked along or is none.
-        WHERE street AND (f.streets + t.streets > 2 OR edge_id IN (SELECT edge_id FROM sides)))
+        WHERE street AND (f.streets + t.streets > 2 OR edge_id IN (SELECT edge_id FROM sides))),
+    line AS (
+        SELECT * FROM walk
+        UNION ALL SELECT 6, e.street_area_id, 'square', w.level, NULL, false, 0, 0, e.excess, 0, NULL, NULL, NULL, NULL,
+            e.geom
+        FROM (SELECT *, ST_Buffer(geom, near) AS beside FROM streetgen._walked_areas(model, around) OFFSET 0) a
+            JOIN walk w ON w.kind = 'sidewalk' AND w.level = a.level AND w.geom && a.beside
+                AND ST_Intersects(w.geom, a.beside),
+            streetgen._area_entry(w.geom, a.street_area_id, a.geom, a.beside) e)
     SELECT row_number() OVER (ORDER BY turn, id, ST_Length(geom)), kind, level, width, mapped, reach_start, reach_end,
         excess_start, excess_end, footway_id, edge_id, side, street_object_id, geom FROM line;
 END $$;
 COMMENT ON FUNCTION streetgen._walk_lines(name, geometry) IS
-    'The lines on which people walk in a model, near a box; NULL: all. kind: sidewalk, crossing, walk, steps, elevator '
-    'or street. reach and excess as streetgen._walk_network takes them.';
+    'The lines on which people walk in a model, near a box; NULL: all. kind: sidewalk, crossing, walk, steps, '
+    'elevator, square or street. reach and excess as streetgen._walk_network takes them.';

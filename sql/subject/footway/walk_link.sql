@@ -18,6 +18,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN (SELECT ST_Expand(ST_SetSRID(ST_Extent(geom)::geometry, ST_SRID(extent)), 50) FROM (
         SELECT extent AS geom UNION ALL SELECT geom FROM footway WHERE geom && extent
+        UNION ALL SELECT ST_Expand(geom, 50) FROM street_area WHERE geom && ST_Expand(extent, 20)
         UNION ALL SELECT geom FROM edge WHERE geom && ST_Expand(extent, 50)) g);
 END $$;
 COMMENT ON FUNCTION streetgen._walk_surroundings(name, geometry) IS
@@ -51,6 +52,7 @@ DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
     around geometry;
     least_width float8;
+    areas boolean;
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'footway'),
         streetgen._use_model(model);
@@ -59,19 +61,35 @@ BEGIN
             HINT = format('ST_Transform(extent, %s) brings it there.', srid);
     END IF;
     around := streetgen._walk_surroundings(model, extent);
+    areas := EXISTS (SELECT FROM street_area a WHERE around IS NULL OR a.geom && around);
     least_width := streetgen._setting_number(model, 'mapped_sidewalk_minimal');
     RETURN QUERY WITH line AS MATERIALIZED (SELECT * FROM streetgen._walk_lines(model, around)),
     crossing AS MATERIALIZED (SELECT * FROM streetgen._known_crossings(model, around)),
     barrier AS MATERIALIZED (SELECT * FROM streetgen._walk_barriers(model, around)),
-    link AS MATERIALIZED (
+    network AS MATERIALIZED (
         SELECT n.*, l.kind AS of_kind, l.level, l.width, l.footway_id, l.edge_id, l.side, l.street_object_id
         FROM streetgen._walk_network(ARRAY(SELECT geom::bytea FROM line ORDER BY number),
                 ARRAY(SELECT level FROM line ORDER BY number), ARRAY(SELECT mapped FROM line ORDER BY number),
                 ARRAY(SELECT reach_start FROM line ORDER BY number), ARRAY(SELECT reach_end FROM line ORDER BY number),
                 ARRAY(SELECT excess_start FROM line ORDER BY number),
                 ARRAY(SELECT excess_end FROM line ORDER BY number), srid) n
-            JOIN line l ON l.number = n.line
-        WHERE extent IS NULL OR n.geom && extent),
+            JOIN line l ON l.number = n.line),
+    -- A node of several levels is one of each.
+    node AS MATERIALIZED (
+        SELECT DISTINCT ON (node_id, level) node_id, level, place FROM network, LATERAL (VALUES (from_node,
+            ST_StartPoint(geom)), (to_node, ST_EndPoint(geom))) v(node_id, place)
+        WHERE areas ORDER BY node_id, level),
+    over_area AS MATERIALIZED (
+        SELECT * FROM streetgen._area_walks(model, around, ARRAY(SELECT node_id FROM node ORDER BY node_id, level),
+            ARRAY(SELECT level FROM node ORDER BY node_id, level),
+            ARRAY(SELECT place FROM node ORDER BY node_id, level),
+            ARRAY(SELECT from_node FROM network ORDER BY walk_link_id),
+            ARRAY(SELECT to_node FROM network ORDER BY walk_link_id),
+            ARRAY(SELECT ST_Length(geom) FROM network ORDER BY walk_link_id)) a
+        WHERE areas),
+    -- Nobody enters an area over which no walk leads.
+    link AS MATERIALIZED (SELECT * FROM network n WHERE (extent IS NULL OR n.geom && extent)
+        AND (of_kind <> 'square' OR EXISTS (SELECT FROM over_area a WHERE n.to_node IN (a.from_node, a.to_node)))),
     -- A walk of a source that leads over a roadway with sidewalks crosses it.
     over_street AS MATERIALIZED (
         SELECT DISTINCT ON (l.line, l.part) l.line, l.part, e.crosses, c.width, c.marking, c.street_object_id,
@@ -91,7 +109,8 @@ BEGIN
         SELECT l.line, l.part, array_agg(DISTINCT b.type ORDER BY b.type) AS barriers
         FROM barrier b JOIN link l USING (footway_id) WHERE ST_DWithin(b.geom, l.geom, 0.5) GROUP BY l.line, l.part)
     SELECT walk_link_id, k.kind, from_node, to_node, l.level, ST_Length(l.geom),
-        coalesce(c.width, l.width, CASE WHEN k.kind <> 'crossing' THEN least_width END), kerbs.kerb_from,
+        coalesce(c.width, l.width, CASE WHEN k.kind NOT IN ('crossing', 'square')
+            THEN least_width END), kerbs.kerb_from,
         kerbs.kerb_to, c.marking, f.surface, f.incline, f.climb, f.tactile_paving,
         streetgen._walked_by_wheelchair(k.kind, f.wheelchair, f.width, kerbs.kerb_from, kerbs.kerb_to, f.incline),
         f.foot, b.barriers, l.footway_id, l.edge_id, l.side, c.street_object_id, l.geom
@@ -100,7 +119,10 @@ BEGIN
         LATERAL (SELECT CASE WHEN of_kind = 'walk' AND crosses THEN 'crossing' ELSE of_kind END AS kind) k
         LEFT JOIN LATERAL (SELECT o.* WHERE k.kind = 'crossing') c ON true,
         LATERAL (SELECT CASE WHEN l.part = 1 THEN c.kerb_from END AS kerb_from,
-            CASE WHEN l.part = parts THEN c.kerb_to END AS kerb_to) kerbs;
+            CASE WHEN l.part = parts THEN c.kerb_to END AS kerb_to) kerbs
+    UNION ALL SELECT walk_link_id, 'square', from_node, to_node, level, ST_Length(geom), NULL, NULL, NULL, NULL,
+        surface, NULL, NULL, NULL, NULL, foot, NULL, NULL, NULL, NULL, NULL, geom FROM over_area
+        WHERE extent IS NULL OR geom && extent;
 END $$;
 COMMENT ON FUNCTION streetgen.walk_links(name, geometry) IS
     'The links of what people walk on in a model, as view walk_link has them; of an extent those whose box meets it, '

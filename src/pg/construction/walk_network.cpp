@@ -1,4 +1,5 @@
-// streetgen._built_walks, streetgen._walk_network, streetgen._walk_parts: the network on foot.
+// streetgen._built_walks, streetgen._walk_network, streetgen._walks_over_area,
+// streetgen._walk_parts: the network on foot.
 #include "streetgen/walk_network.hpp"
 
 #include <cstring>
@@ -8,6 +9,7 @@
 #include "value/line_array.hpp"
 #include "value/stored.hpp"
 #include "value/value_array.hpp"
+#include "value/wkb.hpp"
 
 extern "C" {
 #include <funcapi.h>
@@ -111,6 +113,29 @@ std::vector<WalkLine> lines_of(const GivenLines& given) {
   return lines;
 }
 
+struct GivenArea {
+  std::string_view area;
+  ValueArray x, y;
+  ValueArray from, to, metres;
+};
+
+std::vector<AreaWalk> area_walks_of(const GivenArea& given, double detour) {
+  std::vector<Point> places;
+  for (int i = 0; i < given.x.count; ++i)
+    places.push_back({in_range(DatumGetFloat8(given.x.values[i]), -1e12, 1e12, "x"),
+                      in_range(DatumGetFloat8(given.y.values[i]), -1e12, 1e12, "y")});
+  std::vector<AreaWalk> there;
+  for (int i = 0; i < given.from.count; ++i) {
+    const int from = index_of(given.from.values[i], given.x.count, "from_places");
+    const int to = index_of(given.to.values[i], given.x.count, "to_places");
+    if (from < 0 || to < 0) throw Error(ErrorKind::invalid_input, "a walk is of no place");
+    there.push_back(
+        {from, to, {}, in_range(DatumGetFloat8(given.metres.values[i]), 0, 1e7, "metres")});
+  }
+  return walks_over_area(read_surface(given.area, "area"), places, there,
+                         in_range(detour, 1, 100, "detour"));
+}
+
 }  // namespace
 
 STREETGEN_FUNCTION(streetgen_built_walks) {
@@ -161,6 +186,28 @@ STREETGEN_FUNCTION(streetgen_walk_network) {
                        Int64GetDatum(link.from_node),  Int64GetDatum(link.to_node),
                        line_datum(link.geometry, srid)};
     bool nulls[7] = {};
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  });
+  PG_RETURN_NULL();
+}
+
+STREETGEN_FUNCTION(streetgen_walks_over_area) {
+  InitMaterializedSRF(fcinfo, 0);
+  GivenArea given;
+  given.area = bytes_of(PG_GETARG_DATUM(0));
+  given.x = take_values(fcinfo, 1, FLOAT8OID, any_count, "x");
+  given.y = take_values(fcinfo, 2, FLOAT8OID, given.x.count, "y");
+  given.from = take_values(fcinfo, 3, INT4OID, any_count, "from_places");
+  given.to = take_values(fcinfo, 4, INT4OID, given.from.count, "to_places");
+  given.metres = take_values(fcinfo, 5, FLOAT8OID, given.from.count, "metres");
+  const double detour = PG_GETARG_FLOAT8(6);
+  const int srid = PG_GETARG_INT32(7);
+  Slot<std::vector<AreaWalk>>* slot = make_slot<std::vector<AreaWalk>>(CurrentMemoryContext);
+  report(compute([&] { slot->value = new std::vector<AreaWalk>(area_walks_of(given, detour)); }));
+  put_rows(fcinfo, *slot->value, [&](const AreaWalk& walk, ReturnSetInfo* result) {
+    Datum values[3] = {Int32GetDatum(walk.from + 1), Int32GetDatum(walk.to + 1),
+                       line_datum(walk.line, srid)};
+    bool nulls[3] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
   PG_RETURN_NULL();
