@@ -154,6 +154,8 @@ END $$;
 SELECT 'a sidewalk is no ground of its own', NOT EXISTS (SELECT FROM ground.footway_surface WHERE footway_id = 1);
 -- 60 m, less the roadway of 8 m, a sidewalk of 4 m and one of 2 m, and the cycle track.
 SELECT 'a walk gives way to roadway, sidewalks and cycle tracks', abs(ST_Area(surface) - 3 * (60 - 8 - 4 - 2 - 4)) < 0.1 FROM ground.footway_surface WHERE footway_id = 2;
+UPDATE ground.footway SET surface = 'sett' WHERE footway_id = 3;
+SELECT 'the ground says what it is paved with', (SELECT paved = 'sett' FROM ground.footway_surface WHERE footway_id = 3) AND (SELECT paved IS NULL FROM ground.footway_surface WHERE footway_id = 2);
 SELECT 'a cycle track to none of them', abs(ST_Area(surface) - 400) < 0.01 AND use = 'cycle' FROM ground.footway_surface WHERE footway_id = 3;
 SELECT 'steps are as wide as their class, and give way', abs(ST_Area(surface) - 2 * (20 - 4)) < 0.01 AND use = 'steps' FROM ground.footway_surface WHERE footway_id = 4;
 SELECT 'one of no class is a walk of the least width', use = 'walk' AND width = 2 FROM ground.footway_surface WHERE footway_id = 5;

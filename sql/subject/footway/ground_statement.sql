@@ -8,7 +8,8 @@ area_ground AS NOT MATERIALIZED (
     FROM street_area a WHERE a.kind <> 'roadway'),
 line_ground AS NOT MATERIALIZED (
     SELECT f.footway_id AS id, u.use, f.level, array_position(streetgen._area_kinds(), u.use) AS rank, 1 AS turn,
-        w.width, f.geom, ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
+        w.width, f.surface AS paved, f.geom,
+        ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
     FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
         LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
             WHERE name = 'mapped_sidewalk_minimal') w
@@ -34,7 +35,7 @@ line_ground AS NOT MATERIALIZED (
 --{footway_surface
 CREATE OR REPLACE VIEW footway_surface WITH (security_invoker = true) AS
 WITH {wanted_ground}
-SELECT g.id AS footway_id, g.use, g.level, g.width, g.geom,
+SELECT g.id AS footway_id, g.use, g.level, g.width, g.paved, g.geom,
     ST_Multi(r.surface)::geometry(MultiPolygon, {srid}) AS surface
 FROM line_ground g, LATERAL (
     SELECT ST_Union(surface, 0.0001) AS surface FROM (

@@ -35,6 +35,7 @@ BEGIN
     COMMENT ON COLUMN footway_surface.level IS 'its level';
     COMMENT ON COLUMN footway_surface.width IS
         'its width, or that of its class, or setting mapped_sidewalk_minimal, metres';
+    COMMENT ON COLUMN footway_surface.paved IS 'what it is paved with, as footway.surface; NULL: unknown';
     COMMENT ON COLUMN footway_surface.geom IS 'its middle';
     COMMENT ON COLUMN footway_surface.surface IS 'its ground';
     EXECUTE streetgen._ground_view('area_surface', model);

@@ -58,7 +58,7 @@ BEGIN
         streetgen._compose_function(model, '_sidewalks_at_tracks(edges bigint[])', 'bigint[]',
             CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._part('sidewalks_at_tracks')
             ELSE 'BEGIN RETURN ''{}''::bigint[]; END' END, '_sidewalks_at_tracks(bigint[])',
-            'The sidewalks of edges whose ground tracks take, or took', 'STABLE');
+            'The sidewalks of edges (NULL: of all) whose ground tracks take, or took', 'STABLE');
 END $$;
 COMMENT ON FUNCTION streetgen._make_rail_functions(name) IS
     'Makes the functions of a model that bring tracks along its streets up to date, or drops them where it computes '
@@ -78,7 +78,7 @@ BEGIN
     END IF;
     RETURN QUERY SELECT * FROM _renew_tracks(edges);
     -- The one statement cut those that it wrote. A track that came or went cuts others.
-    PERFORM _cut_sidewalks(CASE WHEN axes IS NOT NULL THEN _sidewalks_at_tracks(edges) END);
+    PERFORM _cut_sidewalks(_sidewalks_at_tracks(edges));
 END $$;
 COMMENT ON FUNCTION streetgen._update_rail(name, bigint[], streetgen.moved_row[], bigint[]) IS
     'After the one statement wrote rows of axes (NULL: of all): brings the tracks along streets and the sidewalks that '

@@ -124,7 +124,7 @@ END
 --{sidewalks_at_tracks
 BEGIN
     RETURN ARRAY(SELECT w.sidewalk_id FROM sidewalk w, setting s WHERE s.name = 'track_width'
-        AND w.edge_id = ANY (edges) AND (w.strip IS NOT NULL OR EXISTS (SELECT FROM rail_track t
+        AND (edges IS NULL OR w.edge_id = ANY (edges)) AND (w.strip IS NOT NULL OR EXISTS (SELECT FROM rail_track t
             WHERE t.geom && ST_Expand(w.surface, 8)
                 AND ST_DWithin(t.geom, w.surface, t.tracks * s.value::float8 / 2))));
 END
