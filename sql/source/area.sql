@@ -61,7 +61,8 @@ BEGIN
     RETURN QUERY SELECT 'area that crosses itself, mended where it is used', kind, count(*),
         array_agg(source_ref ORDER BY source_ref) FROM pg_temp._import_part WHERE NOT ST_IsValid(source_geom)
         GROUP BY kind ORDER BY kind;
-    RETURN QUERY SELECT 'areas', kind, count(*), NULL::text[] FROM pg_temp._import_part GROUP BY kind ORDER BY kind;
+    RETURN QUERY SELECT CASE kind WHEN 'roadway' THEN 'areas of which nothing is made: roadway follows the axes'
+            ELSE 'areas' END, kind, count(*), NULL::text[] FROM pg_temp._import_part GROUP BY kind ORDER BY kind;
     IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
         WHERE d.relation = 'street_area' AND d.source = origin) THEN
         RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'street_area', source);

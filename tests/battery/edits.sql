@@ -79,7 +79,7 @@ CREATE FUNCTION edits.way_across(axis geometry) RETURNS geometry LANGUAGE sql VO
 -- One edit of what stands at streets.
 CREATE FUNCTION edits.object_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway', 'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'track', 'track', 'track', 'move track', 'no track');
+  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway', 'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'area', 'area', 'other area', 'track', 'track', 'track', 'move track', 'no track');
   other record;
 BEGIN
   CASE edit
@@ -100,6 +100,13 @@ BEGIN
         edits.between(0.5, 1)), edits.between(-12, 12), edits.between(-12, 12)) END), edits.one_of('footway', 'footway', 'cycleway', 'steps'), edits.one_of($q$'sidewalk'$q$, $q$'sidewalk'$q$, $q$'crossing'$q$, 'NULL'), edits.one_of('NULL', $q$'ladder'$q$, $q$'no'$q$), edits.one_of('NULL', 'NULL', '1.8'), edits.one_of('0', '0', '0', '1'))];
     WHEN 'footway kerb' THEN
       RETURN ARRAY[format('INSERT INTO edited.footway_kerb (geom, kerb) VALUES (%L, %L)', ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('raised', 'lowered', 'no'))];
+    WHEN 'area' THEN
+      RETURN ARRAY[format('INSERT INTO edited.street_area (geom, kind, level) VALUES (%L, %L, %s)',
+        ST_AsEWKT(ST_Multi(ST_Expand(edits.place_beside(a.geom), edits.between(1, 25), edits.between(1, 25)))),
+        edits.one_of('square', 'square', 'parking_area', 'walk', 'roadway'), edits.one_of('0', '0', '1'))];
+    WHEN 'other area' THEN
+      RETURN ARRAY[edits.one_of($q$UPDATE edited.street_area SET kind = 'platform', geom = ST_Translate(geom, 2, 1)$q$,
+        'DELETE FROM edited.street_area')];
     WHEN 'other footway kerb' THEN
       RETURN ARRAY[edits.one_of($q$UPDATE edited.footway_kerb SET kerb = 'rolled', geom = ST_Translate(geom, 1, 1)$q$, 'DELETE FROM edited.footway_kerb')];
     WHEN 'move footway', 'no footway' THEN
