@@ -2,6 +2,7 @@
 // intersections.  StreetGen paper, sections 2.4 and 2.5; docs/concepts/geometry.md shows each step.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <exception>
@@ -96,7 +97,9 @@ struct StreetSettings {
   // The ground in a face between axes that is smaller than this stays ground where it has room for
   // a disc of 1 m: the face's corners are noses where their fillets would take that. The middle of
   // two dual carriageways that cross is roadway. 0: neither, as the paper has it.
-  double island_area = 1000;         // square metres
+  double island_area = 1000;  // square metres
+  // Ground under this area that roadway encloses is roadway.
+  double island_area_minimal = 3.5;  // square metres
   double island_nose_radius = 0.75;  // metres
   // Kinks of kerbs become arcs of this radius, where no limit lies and no corner is wanted without
   // an arc.  0: none.
@@ -109,13 +112,16 @@ struct StreetSettings {
   TaperRatio taper_ratio{{0, 10}, {70, 20}, {90, 30}, {110, 40}};
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
-  double max_hole_area = 0.5;  // square metres
+  double max_hole_area = 0.5;  // square metres, of holes of one surface
   // Ground no wider than this between two streets of one level that run beside each other is
   // roadway.  0: none.
   double slit_width = 0.2;  // metres
   // More surfaces that come into a square of 10 m of a fixed grid share the ground there by rank.
   int overlaps_maximal = 30;
   double kerb_stone_width = 0.3;  // metres, positive: the strip behind a kerb
+
+  // Square metres of ground that stays where roadway encloses it.
+  double least_island() const { return std::max(max_hole_area, island_area_minimal); }
 };
 
 // By hand: where the limit at one end of an edge lies, the edge of the axis that holds `abscissa`.

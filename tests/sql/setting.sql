@@ -55,6 +55,7 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"smoothing": "splines"}', '22023', 'unknown smoothing "splines", expected none or arcs'), ('{"smoothing": "arcs", "smoothing_shift": "0"}', '22023', 'smoothing_shift is 0'),
         ('{"smoothing": "arcs", "smoothing_tolerance": "NaN"}', '22023', 'smoothing_tolerance is nan'), ('{"follow_length": "NaN"}', '22023', 'follow_length is nan'), ('{"follow_area": "-1"}', '22023', 'follow_area is -1'),
         ('{"median_width_minimal": "0"}', '22023', 'median_width_minimal is 0'), ('{"median_width_maximal": "-1"}', '22023', 'median_width_maximal is -1'), ('{"island_area": "wide"}', '22023', 'island_area is "wide"'),
+        ('{"island_area_minimal": "-1"}', '22023', 'island_area_minimal is -1'),
         ('{"island_nose_radius": "0"}', '22023', 'island_nose_radius is 0'), ('{"kerb_radius_minimal": "NaN"}', '22023', 'kerb_radius_minimal is nan'), ('{"kerb_radius_minimal": "-1"}', '22023', 'kerb_radius_minimal is -1'), ('{"slit_width": "NaN"}', '22023', 'slit_width is nan'),
         ('{"crossing": "under"}', '22023', 'unknown crossing "under", expected over or split'),
         ('{"transition_kind": "both"}', '22023', 'unknown transition_kind "both", expected symmetric or left or right'),

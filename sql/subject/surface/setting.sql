@@ -37,6 +37,9 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         'with room for a disc of 1 m stays: its corners become noses where their arcs would leave none, or close over '
         '15 % of the ground between the kerbs. The middle of two dual carriageways that cross is roadway; 0: neither, '
         'as the paper has it', 0, 100000, NULL),
+    ('island_area_minimal', '3.5', 'm2',
+        'ground under this area that roadway encloses on a level is roadway, as holes of one surface are under '
+        'max_hole_area', 0, 100, NULL),
     ('island_nose_radius', '0.75', 'm', 'radius of those noses', 0.05, 15, NULL),
     ('kerb_radius_minimal', '0.5', 'm',
         'kinks of kerbs of more than 30 degrees become arcs of this radius, where no limit lies and a radius of 0 is '

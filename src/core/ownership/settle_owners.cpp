@@ -320,10 +320,10 @@ class Owners {
       ask_crowds();
       ask_below_moved();
       if (build(needed_by_wanted())) continue;
-      std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.max_hole_area);
+      std::vector<Hole> holes = holes_between(claims_, disputes_, layout_.settings.least_island());
       for (Hole& slit :
            slits_between(claims_, holes, slit_width(), layout_.settings.kerb_radius_minimal,
-                         layout_.settings.max_hole_area))
+                         layout_.settings.least_island()))
         holes.push_back(std::move(slit));
       if (build(needed_by(holes)) || ask_around(holes)) continue;
       lead_turned_on();

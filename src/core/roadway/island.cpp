@@ -81,7 +81,8 @@ class Islands {
   bool leave_hole(const StreetFace& face) const {
     const KerbCrossings crossings = kerb_crossings(layout_, face);
     const double ground = ground_within(face, crossings);
-    return ground > 0 && ground - area_of(fillets(face, crossings)) < layout_.settings.max_hole_area;
+    return ground > 0 &&
+           ground - area_of(fillets(face, crossings)) < layout_.settings.least_island();
   }
 
  private:

@@ -33,7 +33,7 @@ std::vector<Line> unrounded(const std::vector<Arm>& arms, const std::vector<Gap>
 // Holes filled and kinks rounded, clear of `borders`.
 void finish(Geos& geos, const StreetSettings& settings, const std::vector<Line>& borders,
             MultiPolygon& ground) {
-  fill_holes(ground, settings.max_hole_area);
+  fill_holes(ground, settings.least_island());
   round_kinks(geos, ground, settings.kerb_radius_minimal, borders);
 }
 

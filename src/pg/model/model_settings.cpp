@@ -102,6 +102,7 @@ StreetSettings street_settings_of(const Settings& given) {
   settings.median_width_minimal = given.measure("median_width_minimal", 1e-6);
   settings.median_width_maximal = given.measure("median_width_maximal");
   settings.island_area = given.measure("island_area", 0, 1e6);
+  settings.island_area_minimal = given.measure("island_area_minimal");
   settings.island_nose_radius = given.measure("island_nose_radius", 1e-6);
   settings.kerb_radius_minimal = given.measure_or_none("kerb_radius_minimal");
   settings.short_axis = given.choice<ShortAxis>(

@@ -287,7 +287,7 @@ const Town& town(unsigned seed) {
   settings.crossing = Crossing::split;
   settings.kerb_radius_minimal = 0;  // arcs beside a surface may close a hole, which has no lane
   Town town{streetgen::streets(bent_town(seed, 30), settings), {}, {}};
-  settings.max_hole_area = settings.slit_width = 0;
+  settings.max_hole_area = settings.island_area_minimal = settings.slit_width = 0;
   town.unfilled = streetgen::streets(bent_town(seed, 30), settings);
   LaneSettings with_edges;
   with_edges.edge_lines = true;

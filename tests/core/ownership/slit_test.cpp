@@ -49,6 +49,25 @@ TEST(Slit, BetweenParallelStreetsIsRoadway) {
   EXPECT_NEAR(ground_of(streets(beside, with_slits_up_to(0.1))), 160 * 6, 1e-6);
 }
 
+// Three streets about a triangle of 2 or 8 m2.
+double enclosed_ground(double area, double island_area_minimal) {
+  StreetSettings settings;
+  settings.island_area_minimal = island_area_minimal;
+  settings.kerb_radius_minimal = 0;
+  const double within = std::sqrt(area / (3 * std::sqrt(3))),
+               side = 2 * std::sqrt(3) * (within + 3);
+  const Point a{0, 0, 0}, b{side, 0, 0}, c{side / 2, side * std::sqrt(3) / 2, 0};
+  std::vector<StreetAxis> about{axis(1, {a, b}), axis(2, {b, c}), axis(3, {c, a})};
+  for (StreetAxis& one : about) one.radius = 0;
+  return united_ground(streets(about, settings));
+}
+
+TEST(Hole, IsRoadwayWhereNobodyBuildsAnIsland) {
+  EXPECT_NEAR(enclosed_ground(2, 3.5) - enclosed_ground(2, 0), 2, 1e-6);
+  EXPECT_NEAR(enclosed_ground(8, 3.5) - enclosed_ground(8, 0), 0, 1e-6);
+  EXPECT_NEAR(enclosed_ground(8, 9) - enclosed_ground(8, 0), 8, 1e-6);
+}
+
 TEST(Slit, EndsWhereTheStreetsAreFartherApart) {
   // 0.1 m apart at one end, 3.1 m at the other.
   const std::vector<StreetAxis> apart{axis(1, {{0, 0, 0}, {100, 0, 0}}),

@@ -158,7 +158,9 @@ TEST(Streets, AHoleThatIsCoveredGoesBack) {
        9,
        6.25,
        2}};
-  const Streets before = streets(axes, {});
+  StreetSettings settings;
+  settings.island_area_minimal = 0;
+  const Streets before = streets(axes, settings);
   for (StreetAxis& axis : axes) axis.changed = false;
   axes.push_back({543,
                   {{60.8727205367, 93.851852341, 0},
@@ -169,7 +171,8 @@ TEST(Streets, AHoleThatIsCoveredGoesBack) {
                   14.6,
                   3,
                   4});
-  const Areas was(before), told(streets(axes, {}, {}, former_of(before))), is(streets(axes, {}));
+  const Areas was(before), told(streets(axes, settings, {}, former_of(before))),
+      is(streets(axes, settings));
   EXPECT_NE(was.sections[1], is.sections[1]);
   EXPECT_EQ(told.sections[1], is.sections[1]);
 }
