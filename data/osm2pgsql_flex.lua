@@ -195,14 +195,19 @@ local function is_tram_platform(tags)
         tags.public_transport == 'platform' and (tags.tram == 'yes' or tags.light_rail == 'yes')
 end
 
--- What stands at a place, as a word of one of the keys.
+-- What slows traffic, by the value of traffic_calming.
+local calming_classes = { bump = 'speed_bump', mini_bumps = 'speed_bump', hump = 'speed_hump', table = 'speed_table',
+                          cushion = 'speed_cushion', rumble_strip = 'rumble_strip', choker = 'choker',
+                          chicane = 'chicane', island = 'traffic_island' }
+
+-- What stands at a place: a word of one of the keys, or what slows traffic there.
 local function standing_class(tags)
     for _, key in ipairs({ 'highway', 'natural', 'amenity', 'barrier', 'railway' }) do
         if standing_classes[tags[key]] then
             return tags[key]
         end
     end
-    return is_tram_platform(tags) and 'platform' or nil
+    return is_tram_platform(tags) and 'platform' or calming_classes[tags.traffic_calming]
 end
 
 local known_of_way = known_tags({ highway = {}, aeroway = {}, railway = { 'tram', 'light_rail' } })
@@ -270,6 +275,7 @@ local known_of_node = known_tags({
     highway = { 'traffic_signals', 'stop', 'give_way', 'mini_roundabout', 'crossing', 'turning_circle', 'turning_loop',
                 'passing_place', 'street_lamp', 'bus_stop' },
     natural = { 'tree' }, amenity = { 'bench' }, barrier = { 'bollard', 'kerb' }, railway = { 'tram_stop' },
+    traffic_calming = { 'bump', 'hump', 'table', 'cushion', 'rumble_strip', 'choker', 'chicane', 'island' },
     crossing = { 'traffic_signals', 'uncontrolled', 'unmarked', 'zebra' }, ['crossing:signals'] = { 'yes' },
     ['crossing:markings'] = { 'zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface' },
     direction = { 'forward', 'backward', 'both' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },

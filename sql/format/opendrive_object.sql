@@ -1,12 +1,13 @@
 -- OpenDRIVE: objects beside roads, each at its station.
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_object_kind() RETURNS TABLE(type text, kind text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 18 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 20 SET search_path = pg_catalog
     AS $$ VALUES ('crossing', 'crosswalk'), ('pole', 'pole'), ('lamp', 'streetLamp'), ('bollard', 'pole'),
         ('sign', 'pole'), ('traffic_light', 'pole'), ('arrow', 'roadMark'), ('tree', 'tree'), ('hedge', 'vegetation'),
         ('barrier', 'barrier'), ('bench', 'obstacle'), ('kiosk', 'building'), ('bus_stop', 'obstacle'),
         ('tram_stop', 'obstacle'), ('platform', 'obstacle'),
-        ('parking_bay', 'parkingSpace'), ('manhole', 'patch'), ('runway_light', 'pole') $$;
+        ('parking_bay', 'parkingSpace'), ('manhole', 'patch'), ('runway_light', 'pole'),
+        ('traffic_calming', 'patch'), ('traffic_island', 'trafficIsland') $$;
 COMMENT ON FUNCTION streetgen._opendrive_object_kind() IS
     'The type that objects have in OpenDRIVE, by their type or the nearest one above it that stands here.';
 

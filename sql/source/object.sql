@@ -169,8 +169,8 @@ SELECT geom, CASE class WHEN 'street_lamp' THEN 'lamp' WHEN 'traffic_signals' TH
         crossings_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen.import_osm_objects(name, text, name[]) IS
-    'Imports lamps, trees, benches, bollards, stops and platforms, crossings, signals and signs of an OSM file, from '
-    'the table '
+    'Imports lamps, trees, benches, bollards, stops and platforms, crossings, signals, signs and what slows traffic '
+    'of an OSM file, from the table '
     'PREFIX_object that data/osm2pgsql_flex.lua writes, found in the schemas of search_path or named with its schema '
     '(gis.osm), as streetgen.import_objects: crossings, signals and signs '
     'point to the control point that streetgen.import_osm made of their node. A crossing on no axis is one of another '

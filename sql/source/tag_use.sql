@@ -39,6 +39,9 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, nodes', 'highway',
         'A control point: traffic_signals, stop, give_way, mini_roundabout, crossing; an object: these, street_lamp '
         'and bus_stop.'),
+    ('OpenStreetMap, nodes', 'traffic_calming',
+        'An object: bump, hump, table, cushion, rumble_strip, choker, chicane and island are types below '
+        'traffic_calming.'),
     ('OpenStreetMap, nodes', 'crossing',
         'Of a crossing: traffic_signals are signals beside it; no: there is none. Of traffic_signals: the same word is '
         'a crossing beside them. How it is painted, where crossing:markings does not say: zebra; unmarked or informal: '

@@ -82,7 +82,11 @@ INSERT INTO osm_object VALUES (10, 'crossing', NULL, 'SRID=2154;POINT(650050 686
 INSERT INTO osm_object VALUES (17, 'tram_stop', NULL, 'SRID=2154;POINT(650070 6860001)'), (-18, 'platform', NULL, 'SRID=2154;POINT(650070 6860005)');
 SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
 SELECT 'stops of trams and their platforms are objects', string_agg(type || ' ' || source_ref || ' ' || method, ', ' ORDER BY source_ref) = 'platform -18 relative, tram_stop 17 relative' FROM town.street_object WHERE type IN ('tram_stop', 'platform');
-DELETE FROM osm_object WHERE node_id IN (17, -18);
+INSERT INTO osm_object VALUES (19, 'speed_hump', NULL, 'SRID=2154;POINT(650030 6860000)'), (20, 'traffic_island', NULL, 'SRID=2154;POINT(650020 6860000)');
+SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
+SELECT 'what slows traffic stands on the roadway, and nobody minds', string_agg(type || ' ' || source_ref || ' ' || method, ', ' ORDER BY source_ref) = 'speed_hump 19 relative, traffic_island 20 relative' AND NOT EXISTS (
+    SELECT FROM streetgen.check_model('town') f JOIN town.street_object o ON o.street_object_id = f.id WHERE f.relation = 'street_object' AND o.source_ref IN ('19', '20')) FROM town.street_object WHERE streetgen._is_below('town', type, 'traffic_calming');
+DELETE FROM osm_object WHERE node_id IN (17, -18, 19, 20);
 SELECT count(*) FROM streetgen.import_osm_objects('town') \g /dev/null
 SELECT 'of OpenStreetMap', string_agg(type || ' ' || round(angle), ', ' ORDER BY source_ref) = 'crossing 90, tree 90, bench 180, sign 90' FROM town.street_object WHERE source = 'osm_object';
 SELECT 'a crossing has its ground', ST_Area(surface) = 40 FROM town.pedestrian_crossing;

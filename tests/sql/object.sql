@@ -15,7 +15,7 @@ CREATE FUNCTION pg_temp.line(text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST
 CREATE FUNCTION pg_temp.shape(geometry) RETURNS text LANGUAGE sql AS $$ SELECT ST_AsText(ST_SnapToGrid(ST_Translate($1, -650000, -6860000), 0.001)) $$;
 CREATE FUNCTION pg_temp.stands(bigint) RETURNS text LANGUAGE sql AS $$ SELECT concat_ws(' ', pg_temp.shape(geom), round(angle), axis_id, round(abscissa::numeric, 3), side, round(axis_offset::numeric, 3), method) FROM town.street_object WHERE street_object_id = $1 $$;
 INSERT INTO town.axis (geom, width) VALUES (pg_temp.line('LINESTRING(0 0, 100 0)'), 8), (pg_temp.line('LINESTRING(100 0, 100 80)'), 6);
-SELECT 'a model begins with types', count(*) = 19 FROM town.object_type;
+SELECT 'a model begins with types', count(*) = 28 FROM town.object_type;
 
 -- Dropped and dragged.
 INSERT INTO town.street_object_editing (type, geom) VALUES ('lamp', pg_temp.line('POINT(30 5)')), ('manhole', pg_temp.line('POINT(30 1)')), ('tree', pg_temp.line('POINT(30 40)')), ('sign', pg_temp.line('POINT(70 -4.5)'));

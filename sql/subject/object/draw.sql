@@ -81,6 +81,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, li
     ('construction', 'object', 'bus_stop', 2000, 952, '#0e7490', '#0e7490', 3, 'pixel', 'bus stop'),
     ('construction', 'object', 'furniture', 2000, 952, '#7c3aed', '#7c3aed', 3, 'pixel', 'street furniture'),
     ('construction', 'object', 'protection', 2000, 952, '#475569', '#475569', 2, 'pixel', 'bollard or barrier'),
+    ('construction', 'object', 'calming', 2000, 952, '#a16207', '#a16207', 2, 'pixel', 'what slows traffic'),
     ('construction', 'object', 'manhole', 2000, 952, '#64748b', '#64748b', 2, 'pixel', 'manhole'),
     ('construction', 'object', 'arrow', 2000, 952, '#ffffff', '#ffffff', 0.5, 'pixel', 'paint');
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning) VALUES
@@ -90,6 +91,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, me
     ('print', 'crossing', 'surface', 2500, 7, '#c8c8c8', 'coloured crossing'),
     ('street', 'object', 'furniture', 1500, 952, '#7a4f2a', 'street furniture'),
     ('street', 'object', 'protection', 1500, 952, '#3f454d', 'bollard or barrier'),
+    ('street', 'object', 'calming', 1500, 948, '#8b8f97', 'what slows traffic'),
     ('street', 'object', 'manhole', 1500, 948, '#5f636a', 'manhole'),
     ('street', 'object', 'arrow', 1500, 948, '#fbfbf8', 'paint'),
     ('dark', 'object', 'traffic_light', 1500, 952, '#ff5a4a', 'signal'),
@@ -97,6 +99,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, me
     ('dark', 'object', 'bus_stop', 1500, 952, '#7aa2ff', 'bus stop'),
     ('dark', 'object', 'furniture', 1500, 952, '#b08a5f', 'street furniture'),
     ('dark', 'object', 'protection', 1500, 952, '#8d949e', 'bollard or barrier'),
+    ('dark', 'object', 'calming', 1500, 948, '#5b626d', 'what slows traffic'),
     ('dark', 'object', 'manhole', 1500, 948, '#262b32', 'manhole'),
     ('dark', 'object', 'arrow', 1500, 948, '#dfe2e6', 'paint');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
@@ -142,7 +145,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, li
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, meaning)
     SELECT 'print', 'object', kind, 1500, 952, '#000000', CASE kind WHEN 'arrow' THEN 'paint'
         ELSE 'lamp, signal, sign or furniture' END
-    FROM unnest('{lamp,traffic_light,sign,bus_stop,tram_stop,furniture,protection,manhole,arrow}'::text[]) kind;
+    FROM unnest('{lamp,traffic_light,sign,bus_stop,tram_stop,furniture,protection,manhole,calming,arrow}'::text[]) kind;
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, meaning) VALUES
     ('print', 'object', 1500, 952, '#000000', 'object'),
     ('print', 'crossing', 2500, 7, '#000000', 'crossing');

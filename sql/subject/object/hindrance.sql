@@ -23,7 +23,7 @@ BEGIN
         LANGUAGE sql STABLE SET search_path FROM CURRENT
         AS $body$
         SELECT array_agg(DISTINCT below)
-        FROM unnest('{crossing,parking_bay,arrow,manhole,runway_light,tram_stop}'::text[]) above,
+        FROM unnest('{crossing,parking_bay,arrow,manhole,runway_light,tram_stop,traffic_calming}'::text[]) above,
             unnest(_types_below(above)) below $body$;
     CREATE OR REPLACE FUNCTION _object_spacing() RETURNS TABLE(type text, other text, metres float8)
         LANGUAGE sql STABLE ROWS 50 SET search_path FROM CURRENT

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     RETURNS TABLE(type text, category text, parent text, geometry text, symbol text, size float8, description text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 19 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 28 SET search_path = pg_catalog
     AS $$ VALUES
     ('crossing', 'traffic', NULL, 'point', 'crossing', 4, 'a pedestrian crossing'),
     ('pole', 'furniture', NULL, 'point', 'circle', 0.3, 'a pole that carries something'),
@@ -21,6 +21,15 @@ CREATE OR REPLACE FUNCTION streetgen._default_object_type()
     ('tram_stop', 'traffic', NULL, 'point', 'square', 1, 'where trams stop'),
     ('platform', 'traffic', NULL, 'point', 'rectangle', 2, 'where people wait for trams'),
     ('parking_bay', 'traffic', NULL, 'point', 'bay', 5, 'a place where a car parks'),
+    ('traffic_calming', 'calming', NULL, 'point', 'rectangle', 5, 'what slows traffic'),
+    ('speed_bump', 'calming', 'traffic_calming', 'point', 'rectangle', 5, 'a short bump across the roadway'),
+    ('speed_hump', 'calming', 'traffic_calming', 'point', 'rectangle', 6, 'a hump across the roadway'),
+    ('speed_table', 'calming', 'traffic_calming', 'point', 'rectangle', 8, 'a raised piece of roadway'),
+    ('speed_cushion', 'calming', 'traffic_calming', 'point', 'rectangle', 3, 'a hump that wide vehicles straddle'),
+    ('rumble_strip', 'calming', 'traffic_calming', 'point', 'rectangle', 5, 'strips that one hears and feels'),
+    ('choker', 'calming', 'traffic_calming', 'point', 'rectangle', 3, 'a place where the roadway is narrow'),
+    ('chicane', 'calming', 'traffic_calming', 'point', 'rectangle', 3, 'a place where one drives round obstacles'),
+    ('traffic_island', 'calming', 'traffic_calming', 'point', 'rectangle', 3, 'an island in the roadway'),
     ('manhole', 'ground', NULL, 'point', 'circle', 0.7, 'a manhole'),
     ('runway_light', 'traffic', NULL, 'point', 'circle', 0.3, 'a light of a runway') $$;
 COMMENT ON FUNCTION streetgen._default_object_type() IS 'The types of objects that a model starts with.';

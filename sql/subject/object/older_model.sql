@@ -16,9 +16,10 @@ BEGIN
         ADD CONSTRAINT placement_rule_along_check CHECK (along IN ('border', 'axis', 'arm', 'corner', 'lane'));
     ALTER TABLE street_object ADD IF NOT EXISTS control_point_id bigint,
         ADD IF NOT EXISTS by_hand text[] NOT NULL DEFAULT '{}';
-    -- Types that came with tracks. One that somebody deleted since stays away.
+    -- Types that came with tracks and refuges. One that somebody deleted since stays away.
     INSERT INTO object_type (type, category, parent, geometry, symbol, size, description)
-        SELECT * FROM streetgen._default_object_type() d WHERE d.type IN ('tram_stop', 'platform')
+        SELECT * FROM streetgen._default_object_type() d
+        WHERE (d.type IN ('tram_stop', 'platform') OR d.category = 'calming')
             AND NOT EXISTS (SELECT FROM setting WHERE name = 'track_width') ON CONFLICT DO NOTHING;
     ALTER TABLE IF EXISTS object_edge DROP CONSTRAINT IF EXISTS object_edge_street_object_id_fkey,
         DROP CONSTRAINT IF EXISTS object_edge_edge_id_fkey;
