@@ -29,7 +29,8 @@ CREATE TABLE worded AS SELECT pg_temp.words() AS words;
 ALTER TABLE older.axis DROP access CASCADE, DROP parking_left CASCADE, DROP parking_right CASCADE, DROP lane_markings CASCADE, DROP sidewalk_apart CASCADE, DROP lanes_both CASCADE, DROP ref CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
 ALTER TABLE older.axis_class DROP highway_role CASCADE, DROP walked_along CASCADE, DROP crossed_on_foot CASCADE, DROP lanes_by_width CASCADE,
   DROP lanes_one_way CASCADE, DROP width_one_way CASCADE, DROP lanes_each_way CASCADE, DROP parking_left CASCADE, DROP parking_right CASCADE;
-DELETE FROM older.axis_class WHERE class = 'busway';
+DELETE FROM older.axis_class WHERE class = 'busway' OR use = 'rail';
+DELETE FROM older.object_type WHERE type IN ('tram_stop', 'platform');
 ALTER TABLE older.turn_restriction DROP except_kinds CASCADE;
 ALTER TABLE older.lane_override DROP both_ways CASCADE;
 ALTER TABLE older.interconnection_override DROP along_in CASCADE, DROP along_out CASCADE;
@@ -67,7 +68,7 @@ END $$;
 ALTER TABLE older.symbol_rule DROP CONSTRAINT symbol_rule_scales, DROP CONSTRAINT symbol_rule_name_has_size, DROP CONSTRAINT symbol_rule_width_has_unit, DROP CONSTRAINT symbol_rule_line_has_width,
   DROP CONSTRAINT symbol_rule_shadow_has_width, ADD CHECK (from_scale < to_scale), ADD CHECK (layer <> 'name' OR width IS NOT NULL), ADD CHECK (num_nulls(width, unit) IN (0, 2)), ADD CONSTRAINT mine CHECK (place <> 7 OR fill IS NULL);
 INSERT INTO older.symbol_rule (theme, layer, place, line) VALUES ('street', 'ref', 500, '#112233');
-DELETE FROM older.setting WHERE name IN ('delivery_wins', 'object_snap');
+DELETE FROM older.setting WHERE name IN ('delivery_wins', 'object_snap', 'track_width');
 UPDATE older.setting SET maximum = 1e9 WHERE name = 'reach';
 SELECT 'a rule that cannot be stops it, and is told', state = '23514' AND said = 'a rule of older.symbol_rule cannot be what it is' AND hint LIKE 'Change or delete it in older.symbol_rule%' FROM test.refusal($$SELECT streetgen.adopt_model('older')$$);
 DELETE FROM older.symbol_rule;
@@ -76,6 +77,7 @@ SELECT 'a rule of several columns is refused with the way out', state = '23514' 
 SELECT 'a condition of the user stays', test.state($$INSERT INTO older.symbol_rule (theme, layer, place, fill) VALUES ('street', 'ground', 7, '#112233')$$) = '23514';
 ALTER TABLE older.symbol_rule DROP CONSTRAINT mine;
 SELECT 'it gets the settings that came later, and their ranges', NOT EXISTS (SELECT name, unit, description, minimum, maximum, choice FROM streetgen._default_setting() EXCEPT SELECT name, unit, description, minimum, maximum, choice FROM older.setting);
+SELECT 'it gets the classes of tracks, and the types of their stops', (SELECT count(*) = 3 FROM older.axis_class WHERE use = 'rail' AND taken) AND (SELECT count(*) = 2 FROM older.object_type WHERE type IN ('tram_stop', 'platform'));
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
 SELECT 'and the indexes and comments of a new one', count(*) > 500 AND NOT EXISTS ((SELECT pg_temp.words() EXCEPT TABLE worded) UNION ALL (TABLE worded EXCEPT SELECT pg_temp.words())) FROM worded;
 CREATE FUNCTION pg_temp.meanings(classes jsonb) RETURNS SETOF jsonb LANGUAGE sql AS $$ SELECT c - '{lanes_one_way,lanes_one_way_by,width_one_way,lanes_each_way,parking_left,parking_right}'::text[] FROM jsonb_array_elements(classes) c $$;

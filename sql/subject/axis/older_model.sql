@@ -78,15 +78,21 @@ COMMENT ON FUNCTION streetgen._add_class_use(name) IS
 CREATE OR REPLACE FUNCTION streetgen._add_later_classes(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    without_busway constant boolean := streetgen._lacks_column(model, 'axis', 'access');
+    without_tracks boolean;
 BEGIN
     PERFORM streetgen._use_model(model);
+    without_tracks := NOT EXISTS (SELECT FROM setting WHERE name = 'track_width');
     -- Class busway came with column access, those of use rail with tracks. A class that somebody deleted since stays
     -- away.
+    IF NOT (without_busway OR without_tracks) THEN
+        RETURN;
+    END IF;
     INSERT INTO axis_class (class, taken, width, speed, importance, highway_role, walked_along, crossed_on_foot,
             lanes_by_width, lanes_one_way, width_one_way, lanes_each_way, parking_left, parking_right, use)
-        SELECT * FROM streetgen._default_axis_class() d WHERE d.class = 'busway'
-                AND streetgen._lacks_column(model, 'axis', 'access')
-            OR d.use = 'rail' AND NOT EXISTS (SELECT FROM setting WHERE name = 'track_width') ON CONFLICT DO NOTHING;
+        SELECT * FROM streetgen._default_axis_class() d WHERE d.class = 'busway' AND without_busway
+            OR d.use = 'rail' AND without_tracks ON CONFLICT DO NOTHING;
 END $$;
 COMMENT ON FUNCTION streetgen._add_later_classes(name) IS
     'Adds the classes that came after the first models, where a model was made before them.';

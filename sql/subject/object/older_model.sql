@@ -17,10 +17,11 @@ BEGIN
     ALTER TABLE street_object ADD IF NOT EXISTS control_point_id bigint,
         ADD IF NOT EXISTS by_hand text[] NOT NULL DEFAULT '{}';
     -- Types that came with tracks and refuges. One that somebody deleted since stays away.
-    INSERT INTO object_type (type, category, parent, geometry, symbol, size, description)
-        SELECT * FROM streetgen._default_object_type() d
-        WHERE (d.type IN ('tram_stop', 'platform') OR d.category = 'calming')
-            AND NOT EXISTS (SELECT FROM setting WHERE name = 'track_width') ON CONFLICT DO NOTHING;
+    IF NOT EXISTS (SELECT FROM setting WHERE name = 'track_width') THEN
+        INSERT INTO object_type (type, category, parent, geometry, symbol, size, description)
+            SELECT * FROM streetgen._default_object_type() d WHERE d.type IN ('tram_stop', 'platform')
+                OR d.category = 'calming' ON CONFLICT DO NOTHING;
+    END IF;
     ALTER TABLE IF EXISTS object_edge DROP CONSTRAINT IF EXISTS object_edge_street_object_id_fkey,
         DROP CONSTRAINT IF EXISTS object_edge_edge_id_fkey;
     -- Rights on single columns are rights to write them, too.
