@@ -46,6 +46,7 @@ std::vector<int> ways_from(int start, const Distances& sights) {
   std::vector<bool> settled(count, false);
   away[start] = 0;
   for (int round = 0; round < count; ++round) {
+    poll_cancel();
     int next = -1;
     for (int i = 0; i < count; ++i)
       if (!settled[i] && away[i] < infinite && (next < 0 || away[i] < away[next])) next = i;
@@ -91,10 +92,11 @@ std::vector<AreaWalk> walks_over_area(const MultiPolygon& area, const std::vecto
   const PreparedSurface ground(area);
   Distances sights(points.size(), std::vector<double>(points.size(), infinite));
   for (std::size_t i = 0; i < points.size(); ++i) {
-    poll_cancel();
-    for (std::size_t j = i + 1; j < points.size(); ++j)
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      poll_cancel();
       if (sees(ground, points[i], points[j]))
         sights[i][j] = sights[j][i] = distance(points[i], points[j]);
+    }
   }
   std::vector<AreaWalk> found;
   for (int from = 0; from < static_cast<int>(places.size()); ++from) {
@@ -111,9 +113,13 @@ std::vector<AreaWalk> walks_over_area(const MultiPolygon& area, const std::vecto
   std::stable_sort(found.begin(), found.end(),
                    [](const AreaWalk& a, const AreaWalk& b) { return a.metres < b.metres; });
   Ways ways(places.size());
-  for (const AreaWalk& walk : there) ways.add(walk);
+  for (const AreaWalk& walk : there) {
+    poll_cancel();
+    ways.add(walk);
+  }
   std::vector<AreaWalk> missed;
   for (AreaWalk& walk : found) {
+    poll_cancel();
     const double round = ways.metres(walk.from, walk.to);
     if (round <= detour * walk.metres || round - walk.metres <= worth_it) continue;
     ways.add(walk);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/polyline.hpp"
+#include "streetgen/cancel.hpp"
 #include "streetgen/walk_network.hpp"
 
 namespace streetgen {
@@ -52,6 +53,24 @@ TEST(WalksOverArea, PartsAreNotJoined) {
 TEST(WalksOverArea, OneOfNoLengthIsNone) {
   EXPECT_TRUE(walks_over_area(square(10), {{5, 5}, {5, 5}}, {}, 1.1).empty());
   EXPECT_TRUE(walks_over_area({}, {{5, 5}, {6, 5}}, {}, 1.1).empty());
+}
+
+int polls_of_walks = 0;
+
+TEST(WalksOverArea, CanBeCancelledBetweenAnyTwoSightsAndAnyTwoStepsOfAWay) {
+  MultiPolygon holed = square(100);
+  for (int i = 0; i < 10; ++i) {
+    const double x = 5 + 9 * i;
+    holed[0].push_back({{x, 5}, {x, 95}, {x + 1, 95}, {x + 1, 5}, {x, 5}});
+  }
+  std::vector<Point> places;
+  for (int i = 0; i < 10; ++i) places.push_back({2.0 + 9 * i, 0});
+  polls_of_walks = 0;
+  set_cancel_check([]() noexcept { return ++polls_of_walks < 0; });
+  walks_over_area(holed, places, {}, 1.1);
+  set_cancel_check(nullptr);
+  const int points = 10 + 4 * 10;
+  EXPECT_GE(polls_of_walks, points * (points - 1) / 2 + 10 * points);
 }
 
 }  // namespace
