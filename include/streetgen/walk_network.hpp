@@ -67,8 +67,8 @@ struct WalkLink {
 };
 
 // Links by line and part. Lines meet where they share a vertex, on whatever levels, and where they
-// cross on one level, or one ends within 1 cm of the other, and one of them is not mapped. A line
-// without length has no link.
+// cross on one level, or one ends within 1 cm of the other, and one of them is not mapped. Ends of
+// links of a level that are nearer than that are one node, and what lies within one is no link.
 std::vector<WalkLink> walk_network(const std::vector<WalkLine>& lines);
 
 // A walk that is there already, or the shortest one over an area, between two of its places.

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "footway/walk_nodes.hpp"
 #include "geometry/box.hpp"
 #include "geometry/box_index.hpp"
 #include "geometry/polyline.hpp"
@@ -17,11 +18,7 @@ namespace streetgen {
 
 namespace {
 
-constexpr double one_place = 0.01;  // metres; a crossing that is nearer to a vertex lies on it
 constexpr double near_end = 0.5;  // metres; a crossing that is nearer to an end of a line is there
-
-using Place = std::pair<double, double>;
-Place place_of(const Point& p) { return {p.x, p.y}; }
 
 std::uint64_t mixed(std::uint64_t hash) {
   hash += 0x9e3779b97f4a7c15;
@@ -73,11 +70,11 @@ class Network {
     cut_crossings();
     each_loose_end([&](int l, bool at_end) { cut_off(l, at_end); });
     each_loose_end([&](int l, bool at_end) { lead_on(l, at_end); });
-    std::vector<WalkLink> links;
-    std::set<std::int64_t> known;
+    std::vector<WalkPiece> pieces;
     for (std::size_t l = 0; l < lines_.size(); ++l)
-      if (!lines_[l].empty()) add_links(static_cast<int>(l), links, known);
-    return links;
+      if (!lines_[l].empty()) add_pieces(static_cast<int>(l), pieces);
+    join_near_ends(pieces);
+    return links_of(pieces);
   }
 
  private:
@@ -232,33 +229,39 @@ class Network {
     return nodes;
   }
 
-  // A piece that two lines share is the first one's.
-  void add_links(int l, std::vector<WalkLink>& links, std::set<std::int64_t>& known) const {
+  void add_pieces(int l, std::vector<WalkPiece>& pieces) const {
     std::vector<Cut> nodes = nodes_along(l);
     if (const auto cut = ends_before_.find({l, false}); cut != ends_before_.end())
       while (nodes.size() > 1 && abscissa_of(l, nodes.front()) < cut->second)
         nodes.erase(nodes.begin());
     if (const auto cut = ends_before_.find({l, true}); cut != ends_before_.end())
       while (nodes.size() > 1 && abscissa_of(l, nodes.back()) > cut->second) nodes.pop_back();
-    const std::size_t first = links.size();
-    const auto add = [&](Line line) {
-      WalkLink link;
-      link.line = l;
-      link.geometry = distinct(std::move(line));
-      if (link.geometry.size() < 2) return;
-      name(link);
-      if (known.insert(link.id).second) links.push_back(std::move(link));
-    };
-    std::vector<Line> pieces;
+    std::vector<Line> lines;
     for (std::size_t n = 1; n < nodes.size(); ++n)
-      pieces.push_back(between(lines_[l], nodes[n - 1], nodes[n]));
-    for (const bool at_end : {false, true}) add_way_on(l, at_end, pieces);
-    for (Line& piece : pieces) add(std::move(piece));
-    const int parts = static_cast<int>(links.size() - first);
-    for (int part = 1; part <= parts; ++part) {
-      links[first + part - 1].part = part;
-      links[first + part - 1].parts = parts;
+      lines.push_back(between(lines_[l], nodes[n - 1], nodes[n]));
+    for (const bool at_end : {false, true}) add_way_on(l, at_end, lines);
+    for (Line& line : lines) {
+      line = distinct(std::move(line));
+      if (line.size() > 1) pieces.push_back({l, given_[l].level, std::move(line)});
     }
+  }
+
+  // A piece that two lines share is the first one's.
+  static std::vector<WalkLink> links_of(std::vector<WalkPiece>& pieces) {
+    std::vector<WalkLink> links;
+    std::set<std::int64_t> known;
+    std::map<int, int> parts;  // by line
+    for (WalkPiece& piece : pieces) {
+      WalkLink link;
+      link.line = piece.line;
+      link.geometry = std::move(piece.geometry);
+      name(link);
+      if (!known.insert(link.id).second) continue;
+      link.part = ++parts[link.line];
+      links.push_back(std::move(link));
+    }
+    for (WalkLink& link : links) link.parts = parts[link.line];
+    return links;
   }
 
   // A piece of its own where others were led on to the end as well.

@@ -102,6 +102,35 @@ TEST(WalkNetwork, TwoLinesOfOneShapeAreOneLinkAndThoseWithoutLengthNone) {
   EXPECT_TRUE(walk_network({}).empty());
 }
 
+TEST(WalkNetwork, EndsNearerThanACentimetreAreOneNode) {
+  const auto links =
+      walk_network({mapped({{0, 0}, {10, 0}}), mapped({{10, 1e-6}, {20, 0}}),
+                    mapped({{10 + 1e-6, 0}, {10, -9}}), built({{10, 0}, {10 + 1e-6, 0}})});
+  ASSERT_EQ(links.size(), 3u);
+  EXPECT_EQ(links[0].to_node, links[1].from_node);
+  EXPECT_EQ(links[0].to_node, links[2].from_node);
+  EXPECT_TRUE(same(links[0].geometry.back(), links[1].geometry.front()));
+  // The order of lines says nothing about the node.
+  const auto turned = walk_network({mapped({{10, 1e-6}, {20, 0}}), mapped({{0, 0}, {10, 0}})});
+  EXPECT_EQ(turned[1].to_node, links[0].to_node);
+  EXPECT_EQ(turned[0].from_node, links[0].to_node);
+}
+
+TEST(WalkNetwork, EndsOfTwoLevelsThatAreNearAreTwoNodes) {
+  WalkLine above = mapped({{10, 1e-6}, {20, 0}});
+  above.level = 1;
+  const auto links = walk_network({mapped({{0, 0}, {10, 0}}), above});
+  ASSERT_EQ(links.size(), 2u);
+  EXPECT_NE(links[0].to_node, links[1].from_node);
+}
+
+TEST(WalkNetwork, ALoopIsALinkUnlessItLiesWithinACentimetre) {
+  const auto links = walk_network({mapped({{0, 0}, {9, 0}, {9, 9}, {0, 1e-3}})});
+  ASSERT_EQ(links.size(), 1u);
+  EXPECT_EQ(links[0].from_node, links[0].to_node);
+  EXPECT_TRUE(walk_network({mapped({{0, 0}, {2e-3, 0}, {2e-3, 2e-3}, {0, 1e-3}})}).empty());
+}
+
 TEST(WalkNetwork, OfRandomLinesNodesAreEndsLengthStaysAndIdsAreOnce) {
   std::mt19937 random(48);
   std::uniform_real_distribution<double> place(0, 100);
@@ -120,6 +149,7 @@ TEST(WalkNetwork, OfRandomLinesNodesAreEndsLengthStaysAndIdsAreOnce) {
     sum += length(link.geometry);
     EXPECT_TRUE(ids.insert(link.id).second);
     EXPECT_GE(link.from_node, 0);
+    EXPECT_GT(length(link.geometry), 0.01);
   }
   // A crossing beside an end or a vertex bends its line there.
   EXPECT_NEAR(sum, metres, 60);
