@@ -96,6 +96,17 @@ CALL pg_temp.draw('left_hand', '{lane,interconnection,junction,footway,object,bl
 CALL pg_temp.draw('right_hand', '{lane,interconnection,junction,footway,object,block,rail}');
 SELECT 'left-hand traffic has the mirrored tracks', (SELECT bool_and(abs(a.metres - b.metres) < 0.01) AND count(*) = 4 FROM (SELECT rail_track_id, sum(end_abscissa - start_abscissa) AS metres FROM left_hand.street_track GROUP BY 1) a FULL JOIN (SELECT rail_track_id, sum(end_abscissa - start_abscissa) AS metres FROM right_hand.street_track GROUP BY 1) b USING (rail_track_id))
   AND (SELECT abs(sum(ST_Area(surface)) - (SELECT sum(ST_Area(surface)) FROM right_hand.track_bed)) < 0.5 FROM left_hand.track_bed);
+-- Tracks that turn off their street at several angles, to either side and either way.
+SELECT streetgen.create_model('turning', 2154, subjects => '{lane,sidewalk,rail}', driving_side => 'right') \g /dev/null
+INSERT INTO turning.axis (axis_id, geom, width, lane_count) SELECT n, ST_Translate(pg_temp.line('LINESTRING(0 0,100 0)'), 0, n * 200), 10, 2 FROM generate_series(1, 10) n;
+INSERT INTO turning.rail_track (rail_track_id, geom) SELECT n, ST_Translate(CASE WHEN n % 2 = 1 THEN ST_Reverse(geom) ELSE geom END, 0, n * 200) FROM unnest('{31,45,63,90,117,-31,-45,-63,-90,-117}'::float8[]) WITH ORDINALITY a(turned, n),
+  LATERAL (SELECT pg_temp.line(format('LINESTRING(0 0,60 0,%s %s)', 60 + 20 * cosd(turned), 20 * sind(turned))) AS geom) g;
+SELECT 'a track that turns off its street has its sides along it, up to there', count(*) = 10 AND bool_and(abs(t.end_abscissa - CASE WHEN axis_id IN (1, 6) THEN 60 + 5 / tand(31) ELSE 60 END) < 0.05 AND t.start_abscissa < 0.01 AND abs(borders[2] - 1.325) < 0.01 AND abs(borders[3] - 1.325) < 0.01)
+  FROM turning.street_track t JOIN turning.edge USING (edge_id) WHERE borders IS NOT NULL;
+SELECT 'and leads across from there', count(*) = 8 AND bool_and(abs(greatest(start_abscissa - 60, 60 - end_abscissa)) < 0.05) FROM turning.street_track WHERE borders IS NULL;
+SELECT 'shares its lanes up to there, and is a piece of a cut', (SELECT count(*) = 20 AND bool_and(start_abscissa < 0.01 AND end_abscissa BETWEEN 58 AND 69) FROM turning.lane_track) AND (SELECT count(DISTINCT edge_id) = 10 FROM turning.cross_section WHERE kind = 'rail' AND start_abscissa <= 30 AND end_abscissa >= 30);
+INSERT INTO turning.rail_track (rail_track_id, geom) VALUES (11, ST_Translate(pg_temp.line('LINESTRING(20 30,20 2,50 2,50 -2,20 -2)'), 0, 200));
+SELECT 'one that turns about in the street lies along it twice', array_agg(concat_ws(' ', round(start_abscissa), round(end_abscissa), borders IS NULL) ORDER BY part) = '{20 50 f,20 20 t,20 50 f,50 50 t}' FROM turning.street_track WHERE rail_track_id = 11;
 -- Bad input is refused with a way out, or has a result.
 SELECT 'a gauge of metres is refused', state = '23514' AND hint <> '' FROM test.refusal('INSERT INTO town.rail_track (geom, gauge) VALUES (pg_temp.line(''LINESTRING(0 0,1 1)''), 1)');
 SELECT 'so are nine tracks, and a line without length', (test.refusal('UPDATE town.rail_track SET tracks = 9')).state = '23514' AND (test.refusal('INSERT INTO town.rail_track (geom) VALUES (''SRID=2154;LINESTRING EMPTY'')')).state = '23514';

@@ -23,23 +23,42 @@ CREATE OR REPLACE FUNCTION streetgen._surfaces_of(ground geometry) RETURNS geome
     AS $$ SELECT ST_Multi(ST_CollectionExtract(ground, 3)) $$;
 COMMENT ON FUNCTION streetgen._surfaces_of(geometry) IS 'The surfaces (MULTIPOLYGON) of a geometry.';
 
+CREATE OR REPLACE FUNCTION streetgen._track_stretches(course geometry)
+    RETURNS TABLE(number integer, along boolean, stretch geometry)
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE ROWS 2 SET search_path = pg_catalog, public
+    AS $$
+    WITH place AS (
+        SELECT path[1] AS n, geom, lag(geom) OVER (ORDER BY path[1]) AS start FROM ST_DumpPoints(course)),
+    step AS (
+        SELECT n, start, geom, CASE WHEN abs(aside) < abs(ahead) THEN sign(ahead) ELSE 0 END AS onwards
+        FROM place, LATERAL (SELECT ST_X(geom) - ST_X(start) AS ahead, ST_Y(geom) - ST_Y(start) AS aside) d
+        WHERE start IS NOT NULL),
+    run AS (
+        SELECT min(n) AS n, onwards <> 0 AS along, ST_MakeLine((array_agg(start ORDER BY n))[1:1]
+            || array_agg(geom ORDER BY n)) AS stretch
+        FROM (SELECT *, n - row_number() OVER (PARTITION BY onwards ORDER BY n) AS run FROM step) s
+        GROUP BY onwards, run)
+    -- Axes and tracks have bends of centimetres.
+    SELECT n, along, stretch FROM run WHERE ST_Length(stretch) > 0.5 $$;
+COMMENT ON FUNCTION streetgen._track_stretches(geometry) IS
+    'The course of a track (LINESTRING of metres along an edge and to its left), parted where it turns: back, or to '
+    'lead across, which is at 45 degrees and more, or along again. Those shorter than half a metre are none.';
+
 CREATE OR REPLACE FUNCTION streetgen._track_borders(course geometry, half float8) RETURNS float8[]
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
     WITH place AS (
-        SELECT ST_X(geom) AS at, ST_Y(geom) AS beside, row_number() OVER (ORDER BY path[1] * onwards) AS n
-        FROM ST_DumpPoints(course), sign(ST_X(ST_EndPoint(course)) - ST_X(ST_StartPoint(course))) onwards),
+        SELECT ST_X(geom) AS at, ST_Y(geom) AS beside FROM ST_DumpPoints(course)),
     slope AS (
-        SELECT at, beside, n, at - lag(at) OVER w AS ahead, (beside - lag(beside) OVER w) / nullif(at - lag(at)
-            OVER w, 0) AS before, (lead(beside) OVER w - beside) / nullif(lead(at) OVER w - at, 0) AS behind
-        FROM place WINDOW w AS (ORDER BY n))
-    SELECT array_agg(v ORDER BY n, i) FROM slope,
+        SELECT at, beside, (beside - lag(beside) OVER w) / (at - lag(at) OVER w) AS before,
+            (lead(beside) OVER w - beside) / (lead(at) OVER w - at) AS behind
+        FROM place WINDOW w AS (ORDER BY at))
+    SELECT array_agg(v ORDER BY at, i) FROM slope,
         LATERAL (SELECT half * sqrt(1 + (SELECT avg(s) FROM unnest(ARRAY[before, behind]) s) ^ 2) AS half) h,
-        LATERAL (VALUES (1, at), (2, beside + h.half), (3, h.half - beside)) t(i, v)
-    HAVING bool_and(ahead > 0) IS NOT FALSE AND bool_and(abs(before) < 1) $$;
+        LATERAL (VALUES (1, at), (2, beside + h.half), (3, h.half - beside)) t(i, v) $$;
 COMMENT ON FUNCTION streetgen._track_borders(geometry, float8) IS
-    'Both sides of a track, half as wide as said, by its course (LINESTRING of metres along an edge and to its left): '
-    'as section.borders. NULL: it turns back, or leads across at 45 degrees and more.';
+    'Both sides of a track, half as wide as said, by the course of a stretch along an edge (_track_stretches): as '
+    'section.borders.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_rail_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -95,15 +95,16 @@ BEGIN
     -- Metres along the edge and to its left, by the way of the track.
     course AS MATERIALIZED (
         SELECT edge_id, rail_track_id, half, number, ST_Simplify(ST_MakeLine(ST_MakePoint(at[1], at[2])
-            ORDER BY n), 0.02) AS course, min(at[1]) AS low, max(at[1]) AS high, min(at[2]) AS nearest
+            ORDER BY n), 0.02) AS course
         FROM piece p, LATERAL (SELECT d.path[1] AS n, streetgen._locate_on(p.line, d.geom::bytea) AS at
             FROM ST_DumpPoints(ST_Segmentize(p.geom, 2)) d) d
         GROUP BY edge_id, rail_track_id, half, number),
     numbered AS (
-        SELECT edge_id, row_number() OVER (PARTITION BY edge_id ORDER BY low, nearest, rail_track_id, number)::integer
-            AS part, rail_track_id, low AS start_abscissa, high AS end_abscissa,
-            streetgen._track_borders(course, half) AS borders
-        FROM course),
+        SELECT edge_id, row_number() OVER (PARTITION BY edge_id ORDER BY ST_XMin(stretch), ST_YMin(stretch),
+                rail_track_id, c.number, s.number)::integer AS part, rail_track_id,
+            ST_XMin(stretch) AS start_abscissa, ST_XMax(stretch) AS end_abscissa,
+            CASE WHEN along THEN streetgen._track_borders(stretch, half) END AS borders
+        FROM course c, LATERAL streetgen._track_stretches(course) s),
     compared AS MATERIALIZED (
         SELECT n.*, o.edge_id IS NULL AS fresh, (o.rail_track_id, o.start_abscissa, o.end_abscissa, o.borders)
             IS DISTINCT FROM (n.rail_track_id, n.start_abscissa, n.end_abscissa, n.borders) AS changed
