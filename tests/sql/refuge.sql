@@ -43,6 +43,10 @@ CREATE TABLE before AS SELECT street_object_id, island::bytea FROM town.pedestri
 DO $$ BEGIN SET LOCAL streetgen.computes = 'on'; UPDATE town.edge SET input_hash = 0; END $$;
 SELECT streetgen.generate('town', wait => true) \g /dev/null
 SELECT 'edits equal a run over all', NOT EXISTS (SELECT street_object_id, island::bytea FROM town.pedestrian_crossing EXCEPT TABLE before);
+SELECT FROM streetgen.switch_subject('town', 'lane', false);
+SELECT 'without lanes it has no place', count(island) = 0 FROM town.pedestrian_crossing;
+SELECT FROM streetgen.switch_subject('town', 'lane', true);
+SELECT 'with them it is back', NOT EXISTS (SELECT street_object_id, island::bytea FROM town.pedestrian_crossing EXCEPT TABLE before);
 CREATE TABLE layer (id integer, isle text, geom geometry(Point, 2154));
 INSERT INTO layer VALUES (1, 'yes', 'SRID=2154;POINT(650010 6860000)');
 SELECT streetgen.import_control_points('town', 'layer', '{"kind": {"value": "pedestrian_crossing"}, "refuge": "isle", "source_ref": "id"}') \g /dev/null

@@ -220,6 +220,10 @@ BEGIN
         'objects stay at the piece of road where they stand');
     PERFORM streetgen._tie_specialised(model);
     PERFORM streetgen._grant_object_locks(model);
+    -- A refuge has no place any more where lanes were switched off.
+    IF 'lane' <> ALL (streetgen._subjects(model)) THEN
+        PERFORM _renew_crossings(ARRAY(SELECT street_object_id FROM pedestrian_crossing WHERE island IS NOT NULL));
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_object_functions(name) IS
     'Makes the functions and triggers of a model by which objects follow its axes, or drops them where it computes '
