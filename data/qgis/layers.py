@@ -228,7 +228,6 @@ COMPUTED = (
     Layer('traffic', 'parking_bay', 'street_object_id', 'surface', drawn('bay', fill)),
     Layer('traffic', 'bus_stop_box', 'street_object_id', 'paint', drawn('bus_stop_box', fill), scale=2500),
     Layer('traffic', 'pedestrian_crossing', 'street_object_id', 'stripes', drawn('crossing', fill, 'painted_as')),
-    Layer('traffic', 'pedestrian_crossing', 'street_object_id', 'island', drawn('refuge', fill), scale=2500),
     Layer('construction', 'rail', 'rail_track_id', 'rails', lambda look: single(line(look.handle('limit'), 0.2)), scale=5000),
     Layer('construction', 'node', 'node_id', 'geom', mark('circle', 1.4, 'node'), shown=True, scale=5000),
     Layer('construction', 'section_limit', 'section_limit_id', 'border_line', drawn('limit', line, where="method = 'hypothesis'"), shown=True),

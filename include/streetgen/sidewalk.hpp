@@ -44,9 +44,7 @@ struct SidewalkKerb {
 
 struct Sidewalk {
   int kerb = 0;  // index
-  // Metres: as wanted; of one that changes along a course the greatest, of one that leads from one
-  // width to another the mean.
-  double width = 0;
+  double width = 0;  // metres: as wanted, of one that changes the mean
   MultiPolygon surface;
   Method method = Method::hypothesis;  // contested where other kerbs hold part of it, or by_hand
 };

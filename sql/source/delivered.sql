@@ -102,8 +102,8 @@ BEGIN
                 WHERE axis_id IN (SELECT axis_id FROM after)
                     AND axis_id IN (SELECT row_id FROM open_conflict WHERE relation = 'axis'));
         ELSIF TG_TABLE_NAME = 'control_point' THEN
-            said := (SELECT jsonb_object_agg(control_point_id, jsonb_build_object('kind', kind, 'direction', direction,
-                'geom', geom::text)) FROM after);
+            said := (SELECT jsonb_object_agg(control_point_id, to_jsonb(a) || jsonb_build_object('geom', geom::text))
+                FROM after a);
         ELSIF TG_TABLE_NAME = 'footway' THEN
             said := (SELECT jsonb_object_agg(footway_id, to_jsonb(a) || jsonb_build_object('geom', geom::text))
                 FROM after a);

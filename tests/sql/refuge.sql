@@ -31,6 +31,17 @@ UPDATE town.pedestrian_crossing_editing SET refuge = 1.4 WHERE street_object_id 
 SELECT 'by hand goes before the source', (SELECT island IS NULL FROM at_node WHERE node_id = 11) AND abs(ST_YMax(island) - ST_YMin(island) - 1.4) < 1e-6 FROM at_node WHERE node_id = 12;
 UPDATE town.control_point SET refuge = 'yes' WHERE source_ref = '14';
 SELECT 'a control point speaks to its crossing', island IS NOT NULL FROM at_node WHERE node_id = 14;
+-- A way that its source cuts at the crossing, a street that tapers, and a crossing by hand at a control point by hand.
+SELECT streetgen.create_model('cut', 2154, subjects => '{lane,kerb,object}', driving_side => 'left') \g /dev/null
+INSERT INTO cut.axis (axis_id, geom, width, width_end, lane_count) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000, 650050 6860000)', 9, NULL, 2), (2, 'SRID=2154;LINESTRING(650050 6860000, 650100 6860000)', 9, NULL, 2),
+  (3, 'SRID=2154;LINESTRING(650000 6860200, 650100 6860200)', 8, 16, 4), (4, 'SRID=2154;LINESTRING(650000 6860300, 650100 6860300)', 4, NULL, NULL);
+UPDATE cut.axis SET lanes_forward = 1, lanes_backward = 3 WHERE axis_id = 3;
+INSERT INTO cut.control_point (geom, kind, refuge, marking) VALUES ('SRID=2154;POINT(650050 6860000)', 'pedestrian_crossing', 'yes', 'ladder');
+INSERT INTO cut.pedestrian_crossing_editing (geom, refuge) VALUES ('SRID=2154;POINT(650050 6860000)', NULL), ('SRID=2154;POINT(650080 6860200)', 1), ('SRID=2154;POINT(650050 6860300)', 2);
+SELECT 'it lies over the end of a way that is cut there, as the control point beside says', painted_as = 'ladder' AND ST_DWithin(ST_Centroid(island), 'SRID=2154;POINT(650050 6860000)', 1e-6) AND abs(ST_XMax(island) - ST_XMin(island) - (width + 3)) < 1e-6 FROM cut.pedestrian_crossing JOIN cut.street_object USING (street_object_id) WHERE axis_id IN (1, 2);
+SELECT 'on a tapering street it lies where its lanes are there', ST_Area(ST_Intersection(c.island, a.surface)) > 0.45 * ST_Area(c.island) AND ST_Area(ST_Intersection(c.island, b.surface)) > 0.45 * ST_Area(c.island)
+  FROM cut.pedestrian_crossing c JOIN cut.street_object o USING (street_object_id) JOIN cut.edge e USING (axis_id) JOIN cut.lane a ON a.edge_id = e.edge_id AND a.along_axis JOIN cut.lane b ON b.edge_id = e.edge_id AND NOT b.along_axis AND abs(b.lane_position - a.lane_position) = 1 WHERE axis_id = 3;
+SELECT 'one on a lane for both directions is told', array_agg(o.axis_id) = '{4}' FROM streetgen.check_model('cut') f JOIN cut.street_object o ON o.street_object_id = f.id WHERE f.rule = 'refuge without room, m';
 SELECT streetgen.set('town', 'refuge_width', '3') \g /dev/null
 SELECT streetgen.generate('town', wait => true) \g /dev/null
 SELECT 'the setting says how wide', abs(ST_YMax(island) - ST_YMin(island) - 3) < 1e-6 FROM at_node WHERE node_id = 14;

@@ -29,13 +29,13 @@ CROSS JOIN LATERAL (
             coalesce(y.bay_from, b.border) AS inner_border, coalesce(y.bay_from_end, b.border_end) AS inner_border_end,
             -- Cars drive over the kerb before a bay behind it.
             CASE WHEN f.behind > 0 AND k.kerb = 'standing' THEN 'flush' ELSE k.kerb END AS kerb, f.behind, f.front,
-            k.sidewalk, k.beside, CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN 'verge' ELSE 'furnishing' END
-                AS before_walk,
+            k.sidewalk, k.sidewalk_end, k.beside, CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN 'verge'
+                ELSE 'furnishing' END AS before_walk,
             CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN k.sidewalk - k.paved - f.front
                 WHEN y.bay_behind IS NULL AND k.sidewalk > y.parking_strip
                     AND y.parking_strip > k.stone THEN y.parking_strip - k.stone
                 WHEN k.sidewalk - f.front - g.furnishing >= streetgen._walking_width() THEN g.furnishing
-                ELSE 0 END AS furnishing, g.gutter
+                ELSE 0 END AS furnishing, g.gutter, k.sidewalk_end - k.sidewalk AS change
         FROM (VALUES ('left', 1, e.beside_left), ('right', -1, e.beside_right)) v(side, outwards, beside)
             CROSS JOIN LATERAL (SELECT streetgen._border_at(e.borders, s.low, v.side) AS border,
                 streetgen._border_at(e.borders, s.high, v.side) AS border_end, (s.low + s.high) / 2 AS middle) b
@@ -77,7 +77,10 @@ CROSS JOIN LATERAL (
             CASE b.outwards WHEN 1 THEN x.inner_border ELSE -x.outer_border END,
             CASE b.outwards WHEN 1 THEN x.outer_border_end ELSE -x.inner_border_end END,
             CASE b.outwards WHEN 1 THEN x.inner_border_end ELSE -x.outer_border_end END
-        FROM beside_lanes b CROSS JOIN LATERAL (VALUES
+        FROM beside_lanes b CROSS JOIN LATERAL (
+            -- The verge before a sidewalk of one width changes with the ground.
+            SELECT CASE before_walk WHEN 'verge' THEN greatest(change, -furnishing) ELSE 0 END AS verge_change) h
+            CROSS JOIN LATERAL (VALUES
             ('shoulder', room, coalesce(bay_from, gutter_from), room_end, coalesce(bay_from_end, gutter_from_end)),
             ('bay', bay_from, bay_to, bay_from_end, bay_to_end),
             ('shoulder', CASE WHEN bay_to IS NOT NULL THEN filled END, gutter_from, filled_end, gutter_from_end),
@@ -88,10 +91,10 @@ CROSS JOIN LATERAL (
             ('stone', CASE WHEN behind > 0 AND front > behind THEN border + behind END, border + front,
                 border_end + behind, border_end + front),
             (before_walk, border + front, border + front + furnishing, border_end + front,
-                border_end + front + furnishing),
-            ('sidewalk', border + front + furnishing, border + sidewalk, border_end + front + furnishing,
-                border_end + sidewalk),
-            (beside, border + greatest(front, sidewalk), 'Infinity', border_end + greatest(front, sidewalk),
+                border_end + front + furnishing + verge_change),
+            ('sidewalk', border + front + furnishing, border + sidewalk,
+                border_end + front + furnishing + verge_change, border_end + sidewalk_end),
+            (beside, border + greatest(front, sidewalk), 'Infinity', border_end + greatest(front, sidewalk_end),
                 'Infinity')) x(kind, inner_border, outer_border, inner_border_end, outer_border_end)
         WHERE x.inner_border IS NOT NULL AND (x.kind <> 'kerb' OR b.kerb IS NOT NULL))
     SELECT f.side, row_number() OVER (PARTITION BY f.side ORDER BY f.offset_from + f.offset_from_end,
@@ -172,12 +175,14 @@ UNION ALL SELECT p.place FROM lane l CROSS JOIN LATERAL (
     UNION ALL SELECT * FROM streetgen._border_places(l.borders)) p(place) WHERE l.edge_id = e.edge_id
 
 --{cross_section_without_kerbs
-SELECT NULL AS kerb, 0::float8 AS stone, 0::float8 AS sidewalk, NULL::float8 AS paved, v.beside
+SELECT NULL AS kerb, 0::float8 AS stone, 0::float8 AS sidewalk, 0::float8 AS sidewalk_end, NULL::float8 AS paved,
+    v.beside
 
 --{cross_section_kerbs
 SELECT CASE WHEN k.kerb_id IS NULL THEN 'none' ELSE coalesce({flush}, 'standing') END AS kerb,
     CASE WHEN k.kerb_id IS NULL THEN 0 ELSE (SELECT value::float8 FROM setting WHERE name = 'kerb_stone_width') END
-        AS stone, {sidewalk} AS sidewalk, {paved} AS paved, coalesce(k.beside, 'roadway') AS beside
+        AS stone, {sidewalk} AS sidewalk, {sidewalk_end} AS sidewalk_end, {paved} AS paved,
+    coalesce(k.beside, 'roadway') AS beside
 FROM (VALUES (1)) one LEFT JOIN LATERAL (
     SELECT k.* FROM kerb k CROSS JOIN LATERAL streetgen._kerb_extent(k.method, k.geom, e.line, e.low, e.high,
         CASE k.side WHEN 'left' THEN e.median_left ELSE e.median_right END) x
@@ -194,13 +199,16 @@ WHERE k.edge_id = e.edge_id AND k.node_id IS NULL AND k.side IN ('left', 'right'
 --{cross_section_sidewalk
 coalesce((SELECT CASE WHEN w.method = 'contested' {or_changing} THEN ST_Length(ST_Intersection(
         coalesce(w.strip, w.surface), ST_MakeLine(
-            streetgen._place_on(e.line::bytea, b.middle, v.outwards * (b.border + b.border_end) / 2)::geometry,
-            streetgen._place_on(e.line::bytea, b.middle, v.outwards * ((b.border + b.border_end) / 2 + w.width))
-                ::geometry))) ELSE w.width END
+            streetgen._place_on(e.line::bytea, {at}, v.outwards * {border})::geometry,
+            streetgen._place_on(e.line::bytea, {at}, v.outwards * ({border} + {widest}))::geometry)))
+        ELSE w.width END
     FROM sidewalk w WHERE (w.edge_id, w.side, w.part) = (k.edge_id, k.side, k.part)), 0)
 
 --{cross_section_changing
 OR EXISTS (SELECT FROM sidewalk_source s WHERE (s.edge_id, s.side) = (k.edge_id, k.side))
+
+--{cross_section_widest
+greatest(w.width, (SELECT max(s.widest) FROM sidewalk_source s WHERE (s.edge_id, s.side) = (k.edge_id, k.side)))
 
 --{cross_section_paved
 -- That of the stretch beside, or of the nearest one, where the sidewalk is as wide as its footways ask for.

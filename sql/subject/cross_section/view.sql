@@ -33,6 +33,21 @@ CREATE OR REPLACE FUNCTION streetgen._crossing_mouth(abscissa float8, width floa
 COMMENT ON FUNCTION streetgen._crossing_mouth(float8, float8, float8, float8) IS
     'Where a crossing meets a border that lies so many metres to the left of the axis, metres along it.';
 
+CREATE OR REPLACE FUNCTION streetgen._cross_section_sidewalk(subjects text[], at_end boolean) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN 'sidewalk' <> ALL (subjects) THEN '0'
+        WHEN 'footway' <> ALL (subjects) THEN streetgen._fill_template(streetgen._part('cross_section_sidewalk'),
+            '{"or_changing": "", "at": "b.middle", "border": "(b.border + b.border_end) / 2", "widest": "w.width"}')
+        ELSE streetgen._fill_template(streetgen._part('cross_section_sidewalk'), jsonb_build_object(
+            'or_changing', streetgen._part('cross_section_changing'),
+            'at', CASE WHEN at_end THEN 's.high - least(0.05, (s.high - s.low) / 10)'
+                ELSE 's.low + least(0.05, (s.high - s.low) / 10)' END,
+            'border', CASE WHEN at_end THEN 'b.border_end' ELSE 'b.border' END,
+            'widest', streetgen._part('cross_section_widest'))) END $$;
+COMMENT ON FUNCTION streetgen._cross_section_sidewalk(text[], boolean) IS
+    'The expression of view cross_section that tells how wide the sidewalk is where a stretch begins, or where it '
+    'ends; of a model without footways the same at both.';
+
 CREATE OR REPLACE FUNCTION streetgen._make_cross_section_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -62,10 +77,8 @@ BEGIN
                     CASE WHEN with_objects THEN streetgen._part('cross_section_flush') ELSE 'NULL' END,
                     'paved', CASE WHEN with_footways THEN streetgen._part('cross_section_paved')
                         ELSE 'NULL::float8' END,
-                    'sidewalk', CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._fill_template(
-                        streetgen._part('cross_section_sidewalk'), jsonb_build_object('or_changing',
-                            CASE WHEN with_footways THEN streetgen._part('cross_section_changing') ELSE '' END))
-                        ELSE '0' END))
+                    'sidewalk', streetgen._cross_section_sidewalk(subjects, at_end => false),
+                    'sidewalk_end', streetgen._cross_section_sidewalk(subjects, at_end => true)))
             ELSE streetgen._part('cross_section_without_kerbs') END,
         'bays', streetgen._part(CASE WHEN with_objects THEN 'cross_section_bays'
             ELSE 'cross_section_without_bays' END)));

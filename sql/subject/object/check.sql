@@ -58,10 +58,12 @@ BEGIN
     UNION ALL
     SELECT 'notice', 'refuge without room, m', 'pedestrian_crossing', o.street_object_id, c.refuge, o.geom
         FROM pedestrian_crossing c JOIN street_object o USING (street_object_id)
-            LEFT JOIN control_point p USING (control_point_id) JOIN object_edge USING (street_object_id)
-            JOIN edge e USING (edge_id)
-        WHERE c.island IS NULL AND c.surface IS NOT NULL AND (c.refuge > 0 OR c.refuge IS NULL AND p.refuge = 'yes')
-            AND e.lanes_forward > 0 AND e.lanes_backward > 0
+            JOIN object_edge USING (street_object_id) JOIN edge e USING (edge_id)
+        WHERE c.island IS NULL AND c.surface IS NOT NULL
+            AND (c.refuge > 0 OR c.refuge IS NULL AND EXISTS (SELECT FROM control_point p WHERE p.refuge = 'yes'
+                AND (p.control_point_id = o.control_point_id OR o.control_point_id IS NULL
+                    AND p.kind = 'pedestrian_crossing' AND ST_DWithin(p.geom, o.geom, 1))))
+            AND (e.lanes_both > 0 OR e.lanes_forward > 0 AND e.lanes_backward > 0)
     UNION ALL
     SELECT 'warning', 'parking bay without its ground', 'parking_bay', o.street_object_id, NULL::float8, o.geom
         FROM parking_bay b JOIN street_object o USING (street_object_id)
@@ -187,8 +189,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('parking bay without its ground', 'a bay stands at no street, or its street ends before it or bends too sharply',
         'drag it to a street in `parking_bay_editing`, or delete it'),
     ('refuge without room, m',
-        'beside the refuge in the middle of a crossing a lane would be narrower than 2.5 m, or the refuge than 1 m',
-        'widen the street, or type 0 as `refuge` in `pedestrian_crossing_editing`'),
+        'beside the refuge in the middle of a crossing a lane would be narrower than 2.5 m, or the refuge than 1 m; or '
+        'it would lie beside the roadway, or the model computes no lanes of two directions there',
+        'widen the street, state its lanes, or type 0 as `refuge` in `pedestrian_crossing_editing`'),
     ('pedestrian crossing without its roadway', 'a crossing stands at no street, or meets no kerb',
         'drag it to a street in `pedestrian_crossing_editing`, or delete it'),
     ('line on a crossing', 'a stop or yield line lies where people walk', '`generate`'),

@@ -48,7 +48,8 @@ BEGIN
                 LEFT JOIN _street_of_objects(objects) a ON a.axis_id = o.axis_id AND o.method = 'relative'
                 LEFT JOIN footway f ON f.footway_id = _footway_over(o.geom, a.level)
                 LEFT JOIN LATERAL (SELECT p.* FROM control_point p WHERE p.control_point_id = o.control_point_id
-                    UNION ALL (SELECT p.* FROM control_point p WHERE o.rule_id = -1 AND p.kind = 'pedestrian_crossing'
+                    UNION ALL (SELECT p.* FROM control_point p
+                        WHERE o.control_point_id IS NULL AND p.kind = 'pedestrian_crossing'
                         AND ST_DWithin(p.geom, o.geom, 1) ORDER BY ST_Distance(p.geom, o.geom), control_point_id
                         LIMIT 1)) p ON true
                 CROSS JOIN LATERAL (SELECT coalesce(c.marking, nullif(f.marking, 'yes'), p.marking, f.marking,
@@ -90,7 +91,8 @@ BEGIN
             -- Stripe by stripe, since they may touch in a bend.
             SELECT street_object_id, was, stripes_were, painted_was, painted_as, footway_was, footway_id,
                 kerbs_were, kerbs, kept AS ground, island_was, island, CASE WHEN island IS NULL THEN paint
-                    ELSE ST_Multi(ST_CollectionExtract(ST_Difference(paint, island), 3)) END AS stripes
+                    ELSE (SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Difference(s.geom, island)
+                        ORDER BY path), 3)) FROM ST_Dump(paint) s) END AS stripes
             FROM clipped, LATERAL (SELECT CASE WHEN painted_as = 'surface' THEN ST_Multi(kept)
                 WHEN kept = ground THEN stripes ELSE (
                     SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_Intersection(s.geom, kept) ORDER BY path), 3))

@@ -238,12 +238,14 @@ CREATE OR REPLACE FUNCTION streetgen._keep_paint(model name, objects bigint[]) R
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    UPDATE pedestrian_crossing c SET marking = c.painted_as FROM street_object o
+    UPDATE pedestrian_crossing c SET marking = c.painted_as, refuge = coalesce(c.refuge,
+        CASE WHEN c.island IS NOT NULL THEN streetgen._setting_number(model, 'refuge_width') END) FROM street_object o
         WHERE c.street_object_id = ANY (objects) AND o.street_object_id = c.street_object_id
             AND (o.placed_by, o.rule_id) = ('rule', -1) AND c.marking IS NULL;
 END $$;
 COMMENT ON FUNCTION streetgen._keep_paint(name, bigint[]) IS
-    'Makes the paint of crossings that footways made that of their user, before they are the user''s own.';
+    'Makes the paint and the refuge of crossings that footways made those of their user, before they are the user''s '
+    'own.';
 
 CREATE OR REPLACE FUNCTION streetgen._changed_columns(former record, now record) RETURNS text[]
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog, public

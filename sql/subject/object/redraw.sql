@@ -48,9 +48,10 @@ BEGIN
         -- Signals tell how the crossing at which they stand is painted.
         PERFORM _renew_crossings(ARRAY(SELECT o.street_object_id FROM unnest(places) place
                 JOIN control_point c ON ST_DWithin(c.geom, place, 1) JOIN street_object o USING (control_point_id)
-            -- Crossings of footways have the control point that lies there.
+            -- Crossings without a control point of their own have that which lies there.
             UNION SELECT o.street_object_id FROM unnest(places) place
-                JOIN street_object o ON o.rule_id = -1 AND ST_DWithin(o.geom, place, 2)));
+                JOIN street_object o ON o.control_point_id IS NULL AND o.type = ANY (_types_below('crossing'))
+                    AND ST_DWithin(o.geom, place, 2)));
         RETURN NULL;
     END $body$;
     CREATE OR REPLACE TRIGGER repaint_insert AFTER INSERT ON control_point REFERENCING NEW TABLE AS after

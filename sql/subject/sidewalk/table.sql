@@ -25,7 +25,7 @@ COMMENT ON COLUMN :"model".sidewalk.node_id IS
 COMMENT ON COLUMN :"model".sidewalk.side IS 'side of the kerb, as kerb.side';
 COMMENT ON COLUMN :"model".sidewalk.part IS 'part of the kerb, as kerb.part';
 COMMENT ON COLUMN :"model".sidewalk.width IS
-    'width that is wanted, metres; behind a corner the mean of those at its ends';
+    'width that is wanted, metres; of one whose width changes the mean';
 COMMENT ON COLUMN :"model".sidewalk.surface IS
     'its ground, without that of parking bays and tracks; empty: they take all of it';
 COMMENT ON COLUMN :"model".sidewalk.method IS

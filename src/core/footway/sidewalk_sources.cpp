@@ -65,6 +65,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+// A place of a footway, and what lies beside it.
+struct Look {
+  SidePlace beside;
+  double to_end = 0;  // metres along the footway to its nearer end
+};
+
 // The least places between which all others lie within the tolerance, by distance.
 void append_course(const std::vector<SidePlace>& places, std::size_t from, std::size_t to,
                    double tolerance, std::vector<SidePlace>& course) {
@@ -88,22 +94,28 @@ void append_course(const std::vector<SidePlace>& places, std::size_t from, std::
   append_course(places, farthest, to, tolerance, course);
 }
 
-// Where a footway leads to a crossing, its sidewalk stays as wide as before.
-void keep_away_at_ends(std::vector<SidePlace>& places) {
-  const double reach = std::min(approach, (places.back().abscissa - places.front().abscissa) / 2);
+// The sidewalk of a footway that leads to a crossing at its end stays as wide as before.
+void keep_away_at_ends(std::vector<Look>& looks) {
+  const double reach =
+      std::min(approach, (looks.back().beside.abscissa - looks.front().beside.abscissa) / 2);
   const auto keep = [&](auto from, auto to) {
-    const double end = from->abscissa;
-    const auto away = [&](const SidePlace& p) { return std::abs(p.abscissa - end) >= reach; };
+    if (from->to_end > step) return;
+    const double end = from->beside.abscissa;
+    const auto away = [&](const Look& look) {
+      return std::abs(look.beside.abscissa - end) >= reach;
+    };
     const auto kept = std::find_if(from, to, away);
-    for (auto place = from; place != kept; ++place)
-      place->distance = std::max(place->distance, kept->distance);
+    for (auto look = from; look != kept; ++look)
+      look->beside.distance = std::max(look->beside.distance, kept->beside.distance);
   };
-  keep(places.begin(), places.end());
-  keep(places.rbegin(), places.rend());
+  keep(looks.begin(), looks.end());
+  keep(looks.rbegin(), looks.rend());
 }
 
-std::vector<SidePlace> course_of(std::vector<SidePlace> places, double distance, double tolerance) {
-  keep_away_at_ends(places);
+std::vector<SidePlace> course_of(std::vector<Look> looks, double distance, double tolerance) {
+  keep_away_at_ends(looks);
+  std::vector<SidePlace> places;
+  for (const Look& look : looks) places.push_back(look.beside);
   std::vector<SidePlace> course{places.front()};
   append_course(places, 0, places.size() - 1, tolerance, course);
   if (std::all_of(course.begin(), course.end(), [&](const SidePlace& place) {
@@ -135,21 +147,25 @@ class SourceFinder {
   }
 
   std::vector<SidewalkSource> find() {
-    for (std::size_t f = 0; f < footways_.size(); ++f)
-      for (std::size_t i = 1; i < footways_[f].line.size(); ++i) {
+    for (std::size_t f = 0; f < footways_.size(); ++f) {
+      const Line line = planar(footways_[f].line);
+      const double whole = length(line);
+      double before = 0;
+      for (std::size_t i = 1; i < line.size(); ++i) {
         poll_cancel();
-        look_along(static_cast<int>(f), planar(footways_[f].line[i - 1]),
-                   planar(footways_[f].line[i]));
+        look_along(static_cast<int>(f), line[i - 1], line[i], before, whole);
+        before += distance(line[i - 1], line[i]);
       }
+    }
     std::vector<SidewalkSource> sources;
-    for (auto& [key, places] : beside_) add_stretches(key.first, key.second, places, sources);
+    for (auto& [key, looks] : beside_) add_stretches(key.first, key.second, looks, sources);
     return sources;
   }
 
  private:
   // Looks from the middles of equal pieces of the segment, where it passes the box of an edge: they
   // are the same whichever edges there are.
-  void look_along(int footway, const Point& from, const Point& to) {
+  void look_along(int footway, const Point& from, const Point& to, double before, double whole) {
     const double length = distance(from, to);
     if (length == 0) return;
     const double looks = std::ceil(length / step);
@@ -159,7 +175,9 @@ class SourceFinder {
       const auto [enters, leaves] = passage(from, to, boxes_[e]);
       for (double n = std::max(0.0, std::floor(enters * looks));
            n < looks && (n + 0.5) / looks <= leaves; ++n)
-        look(footway, e, from + (to - from) * ((n + 0.5) / looks), direction);
+        look(footway, e, from + (to - from) * ((n + 0.5) / looks), direction,
+             std::min(before + length * ((n + 0.5) / looks),
+                      whole - before - length * ((n + 0.5) / looks)));
     });
   }
 
@@ -180,29 +198,31 @@ class SourceFinder {
     return {enters, leaves};
   }
 
-  void look(int footway, int e, const Point& place, const Point& direction) {
+  void look(int footway, int e, const Point& place, const Point& direction, double to_end) {
     const EdgeBeside beside(edges_[e].line, place, direction, reach_[e]);
     for (const int s : sides_of_[e])
       if (const std::optional<SidePlace> found = beside.side(sides_[s], match_))
-        beside_[{s, footway}].push_back(*found);
+        beside_[{s, footway}].push_back({*found, to_end});
   }
 
-  void add_stretches(int side, int footway, std::vector<SidePlace>& places,
+  void add_stretches(int side, int footway, std::vector<Look>& looks,
                      std::vector<SidewalkSource>& sources) const {
-    std::sort(places.begin(), places.end(), [](const SidePlace& a, const SidePlace& b) {
-      return std::pair(a.abscissa, a.distance) < std::pair(b.abscissa, b.distance);
+    std::sort(looks.begin(), looks.end(), [](const Look& a, const Look& b) {
+      return std::pair(a.beside.abscissa, a.beside.distance) <
+             std::pair(b.beside.abscissa, b.beside.distance);
     });
-    for (std::size_t from = 0, to; from < places.size(); from = to) {
-      std::vector<double> distances{places[from].distance};
-      for (to = from + 1; to < places.size() && places[to].abscissa - places[to - 1].abscissa < gap;
+    for (std::size_t from = 0, to; from < looks.size(); from = to) {
+      std::vector<double> distances{looks[from].beside.distance};
+      for (to = from + 1;
+           to < looks.size() && looks[to].beside.abscissa - looks[to - 1].beside.abscissa < gap;
            ++to)
-        distances.push_back(places[to].distance);
-      const double start = places[from].abscissa, end = places[to - 1].abscissa;
+        distances.push_back(looks[to].beside.distance);
+      const double start = looks[from].beside.abscissa, end = looks[to - 1].beside.abscissa;
       if (end <= start) continue;
       const double middle = median(std::move(distances));
       sources.push_back({side, footway, start, end, middle,
-                         course_of({places.begin() + static_cast<std::ptrdiff_t>(from),
-                                    places.begin() + static_cast<std::ptrdiff_t>(to)},
+                         course_of({looks.begin() + static_cast<std::ptrdiff_t>(from),
+                                    looks.begin() + static_cast<std::ptrdiff_t>(to)},
                                    middle, match_.straight)});
     }
   }
@@ -215,7 +235,7 @@ class SourceFinder {
   std::vector<double> reach_;               // by edge: metres to the farthest footway beside it
   std::vector<Box> boxes_;                  // by edge, with its reach
   BoxIndex index_;                          // of them
-  std::map<std::pair<int, int>, std::vector<SidePlace>> beside_;  // by side and footway
+  std::map<std::pair<int, int>, std::vector<Look>> beside_;  // by side and footway
 };
 
 }  // namespace

@@ -148,30 +148,37 @@ void KerbChains::lead_on(SidewalkEnd end) {
   ends_.push_back(std::move(end));
 }
 
-// The kerb lies from `start` to `end` along the way on which the width changes. What is known of
-// its other half stays, whichever half is put first: both changes may meet in the middle.
+// The kerb lies from `start` to `end` along the way on which the width changes. What is known of it
+// beside the change stays, whichever change is put first: those of both ends may meet in the
+// middle.
 void KerbChains::put(int kerb, double start, double end, const std::vector<WidthKnot>& change) {
   std::vector<WidthKnot>& widths = widths_[kerb];
   std::vector<WidthKnot> knots;
   const auto add = [&](const WidthKnot& knot) {
     if (knots.empty() || knot.abscissa - knots.back().abscissa > same_place) knots.push_back(knot);
   };
-  const double middle = (end - start) / 2;
   const bool keeps_start = kerbs_[kerb].width && change.front().abscissa > start;
   const bool keeps_end = kerbs_[kerb].width && !keeps_start;
-  if (keeps_start)
+  const double from = change.front().abscissa - start, to = change.back().abscissa - start;
+  if (keeps_start) {
     for (const WidthKnot& knot : widths)
-      if (knot.abscissa <= middle + same_place) add(knot);
-  if (keeps_start && knots.empty()) knots.push_back({0, change.front().width});
-  if (!keeps_start) knots.push_back({0, width_at(change, start)});
+      if (knot.abscissa < from - same_place) add(knot);
+    add({from, width_at(widths, from)});
+  } else {
+    knots.push_back({0, width_at(change, start)});
+  }
   for (const WidthKnot& knot : change)
-    if (knot.abscissa > start && knot.abscissa < end) add({knot.abscissa - start, knot.width});
-  if (keeps_end)
+    if (knot.abscissa > start && knot.abscissa < end && !(keeps_end && &knot == &change.back()))
+      add({knot.abscissa - start, knot.width});
+  if (keeps_end) {
+    add({to, width_at(widths, to)});
     for (const WidthKnot& knot : widths)
-      if (knot.abscissa >= middle - same_place) add(knot);
-  if (!keeps_end) knots.push_back({end - start, width_at(change, end)});
+      if (knot.abscissa > to) add(knot);
+  } else {
+    knots.push_back({end - start, width_at(change, end)});
+  }
   if (keeps_end && knots.back().abscissa < end - start)
-    knots.push_back({end - start, change.back().width});
+    knots.push_back({end - start, widths.back().width});
   widths = std::move(knots);
 }
 

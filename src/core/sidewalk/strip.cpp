@@ -46,6 +46,18 @@ double width_of(const std::vector<WidthKnot>& knots, double at) {
   return knots[k].width + (knots[k + 1].width - knots[k].width) * share;
 }
 
+double mean_of(const std::vector<WidthKnot>& knots) {
+  const double size = knots.back().abscissa - knots.front().abscissa;
+  if (size <= 0) return (knots.front().width + knots.back().width) / 2;
+  double sum = 0, least = knots.front().width, most = least;
+  for (std::size_t k = 1; k < knots.size(); ++k) {
+    sum += (knots[k].abscissa - knots[k - 1].abscissa) * (knots[k - 1].width + knots[k].width) / 2;
+    least = std::min(least, knots[k].width);
+    most = std::max(most, knots[k].width);
+  }
+  return std::clamp(sum / size, least, most);
+}
+
 WidthCourse course_of(const Line& line, const std::vector<WidthKnot>& knots) {
   WidthCourse course;
   course.add(line[0], knots.front().width, {});
@@ -211,7 +223,7 @@ class Strips {
                   const BackLine& back, int first, int last) {
     Strip& strip = strips_[kerb];
     const std::vector<WidthKnot>& widths = chains_.widths(kerb);
-    strip.width = (widths.front().width + widths.back().width) / 2;
+    strip.width = mean_of(widths);
     strip.widest = widest(kerb);
     strip.reach = spread * widest_beside(kerb);
     strip.narrow = ground.narrow;

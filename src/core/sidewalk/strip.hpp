@@ -9,7 +9,7 @@ namespace streetgen {
 
 struct Strip {
   MultiPolygon surface;  // empty where the kerb has no sidewalk
-  double width = 0;      // metres: as wanted, of one that changes the mean of its ends
+  double width = 0;      // metres: as wanted, of one that changes the mean
   double widest = 0;     // metres
   double reach = 0;      // metres: no part of it is farther from its kerb
   bool plain = true;     // one ring along the kerb, which it cannot cross

@@ -68,19 +68,32 @@ TEST(Sidewalk, ChangesItsWidthAlongAKerbWithACourse) {
   EXPECT_NEAR(area(sidewalks[0].surface), 20 * 2.5 + 20 * 3, 1e-9);
   EXPECT_TRUE(inside({0.1, 1.9, 0}, sidewalks[0].surface));
   EXPECT_FALSE(inside({0.1, 2.2, 0}, sidewalks[0].surface));
-  EXPECT_DOUBLE_EQ(sidewalks[0].width, 3);
+  EXPECT_DOUBLE_EQ(sidewalks[0].width, 2.75);
 }
 
 TEST(Sidewalk, ACornerLeadsFromTheEndOfACourse) {
   const Line down{{0, 50, 0}, {0, 6, 0}}, east{{6, 0, 0}, {60, 0, 0}};
   SidewalkKerb changing = kerb(down, 2);
   changing.course = {{0, 2}, {1, 4}};
-  const auto sidewalks = find_sidewalks(
-      {changing, kerb(quarter({6, 6, 0}, 6, M_PI), std::nullopt), kerb(east, 4)}, 5);
+  const auto sidewalks =
+      find_sidewalks({changing, kerb(quarter({6, 6, 0}, 6, M_PI), std::nullopt), kerb(east, 4)}, 5);
   ASSERT_EQ(sidewalks.size(), 3u);
   EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 44 * 3, 0.05);
   EXPECT_DOUBLE_EQ(of_kerb(sidewalks, 1).width, 4);
   EXPECT_NEAR(area(of_kerb(sidewalks, 2).surface), 54 * 4, 0.1);
+}
+
+// The width changes to that of the next kerb over the last 2.5 m, and the course before stays.
+TEST(Sidewalk, ACourseStaysBesideAChangeOfWidth) {
+  SidewalkKerb changing = kerb({{0, 0, 0}, {40, 0, 0}}, 3);
+  changing.course = {{0, 2}, {0.25, 4}, {0.75, 2}, {1, 2}};
+  const SidewalkKerb next = kerb({{40, 0, 0}, {80, 0, 0}}, 3);
+  const auto sidewalks = find_sidewalks({changing, next}, 5);
+  EXPECT_NEAR(area(of_kerb(sidewalks, 0).surface), 10 * 3 + 20 * 3 + 7.5 * 2 + 2.5 * (2 + 2.5) / 2,
+              1e-9);
+  const SidewalkKerb before = kerb({{-40, 0, 0}, {0, 0, 0}}, 3);
+  EXPECT_NEAR(area(of_kerb(find_sidewalks({before, changing}, 5), 1).surface),
+              2.5 * (2.5 + 2.5) / 2 + 7.5 * (2.5 + 4) / 2 + 20 * 3 + 10 * 2, 1e-9);
 }
 
 // A block's corner: down, round to the left by an arc of radius 6, and east; 2 and 4 m wide.
