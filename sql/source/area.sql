@@ -20,7 +20,7 @@ BEGIN
             WHEN level !~ '^[-+]?\d{1,2}$' OR level::integer NOT BETWEEN -50 AND 50 THEN format('level "%s"', level)
             WHEN foot !~ '^(yes|designated|permissive|destination|private|no)$' THEN format('foot "%s"', foot)
             WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
-            WHEN GeometryType(geom) !~ 'POLYGON|SURFACE|LINESTRING|CURVE' THEN
+            WHEN GeometryType(geom) !~ '^((MULTI|CURVE)?POLYGON|MULTISURFACE|LINESTRING|COMPOUNDCURVE)$' THEN
                 format('a %s as geom', GeometryType(geom))
             WHEN NOT (ST_XMin(geom) >= -1e12 AND ST_XMax(geom) <= 1e12 AND ST_YMin(geom) >= -1e12
                 AND ST_YMax(geom) <= 1e12) THEN 'a coordinate that is not finite' END AS has
@@ -28,8 +28,8 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'source row % has %', bad.label, bad.has USING ERRCODE = '22023',
             HINT = format('kind is one of %s; level is an integer, -50 to 50; foot is yes, designated, permissive, '
-                'destination, private, no or NULL; geom is an area with a known SRID, or a line about it; source_ref '
-                'is a column of distinct values.', array_to_string(streetgen._area_kinds(), ', '));
+                'destination, private, no or NULL; geom is an area with a known SRID, or one line about it; '
+                'source_ref is a column of distinct values.', array_to_string(streetgen._area_kinds(), ', '));
     END IF;
     SELECT source_ref AS label INTO bad FROM pg_temp._import_area GROUP BY source_ref HAVING count(*) > 1 LIMIT 1;
     IF FOUND THEN
@@ -62,7 +62,9 @@ BEGIN
         array_agg(source_ref ORDER BY source_ref) FROM pg_temp._import_part WHERE NOT ST_IsValid(source_geom)
         GROUP BY kind ORDER BY kind;
     RETURN QUERY SELECT CASE kind WHEN 'roadway' THEN 'areas of which nothing is made: roadway follows the axes'
-            ELSE 'areas' END, kind, count(*), NULL::text[] FROM pg_temp._import_part GROUP BY kind ORDER BY kind;
+            ELSE 'areas' END, kind, count(*),
+        CASE kind WHEN 'roadway' THEN array_agg(source_ref ORDER BY source_ref) END
+        FROM pg_temp._import_part GROUP BY kind ORDER BY kind;
     IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
         WHERE d.relation = 'street_area' AND d.source = origin) THEN
         RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'street_area', source);

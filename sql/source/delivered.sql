@@ -46,8 +46,7 @@ BEGIN
     COMMENT ON COLUMN import_conflict.stands IS 'hand or source: whose value the row has, by setting delivery_wins';
     COMMENT ON COLUMN import_conflict.relation IS
         'the table of the row: axis, control_point, turn_restriction, footway, footway_kerb, rail_track, '
-        'street_area or '
-        'street_object';
+        'street_area or street_object';
     COMMENT ON COLUMN import_conflict.row_id IS 'the key of the row';
     COMMENT ON COLUMN import_conflict.source IS 'the source, as in that table';
     COMMENT ON COLUMN import_conflict.source_ref IS 'its identity in the source';

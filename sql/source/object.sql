@@ -135,9 +135,9 @@ COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
     'to the control point of their kind within a metre, each to one of its own, and move with it. With a source_ref, '
     'importing again follows the source; what is by hand stays as setting delivery_wins says, deleted objects too. '
     'Reports counts by type, objects off all axes, which stay where they lie, and objects nearer to another one than '
-    'distance_least of their type. pg_trgm that is asked for and missing: 0A000. A missing column: 42703; '
-    'a bad row or mapping: 22023; a model without the subject: 55000; then the model stays as it was. Needs the rights '
-    'of the owner (42501).';
+    'distance_least of their type. pg_trgm that is asked for and missing: 0A000. A missing column: 42703; a bad '
+    'row or mapping: 22023; a model without the subject: 55000; then the model stays as it was. Needs the rights of '
+    'the owner (42501).';
 
 CREATE OR REPLACE FUNCTION streetgen.import_osm_objects(model name, prefix text DEFAULT 'osm',
     schemas name[] DEFAULT current_schemas(true))

@@ -116,15 +116,24 @@ COMMENT ON FUNCTION streetgen._take_osm_lines(regclass) IS
     'Copies the lines of an OSM table to where import_osm reads them, each with its tags; none where they are NULL or '
     'no object. A table of an older flex file has a column for each tag in place of tags.';
 
-CREATE OR REPLACE FUNCTION streetgen._leave_out_areas()
+CREATE OR REPLACE FUNCTION streetgen._leave_out_areas(areas regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE sql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog
     AS $$
-    WITH area AS (DELETE FROM pg_temp._import_line WHERE tags ->> 'area' = 'yes' RETURNING class, way_id::text)
-    SELECT 'area, and so no street', class, count(*), array_agg(way_id ORDER BY way_id) FROM area GROUP BY class
-    ORDER BY class $$;
-COMMENT ON FUNCTION streetgen._leave_out_areas() IS
-    'Leaves out the lines of OpenStreetMap that go round an area, and tells them by class.';
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._take_points('_import_round', 'SELECT way_id::text AS source_ref FROM '
+        || coalesce(areas::text, '(VALUES (NULL)) none(way_id)'));
+    RETURN QUERY WITH area AS (DELETE FROM pg_temp._import_line WHERE tags ->> 'area' = 'yes'
+            RETURNING class, way_id::text AS source_ref)
+        SELECT 'area, and so no street', class, count(*), array_agg(source_ref ORDER BY source_ref) FROM area a
+        WHERE NOT EXISTS (SELECT FROM pg_temp._import_round r WHERE r.source_ref = a.source_ref)
+        GROUP BY class ORDER BY class;
+    DROP TABLE pg_temp._import_round;
+END $$;
+COMMENT ON FUNCTION streetgen._leave_out_areas(regclass) IS
+    'Leaves out the lines of OpenStreetMap that go round an area, and tells by class those that are not among the '
+    'areas of a table, which are told with these. NULL: there is no such table.';
 
 CREATE OR REPLACE FUNCTION streetgen._read_osm_tags(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -291,7 +300,7 @@ BEGIN
     driving_side := streetgen._driving_side(model);
     first := NOT streetgen._knows_source(model, source::text);
     PERFORM streetgen._take_osm_lines(source);
-    RETURN QUERY SELECT * FROM streetgen._leave_out_areas();
+    RETURN QUERY SELECT * FROM streetgen._leave_out_areas(streetgen._osm_table('_area', prefix, schemas));
     PERFORM streetgen._read_osm_tags(model);
     RETURN QUERY SELECT * FROM streetgen._settle_osm_classes(model);
     RETURN QUERY SELECT * FROM streetgen._settle_carriageways(model);
@@ -329,6 +338,5 @@ COMMENT ON FUNCTION streetgen.import_osm(name, text, name[]) IS
     'the route, class, sidewalks, how cars stand beside the roadway, and the lanes of each direction with their kinds, '
     'widths, turns and changes; and the turn restrictions of PREFIX_restriction and the signals, signs and crossings '
     'of PREFIX_control, the areas of PREFIX_area and the routes of PREFIX_route. A tag that means nothing is '
-    'unknown, and reported by way; tags '
-    'of lanes that were not made, and the misspelt tags of PREFIX_misspelt, stand in table unread_tag, each with its '
-    'reason. streetgen.tag_use() tells what becomes of each.';
+    'unknown, and reported by way; tags of lanes that were not made, and the misspelt tags of PREFIX_misspelt, stand '
+    'in table unread_tag, each with its reason. streetgen.tag_use() tells what becomes of each.';

@@ -1,14 +1,15 @@
 -- Areas of the street of a model with subject footway: psql -v model=MODEL
--- Printed: areas with ground, and square kilometres of it; ground that they share with other surfaces of their level, m2,
--- and pairs that share over 1 dm2; holes under 0.5 m2 at their rims that are a millimetre wide or more. Borders lie on a
--- grid of 0.1 mm.
+-- Printed: areas with ground, and square kilometres of it; ground that they share with other surfaces of their level,
+-- m2, and pairs that share over 1 dm2; holes under 0.5 m2 at their rims that are a millimetre wide or more. Borders
+-- lie on a grid of 0.1 mm.
 SET search_path = :"model", public;
 CREATE TEMPORARY TABLE ground AS
     SELECT 'area' AS of, street_area_id AS id, level, surface FROM area_surface
     UNION ALL SELECT 'footway', footway_id, level, surface FROM footway_surface
     UNION ALL SELECT 'section', edge_id, e.level, s.surface FROM section s JOIN edge e USING (edge_id)
     UNION ALL SELECT 'intersection', node_id, level, surface FROM intersection
-    UNION ALL SELECT 'sidewalk', sidewalk_id, k.level, s.surface FROM sidewalk s JOIN kerb k USING (edge_id, side, part);
+    UNION ALL SELECT 'sidewalk', sidewalk_id, k.level, s.surface
+        FROM sidewalk s JOIN kerb k USING (edge_id, side, part);
 CREATE INDEX ON ground USING gist (surface);
 WITH around AS (
     SELECT a.id, a.level, g.whole FROM ground a, LATERAL (SELECT ST_Union(o.surface, 0.0001) AS whole FROM ground o

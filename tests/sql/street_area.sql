@@ -121,6 +121,11 @@ SELECT 'bad rows are refused', test.state($$SELECT streetgen.import_areas('plain
   '{"geom": "shape", "kind": "what", "level": {"value": "99"}, "source_ref": "id"}')$$) = '22023'
   AND test.state($$SELECT streetgen.import_areas('plain', 'plan',
   '{"kind": "what", "source_ref": "id"}')$$) = '42703';
+CREATE TABLE ring AS SELECT 'square' AS what, pg_temp.shape('MULTILINESTRING((0 0,9 0,9 9,0 0))') AS shape;
+SELECT 'so are several lines as one area, with the row and a hint', state = '22023'
+  AND said = 'source row square has a MULTILINESTRING as geom' AND hint LIKE '%or one line about it%'
+  FROM test.refusal($$SELECT streetgen.import_areas('plain', 'ring', '{"geom": "shape", "kind": "what",
+  "source_ref": "what"}')$$);
 
 -- Of OpenStreetMap.
 CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer,
@@ -155,6 +160,13 @@ SELECT 'what is left out is told', array_agg(concat_ws(' ', what, class, source_
     'floor, left out pedestrian {11,12}","area without a closed ring, left out square {relation/8}","bays of a '
     'street, left out as an area parking {5}","car park within a building, left out parking {4}"}' FROM told
   WHERE what LIKE '%left out%';
+INSERT INTO osm_line SELECT way_id, 'pedestrian', NULL, NULL, '{"area": "yes"}'::jsonb, 5, geom FROM osm_area WHERE way_id = 1
+  UNION ALL SELECT 99, 'pedestrian', NULL, NULL, '{"area": "yes"}'::jsonb, 5, geom FROM osm_area WHERE way_id = 1;
+TRUNCATE told;
+INSERT INTO told SELECT * FROM streetgen.import_osm('mapped', 'osm');
+SELECT 'a line round an area that is taken is told once, with the areas',
+  (SELECT source_refs = '{99}' FROM told WHERE what = 'area, and so no street')
+  AND (SELECT source_refs = '{9}' FROM told WHERE what LIKE 'areas of which nothing is made%');
 DELETE FROM osm_area WHERE way_id = 1;
 SELECT streetgen.import_osm('mapped', 'osm') \g /dev/null
 SELECT 'a source that comes again is followed', NOT EXISTS (SELECT FROM mapped.street_area WHERE source_ref = '1')

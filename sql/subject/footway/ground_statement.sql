@@ -1,7 +1,7 @@
 -- The partition of the ground beside streets, by name: footways and areas of the street take it from each other.
 
 --{wanted_ground
--- Of one kind areas come first, turn 0, then lines.
+-- Areas come before lines of their kind: turn 0, then 1.
 area_ground AS NOT MATERIALIZED (
     SELECT a.street_area_id AS id, a.kind, a.level, array_position(streetgen._area_kinds(), a.kind) AS rank, 0 AS turn,
         a.surface AS paved, a.geom, ST_CollectionExtract(ST_MakeValid(a.geom), 3) AS surface
