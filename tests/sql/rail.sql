@@ -71,6 +71,16 @@ UPDATE town.axis SET geom = ST_Reverse(geom) WHERE axis_id = 1;
 SELECT 'a street that turns round has it on its other side', (SELECT bool_and(abs(borders[3] - (2.1 + 1.325)) < 1e-6) FROM town.street_track JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND rail_track_id = 1) AND pg_temp.stands();
 DELETE FROM town.axis WHERE axis_id = 4;
 SELECT 'streets come and go', pg_temp.stands();
+-- The round end that one track gets of another reaches a sidewalk that the other does not.
+SELECT streetgen.create_model('meeting', 2154, subjects => '{lane,interconnection,footway,rail}', driving_side => 'right') \g /dev/null
+INSERT INTO meeting.axis (axis_id, geom, width, lane_count, sidewalk_left, sidewalk_right) VALUES (1, pg_temp.line('LINESTRING(0 0,100 0)'), 10, 2, 3, 3);
+INSERT INTO meeting.rail_track (rail_track_id, geom, tracks) VALUES (1, pg_temp.line('LINESTRING(50 60,50 10)'), 2), (2, pg_temp.line('LINESTRING(20 13,20 10)'), 2);
+INSERT INTO meeting.rail_track (rail_track_id, geom) VALUES (3, pg_temp.line('LINESTRING(50 10.04,70 30)'));
+SELECT 'a track that meets another gives it a round end, which cuts the sidewalk', (SELECT count(*) = 1 AND bool_and(ST_Area(strip) - ST_Area(surface) > 0.5) FROM meeting.sidewalk WHERE strip IS NOT NULL) AND pg_temp.as_from_scratch('meeting');
+DROP TABLE was;
+UPDATE meeting.rail_track SET geom = ST_Translate(geom, 0, 30) WHERE rail_track_id = 3;
+SELECT 'and takes it away', (SELECT bool_and(strip IS NULL) FROM meeting.sidewalk) AND pg_temp.as_from_scratch('meeting');
+DROP TABLE was;
 BEGIN;
 SELECT streetgen.live('town', false) \g /dev/null
 UPDATE town.rail_track SET geom = ST_Translate(geom, 0, -0.5) WHERE rail_track_id = 1;

@@ -12,10 +12,19 @@ BEGIN
     IF 'rail' <> ALL (subjects) THEN
         RETURN axes;
     END IF;
-    -- GeoJSON rounds.
-    SELECT array_agg(ST_Buffer(ST_SetSRID(ST_GeomFromGeoJSON(t ->> 'geom'), m.srid), (t ->> 'tracks')::integer
-            * streetgen._setting_number(model, 'track_width') / 2 + 0.01))
-        FROM unnest(tracks) t, streetgen.model m WHERE m.name = model INTO beds;
+    -- GeoJSON rounds. Others that end at a track have a round end there (view track_strip).
+    WITH line AS (
+        SELECT ST_SetSRID(ST_GeomFromGeoJSON(t ->> 'geom'), m.srid) AS geom, (t ->> 'tracks')::integer AS tracks,
+            (t ->> 'level')::integer AS level
+        FROM unnest(tracks) t, streetgen.model m WHERE m.name = model),
+    bed AS (
+        SELECT l.geom, l.tracks FROM line l
+        UNION ALL SELECT tip, o.tracks FROM line l JOIN rail_track o ON o.level = l.level
+                AND o.geom && ST_Expand(l.geom, 0.06),
+            LATERAL (VALUES (ST_StartPoint(o.geom)), (ST_EndPoint(o.geom))) v(tip)
+        WHERE ST_DWithin(tip, l.geom, 0.06))
+    SELECT array_agg(ST_Buffer(geom, b.tracks * streetgen._setting_number(model, 'track_width') / 2 + 0.01))
+        FROM bed b INTO beds;
     SELECT ARRAY(SELECT DISTINCT e.axis_id FROM unnest(beds) bed,
         LATERAL (SELECT edge_id, surface FROM section s WHERE s.surface && bed OFFSET 0) s JOIN edge e USING (edge_id)
         WHERE ST_Intersects(s.surface, bed)) INTO axes;
