@@ -41,7 +41,7 @@ BEGIN
     DELETE FROM pg_temp._import i USING pg_temp._import_class c WHERE c.class = i.class AND c.use = 'rail';
     -- Mostly the tracks are lines of their own, and the street says that they lie in it.
     DELETE FROM pg_temp._import_rail_track t WHERE t.embedded AND (
-        SELECT sum(ST_Length(ST_Intersection(t.source_geom, ST_Buffer(o.source_geom, 12))))
+        SELECT ST_Length(ST_Intersection(t.source_geom, ST_Union(ST_Buffer(o.source_geom, 12))))
         FROM pg_temp._import_rail_track o WHERE NOT o.embedded AND o.level = t.level
             AND o.source_geom && ST_Expand(t.source_geom, 12)) > ST_Length(t.source_geom) / 2;
     ALTER TABLE pg_temp._import_rail_track DROP COLUMN embedded;

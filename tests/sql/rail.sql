@@ -154,3 +154,7 @@ SELECT 'what the source deleted is gone', array_agg(source_ref ORDER BY source_r
 SELECT count(*) FROM streetgen.generate('source', wait => true) \g /dev/null
 TRUNCATE told; INSERT INTO told SELECT * FROM streetgen.import_osm('source');
 SELECT 'the same again changes nothing', NOT EXISTS (SELECT FROM told WHERE what IN ('generate is due') OR what LIKE '%vanished%') AND (SELECT count(*) = 2 FROM source.rail_track);
+INSERT INTO osm_line VALUES (8, 'residential', 'half', NULL, '{"embedded_rails": "tram"}', 2, pg_temp.line('LINESTRING(0 600,100 600)')), (9, 'tram', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(-60 598.4,24 598.4)')), (10, 'tram', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(-60 601.6,24 601.6)')),
+  (11, 'residential', 'whole', NULL, '{"embedded_rails": "tram"}', 2, pg_temp.line('LINESTRING(0 700,100 700)')), (12, 'tram', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(-60 698.4,24 698.4)')), (13, 'tram', NULL, NULL, '{}', 2, pg_temp.line('LINESTRING(70 701.6,160 701.6)'));
+SELECT count(*) FROM streetgen.import_osm('source') \g /dev/null
+SELECT 'two tracks beside the same part of a street are beside it once', array_agg(source_ref ORDER BY source_ref::integer) = '{8,9,10,12,13}' FROM source.rail_track WHERE source_ref::integer > 7;
