@@ -34,11 +34,12 @@ CREATE OR REPLACE FUNCTION streetgen._import_osm_areas(model name, areas regclas
     AS $$
 #variable_conflict use_column
 BEGIN
+    PERFORM streetgen._use_model(model);
     -- An older flex file writes no such table.
     IF areas IS NULL THEN
         RETURN;
     END IF;
-    PERFORM streetgen._use_model(model), streetgen._take_points('_import_tagged', format('SELECT geom, name, tags, '
+    PERFORM streetgen._take_points('_import_tagged', format('SELECT geom, name, tags, '
         'coalesce(way_id::text, ''relation/'' || relation_id) AS source_ref FROM %s', areas));
     CREATE TEMPORARY TABLE _import_area ON COMMIT DROP AS
         SELECT a.geom, a.name, a.source_ref, a.label, k.class,
