@@ -384,7 +384,7 @@ CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql V
 DECLARE
   input regclass;
 BEGIN
-  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'rail_track') OR relname LIKE '%\_override') LOOP
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'rail_track', 'street_area') OR relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
   DELETE FROM edited.placement_rule;

@@ -31,8 +31,12 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'sidewalk', e.axis_id, e.start_abscissa, n.geom::text, s.side, s.part, s.width, s.method, s.surface::text)
       FROM @.sidewalk s JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
     || CASE WHEN to_regclass(format('%I.sidewalk_source', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'sidewalk source', e.axis_id, e.start_abscissa, s.side, s.part, s.start_abscissa, s.end_abscissa, s.distance, s.width)
+    UNION ALL SELECT concat_ws(' ', 'sidewalk source', e.axis_id, e.start_abscissa, s.side, s.part, s.start_abscissa, s.end_abscissa, s.distance, s.width, array_to_string(s.places, ' '), array_to_string(s.widths, ' '), s.widest)
       FROM @.sidewalk_source s JOIN @.edge e USING (edge_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.street_area', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'area', a.kind, a.level, a.surface, a.geom::text) FROM @.street_area a$q$ END
+    || CASE WHEN to_regclass(format('%I.area_surface', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'ground of area', a.kind, a.level, a.surface::text) FROM @.area_surface a$q$ END
     || CASE WHEN to_regclass(format('%I.street_track', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'track', e.axis_id, e.start_abscissa, t.part, t.start_abscissa, t.end_abscissa, t.borders)
       FROM @.street_track t JOIN @.edge e USING (edge_id)$q$ END
