@@ -46,8 +46,6 @@ CREATE OR REPLACE FUNCTION streetgen._deliver_areas(model name, source text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
-DECLARE
-    origin constant text COLLATE "default" := source;
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._check_areas();
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS SELECT a.source_ref, streetgen._transformed(
@@ -65,12 +63,7 @@ BEGIN
             ELSE 'areas' END, kind, count(*),
         CASE kind WHEN 'roadway' THEN array_agg(source_ref ORDER BY source_ref) END
         FROM pg_temp._import_part GROUP BY kind ORDER BY kind;
-    IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
-        WHERE d.relation = 'street_area' AND d.source = origin) THEN
-        RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'street_area', source);
-    ELSE
-        DROP TABLE pg_temp._import_part;
-    END IF;
+    RETURN QUERY SELECT * FROM streetgen._deliver_if_any(model, 'street_area', source);
 END $$;
 COMMENT ON FUNCTION streetgen._deliver_areas(name, text) IS
     'Brings the areas of a source up to date with those that were read; reports them, and what is by hand.';

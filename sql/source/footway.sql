@@ -34,22 +34,13 @@ CREATE OR REPLACE FUNCTION streetgen._deliver_parted(model name, relation name, 
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-#variable_conflict use_column
-DECLARE
-    origin constant text COLLATE "default" := source;
 BEGIN
-    PERFORM streetgen._use_model(model);
     IF relation = 'footway' THEN
         ALTER TABLE pg_temp._import_footway RENAME TO _import_part;
     ELSE
         ALTER TABLE pg_temp._import_rail_track RENAME TO _import_part;
     END IF;
-    IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
-        WHERE d.relation = _deliver_parted.relation AND d.source = origin) THEN
-        RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, relation, source, among);
-    ELSE
-        DROP TABLE pg_temp._import_part;
-    END IF;
+    RETURN QUERY SELECT * FROM streetgen._deliver_if_any(model, relation, source, among);
 END $$;
 COMMENT ON FUNCTION streetgen._deliver_parted(name, name, text, text[]) IS
     'Brings the footways or the tracks of a source, or those among some source_refs, up to date with the lines that '
@@ -82,12 +73,7 @@ BEGIN
         FROM aside HAVING count(*) > 0;
     RETURN QUERY SELECT 'kerbs on footways', kerb, count(*), NULL::text[] FROM pg_temp._import_part GROUP BY kerb
         ORDER BY kerb;
-    IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
-        WHERE d.relation = 'footway_kerb' AND d.source = control::text) THEN
-        RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, 'footway_kerb', control::text);
-    ELSE
-        DROP TABLE pg_temp._import_part;
-    END IF;
+    RETURN QUERY SELECT * FROM streetgen._deliver_if_any(model, 'footway_kerb', control::text);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_kerbs(name, regclass) IS
     'Takes the kerbs of an OSM table of nodes that lie on footways of the model; those that say nothing, or lie on '

@@ -88,3 +88,20 @@ END $$;
 COMMENT ON FUNCTION streetgen._deliver_rows(name, name, text, text[]) IS
     'Brings the control points, turn restrictions, footways, tracks or objects of a source, or those among some '
     'source_refs, up to date with the rows of the import: what is by hand stays as in axes. Reports that.';
+
+CREATE OR REPLACE FUNCTION streetgen._deliver_if_any(model name, relation name, source text,
+    among text[] DEFAULT NULL)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF EXISTS (SELECT FROM pg_temp._import_part) OR EXISTS (SELECT FROM delivered d
+        WHERE (d.relation, d.source) = (_deliver_if_any.relation, _deliver_if_any.source)) THEN
+        RETURN QUERY SELECT * FROM streetgen._deliver_rows(model, relation, source, among);
+    ELSE
+        DROP TABLE pg_temp._import_part;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._deliver_if_any(name, name, text, text[]) IS
+    'As streetgen._deliver_rows where the source has rows now or had some before; else there is nothing to report.';
