@@ -32,6 +32,13 @@ CREATE OR REPLACE FUNCTION streetgen._even_borders(width float8, width_end float
 COMMENT ON FUNCTION streetgen._even_borders(float8, float8, float8, float8) IS
     'Borders as column borders of a section has them, of a street of a length (m) that is as wide as its axis says.';
 
+CREATE OR REPLACE FUNCTION streetgen._lane_borders(borders float8[], width float8, axis_offset float8)
+    RETURNS float8[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN coalesce(borders, ARRAY[0, width / 2 + axis_offset, width / 2 - axis_offset]);
+COMMENT ON FUNCTION streetgen._lane_borders(float8[], float8, float8) IS
+    'Borders of a lane as column borders of a section has them, by its columns of these names.';
+
 CREATE OR REPLACE FUNCTION streetgen._roadway_border(axis bytea, borders float8[], abscissa float8,
     abscissa_end float8, side text, axis_offset float8) RETURNS bytea
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 AS 'MODULE_PATHNAME', 'streetgen_roadway_border';

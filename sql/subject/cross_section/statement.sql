@@ -124,8 +124,7 @@ SELECT l.lane_id, l.kind, streetgen._border_at(b.borders, s.low, 'left') AS left
     -streetgen._border_at(b.borders, s.low, 'right') AS right_offset,
     streetgen._border_at(b.borders, s.high, 'left') AS left_offset_end,
     -streetgen._border_at(b.borders, s.high, 'right') AS right_offset_end
-FROM lane l CROSS JOIN LATERAL (SELECT coalesce(l.borders, ARRAY[0, l.width / 2 + l.axis_offset,
-    l.width / 2 - l.axis_offset]) AS borders) b
+FROM lane l CROSS JOIN LATERAL (SELECT streetgen._lane_borders(l.borders, l.width, l.axis_offset) AS borders) b
 WHERE l.edge_id = e.edge_id AND (s.low + s.high) / 2 BETWEEN coalesce(l.start_abscissa - e.first, e.low)
     AND coalesce(l.end_abscissa - e.first, e.high)
 

@@ -7,19 +7,21 @@ area_ground AS NOT MATERIALIZED (
         a.surface AS paved, a.geom, ST_CollectionExtract(ST_MakeValid(a.geom), 3) AS surface
     FROM street_area a WHERE a.kind <> 'roadway'),
 line_ground AS NOT MATERIALIZED (
-    SELECT f.footway_id AS id, u.use, f.level, array_position(streetgen._area_kinds(), u.use) AS rank, 1 AS turn,
-        w.width, f.surface AS paved, f.geom,
-        ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
-    FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
-        LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
-            WHERE name = 'mapped_sidewalk_minimal') w
-    WHERE u.use = ANY (streetgen._footway_uses()))
+    SELECT f.footway_id AS id, f.use, f.level, array_position(streetgen._area_kinds(), f.use) AS rank, 1 AS turn,
+        f.width, f.paved, f.geom, f.surface
+    FROM ({footway_ground}) f)
+
+--{footway_ground
+SELECT f.footway_id, u.use, f.level, w.width, f.surface AS paved, f.geom,
+    ST_Buffer(ST_Force2D(f.geom), w.width / 2, 'endcap=flat quad_segs=4') AS surface
+FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
+    LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
+        WHERE name = 'mapped_sidewalk_minimal') w
+WHERE u.use = ANY (streetgen._footway_uses())
 
 --{ground_beside
 -- Surfaces within a box about g; before: what g gives way to.
-        SELECT s.surface, true AS before FROM section s JOIN edge e USING (edge_id)
-            WHERE s.surface && {box} AND e.level = g.level
-        UNION ALL SELECT i.surface, true FROM intersection i WHERE i.surface && {box} AND i.level = g.level
+        SELECT s.surface, true AS before FROM roadway s WHERE s.surface && {box} AND s.level = g.level
         UNION ALL SELECT w.surface, true FROM sidewalk w JOIN kerb k USING (edge_id, side, part)
             WHERE w.surface && {box} AND k.level = g.level
         UNION ALL SELECT o.surface, (o.rank, o.turn, o.id) < (g.rank, g.turn, g.id) FROM area_ground o

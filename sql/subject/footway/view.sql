@@ -6,14 +6,23 @@ CREATE OR REPLACE FUNCTION streetgen._area_kinds() RETURNS text[]
 COMMENT ON FUNCTION streetgen._area_kinds() IS
     'The kinds of ground of a street, in the order in which these take ground from each other.';
 
+CREATE OR REPLACE FUNCTION streetgen._ground_beside(box text, with_rails boolean) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT streetgen._fill_template(concat(streetgen._part('ground_beside'),
+            CASE WHEN with_rails THEN streetgen._part('tracks_beside') END),
+        jsonb_build_object('box', box)) $$;
+COMMENT ON FUNCTION streetgen._ground_beside(text, boolean) IS
+    'A query of what lies beside ground g within the box of an expression, for the views of footways and areas.';
+
 CREATE OR REPLACE FUNCTION streetgen._ground_view(part text, model name) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT streetgen._fill_template(streetgen._part(part), jsonb_build_object('srid', m.srid,
-            'wanted_ground', streetgen._part('wanted_ground'), 'ground_at_box', streetgen._fill_template(beside,
-                '{"box": "g.surface"}'), 'ground_near_box', streetgen._fill_template(beside,
-                '{"box": "ST_Expand(g.surface, 5)"}')))
-        FROM streetgen.model m, concat(streetgen._part('ground_beside'), CASE WHEN 'rail' = ANY (
-            streetgen._subjects(model)) THEN streetgen._part('tracks_beside') END) beside WHERE m.name = model $$;
+            'wanted_ground', streetgen._fill_template(streetgen._part('wanted_ground'),
+                jsonb_build_object('footway_ground', streetgen._part('footway_ground'))),
+            'ground_at_box', streetgen._ground_beside('g.surface', with_rails),
+            'ground_near_box', streetgen._ground_beside('ST_Expand(g.surface, 5)', with_rails)))
+        FROM streetgen.model m, LATERAL (SELECT 'rail' = ANY (streetgen._subjects(model)) AS with_rails) r
+        WHERE m.name = model $$;
 COMMENT ON FUNCTION streetgen._ground_view(text, name) IS
     'The statement that makes a view of what footways or areas have of the ground beside the streets of a model.';
 

@@ -21,10 +21,8 @@ BEGIN
     -- A roadway parts an area; along the border a walk may run 0.2 m beside it.
     RETURN QUERY SELECT street_area_id, coalesce(d.path[1], 1), a.level, a.surface, a.foot, ST_Multi(
             ST_ForcePolygonCCW(ST_Buffer(ST_SimplifyPreserveTopology(d.geom, 0.1), 0.2, 'join=mitre')))
-        FROM street_area a, LATERAL (SELECT ST_Union(surface, 0.0001) AS driven FROM (
-                SELECT s.surface FROM section s JOIN edge e USING (edge_id)
-                    WHERE s.surface && a.geom AND e.level = a.level
-                UNION ALL SELECT i.surface FROM intersection i WHERE i.surface && a.geom AND i.level = a.level) s) r,
+        FROM street_area a, LATERAL (SELECT ST_Union(r.surface, 0.0001) AS driven FROM roadway r
+                WHERE r.surface && a.geom AND r.level = a.level) r,
             LATERAL (SELECT ST_CollectionExtract(ST_MakeValid(a.geom), 3) AS drawn) g,
             LATERAL ST_Dump(CASE WHEN driven IS NULL THEN drawn
                 ELSE ST_CollectionExtract(ST_Difference(drawn, driven, 0.0001), 3) END) d

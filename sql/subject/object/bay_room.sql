@@ -43,8 +43,8 @@ BEGIN
     #variable_conflict use_column
     BEGIN
         IF edges <> '{}' AND to_regclass('lane') IS NOT NULL THEN
-            RETURN QUERY SELECT edge_id, kind, along_axis, width, axis_offset, coalesce(borders, ARRAY[0,
-                width / 2 + axis_offset, width / 2 - axis_offset]), start_abscissa, end_abscissa
+            RETURN QUERY SELECT edge_id, kind, along_axis, width, axis_offset,
+                streetgen._lane_borders(borders, width, axis_offset), start_abscissa, end_abscissa
             FROM lane WHERE edge_id = ANY (edges) AND method <> 'crossed_limits';
         END IF;
     END $body$;

@@ -140,3 +140,53 @@ FROM street_object o JOIN stop_type USING (type) JOIN object_edge USING (street_
     LATERAL (SELECT ST_LineSubstring(l.geom, least(ahead * front, ahead * back) / whole,
         greatest(ahead * front, ahead * back) / whole) AS middle) b
 WHERE front - back >= 5
+
+--{refuge
+#variable_conflict use_column
+DECLARE
+    -- Cars pass it on lanes so wide. It reaches so far beyond the crossing, and is so wide at least; metres.
+    lane_least constant float8 := 2.5;
+    nose constant float8 := 1.5;
+    least_width constant float8 := 1;
+    of_level constant integer := (SELECT level FROM axis a WHERE a.axis_id = axis);
+    middle float8;
+    room float8;
+    place float8;
+    run float8;
+    island geometry;
+    ground geometry;
+BEGIN
+    IF line IS NULL OR coalesce(wanted, 0) = 0 OR to_regclass('lane') IS NULL THEN
+        RETURN NULL;
+    END IF;
+    -- A refuge lies between the lanes of both directions, as far as these can be narrower.
+    SELECT (low + high) / 2, high - low + 2 * least(room_right, room_left) INTO middle, room
+    FROM (SELECT max(left_offset) FILTER (WHERE on_right) AS low,
+            min(right_offset) FILTER (WHERE NOT on_right) AS high,
+            sum(spare) FILTER (WHERE on_right) AS room_right, sum(spare) FILTER (WHERE NOT on_right) AS room_left
+        FROM (SELECT l.left_offset, l.right_offset, CASE WHEN l.kind IN ('general', 'bus', 'carpool')
+                    THEN greatest(l.left_offset - l.right_offset - lane_least, 0) ELSE 0 END AS spare,
+                avg(l.left_offset) OVER (PARTITION BY l.along_axis) < avg(l.left_offset) OVER () AS on_right
+            FROM (SELECT l.kind, l.along_axis, streetgen._border_at(b.borders, e.at, 'left') AS left_offset,
+                    -streetgen._border_at(b.borders, e.at, 'right') AS right_offset
+                FROM (SELECT edge_id, _refuge.abscissa - start_abscissa AS at FROM edge e WHERE e.axis_id = axis
+                        AND _refuge.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+                    ORDER BY start_abscissa LIMIT 1) e
+                    JOIN lane l ON l.edge_id = e.edge_id AND l.kind <> 'merging' AND NOT l.both_ways,
+                    LATERAL (SELECT streetgen._lane_borders(l.borders, l.width, l.axis_offset) AS borders) b) l) o) s
+    WHERE high > low - 0.01;
+    room := least(wanted, room);
+    IF coalesce(room, 0) < least_width THEN
+        RETURN NULL;
+    END IF;
+    -- A source may cut its way at the crossing: the refuge runs straight, beyond the end of its axis too.
+    place := least(greatest(_refuge.abscissa + middle * cotd(angle), 0), ST_Length2D(line));
+    run := greatest(_refuge.width / 2 + nose - room / 2, 0.1);
+    SELECT ST_Buffer(ST_SetSRID(ST_MakeLine(ST_Translate(at, -east * run, -north * run),
+        ST_Translate(at, east * run, north * run)), ST_SRID(line)), room / 2) INTO island
+    FROM (SELECT streetgen._place_on(line::bytea, place, middle)::geometry AS at,
+        streetgen._direction_on(line::bytea, place, 0) AS direction) p,
+        LATERAL (SELECT sind(direction) AS east, cosd(direction) AS north) d;
+    SELECT ST_Union(surface) INTO ground FROM roadway WHERE surface && island AND level = of_level;
+    RETURN CASE WHEN ST_Covers(ground, island) THEN island END;
+END

@@ -36,10 +36,8 @@ BEGIN
                 SELECT surface FROM track_strip t WHERE t.geom && ST_Expand(o.geom, 8)
                     AND t.level = coalesce(a.level, 0) AND ST_DWithin(t.geom, o.geom, t.width / 2) LIMIT 1) t
             -- One in the roadway is told of as such.
-            WHERE o.type <> ALL (_types_on_roadway()) AND NOT EXISTS (SELECT FROM section s WHERE s.surface && o.geom
-                    AND s.level = coalesce(a.level, 0) AND ST_Intersects(s.surface, o.geom))
-                AND NOT EXISTS (SELECT FROM intersection i WHERE i.surface && o.geom
-                    AND i.level = coalesce(a.level, 0) AND ST_Intersects(i.surface, o.geom));
+            WHERE o.type <> ALL (_types_on_roadway()) AND NOT EXISTS (SELECT FROM roadway r WHERE r.surface && o.geom
+                AND r.level = coalesce(a.level, 0) AND ST_Intersects(r.surface, o.geom));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._check_rail(name) IS 'The rows of streetgen.check_model for tracks.';

@@ -31,15 +31,14 @@ FROM track_strip t, LATERAL (
     SELECT CASE WHEN surface IS NULL THEN t.surface ELSE ST_Difference(t.surface, surface, 0.0001) END AS surface
     FROM (SELECT ST_Union(o.surface, 0.0001) AS surface FROM track_strip o WHERE o.rail_track_id < t.rail_track_id
         AND o.level = t.level AND o.geom && ST_Expand(t.geom, 16) AND ST_Intersects(o.surface, t.surface)) o) f,
-    LATERAL (SELECT ST_Union(surface, 0.0001) AS surface FROM (
-        SELECT s.surface FROM section s JOIN edge e USING (edge_id) WHERE s.surface && t.surface AND e.level = t.level
-        UNION ALL SELECT i.surface FROM intersection i WHERE i.surface && t.surface AND i.level = t.level) s) r
+    LATERAL (SELECT ST_Union(s.surface, 0.0001) AS surface FROM roadway s
+        WHERE s.surface && t.surface AND s.level = t.level) r
 
 --{lane_track
 CREATE OR REPLACE VIEW lane_track WITH (security_invoker = true) AS
 SELECT l.lane_id, t.rail_track_id, t.edge_id, min(a.abscissa) AS start_abscissa, max(a.abscissa) AS end_abscissa
 FROM street_track t JOIN lane l USING (edge_id) JOIN edge e USING (edge_id) CROSS JOIN LATERAL (
-        SELECT coalesce(l.borders, ARRAY[0, l.width / 2 + l.axis_offset, l.width / 2 - l.axis_offset]) AS borders,
+        SELECT streetgen._lane_borders(l.borders, l.width, l.axis_offset) AS borders,
             greatest(t.start_abscissa, l.start_abscissa - e.start_abscissa) AS low,
             least(t.end_abscissa, l.end_abscissa - e.start_abscissa) AS high) b
     CROSS JOIN LATERAL (SELECT low + (high - low) * n / steps AS abscissa
@@ -71,12 +70,9 @@ UNION ALL SELECT NULL, w.sidewalk_id, 'walk', k.level, w.width, w.strip FROM sid
     WHERE w.strip IS NOT NULL AND w.width > 0
 
 --{rail_crossing_of_footways
-UNION ALL SELECT f.footway_id, NULL, u.use, f.level, w.width, ST_Buffer(ST_Force2D(f.geom), w.width / 2,
-        'endcap=flat quad_segs=4')
-    FROM footway f LEFT JOIN axis_class c ON c.class = f.kind, LATERAL (SELECT coalesce(c.use, 'walk') AS use) u,
-        LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM setting
-            WHERE name = 'mapped_sidewalk_minimal') w
-    WHERE u.use = ANY (streetgen._footway_uses()) AND EXISTS (SELECT FROM rail_track t
+UNION ALL SELECT f.footway_id, NULL, f.use, f.level, f.width, f.surface
+    FROM ({footway_ground}) f
+    WHERE EXISTS (SELECT FROM rail_track t
         WHERE t.geom && f.geom AND t.level = f.level AND ST_Intersects(t.geom, f.geom))
 
 --{renew_tracks

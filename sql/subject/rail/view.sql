@@ -50,7 +50,9 @@ BEGIN
     EXECUTE streetgen._part_in('rail_crossing', model, jsonb_build_object('walks', concat(
         streetgen._part('rail_crossing_of_nothing'),
         CASE WHEN 'sidewalk' = ANY (subjects) THEN streetgen._part('rail_crossing_of_sidewalks') END,
-        CASE WHEN 'footway' = ANY (subjects) THEN streetgen._part('rail_crossing_of_footways') END)));
+        CASE WHEN 'footway' = ANY (subjects) THEN streetgen._fill_template(
+            streetgen._part('rail_crossing_of_footways'), jsonb_build_object('footway_ground',
+                streetgen._part('footway_ground'))) END)));
     COMMENT ON VIEW rail_crossing IS
         'Where sidewalks and footways lead over a track that lies beside the roadway: crossings without signals';
     COMMENT ON COLUMN rail_crossing.rail_crossing_id IS 'number in this list';
