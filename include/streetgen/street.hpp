@@ -98,8 +98,7 @@ struct StreetSettings {
   // a disc of 1 m: the face's corners are noses where their fillets would take that. The middle of
   // two dual carriageways that cross is roadway. 0: neither, as the paper has it.
   double island_area = 1000;  // square metres
-  // Ground under this area that roadway encloses is roadway.
-  double island_area_minimal = 3.5;  // square metres
+  double island_area_minimal = 3.5;  // square metres; see least_island()
   double island_nose_radius = 0.75;  // metres
   // Kinks of kerbs become arcs of this radius, where no limit lies and no corner is wanted without
   // an arc.  0: none.
@@ -112,7 +111,7 @@ struct StreetSettings {
   TaperRatio taper_ratio{{0, 10}, {70, 20}, {90, 30}, {110, 40}};
   RadiusRule radius_rule = RadiusRule::min;
   bool round_dead_ends = false;
-  double max_hole_area = 0.5;  // square metres, of holes of one surface
+  double max_hole_area = 0.5;  // square metres; least_island() counts where that is more
   // Ground no wider than this between two streets of one level that run beside each other is
   // roadway.  0: none.
   double slit_width = 0.2;  // metres
@@ -120,7 +119,7 @@ struct StreetSettings {
   int overlaps_maximal = 30;
   double kerb_stone_width = 0.3;  // metres, positive: the strip behind a kerb
 
-  // Square metres of ground that stays where roadway encloses it.
+  // Square metres: ground under this that roadway encloses is roadway.
   double least_island() const { return std::max(max_hole_area, island_area_minimal); }
 };
 

@@ -38,8 +38,8 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         '15 % of the ground between the kerbs. The middle of two dual carriageways that cross is roadway; 0: neither, '
         'as the paper has it', 0, 100000, NULL),
     ('island_area_minimal', '3.5', 'm2',
-        'ground under this area that roadway encloses on a level is roadway, as holes of one surface are under '
-        'max_hole_area', 0, 100, NULL),
+        'ground under this area that roadway encloses on a level is roadway; max_hole_area counts where it is greater',
+        0, 100, NULL),
     ('island_nose_radius', '0.75', 'm', 'radius of those noses', 0.05, 15, NULL),
     ('kerb_radius_minimal', '0.5', 'm',
         'kinks of kerbs of more than 30 degrees become arcs of this radius, where no limit lies and a radius of 0 is '
@@ -63,7 +63,9 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
         'kerbs that change linearly at a change of width, seen along the axis of the smaller axis_id: symmetric, '
         'left or right', NULL, NULL, ARRAY['symmetric', 'left', 'right']),
     ('dead_end', 'flat', NULL, 'end of a dead end: flat or round', NULL, NULL, ARRAY['flat', 'round']),
-    ('max_hole_area', '0.5', 'm2', 'holes of one surface under this area are filled', 0, 100, NULL),
+    ('max_hole_area', '0.5', 'm2',
+        'holes under this area, or under island_area_minimal where that is greater, are filled; those of junctions and '
+        'of areas of the street by this alone', 0, 100, NULL),
     ('slit_width', '0.2', 'm',
         'ground between two streets of one level that run beside each other no farther apart than this is roadway; '
         '0: none', 0, 2, NULL),

@@ -79,11 +79,11 @@ std::optional<std::pair<Line, Line>> ends_of_slit(const Segment& a, const Segmen
 
 class Slits {
  public:
-  Slits(const std::vector<Claim>& claims, double width, double radius, double max_hole_area)
+  Slits(const std::vector<Claim>& claims, double width, double radius, double least_island)
       : claims_(claims),
         width_(width),
         radius_(radius),
-        max_hole_area_(max_hole_area),
+        least_island_(least_island),
         boxes_(boxes_of(claims)),
         index_(boxes_) {}
 
@@ -197,7 +197,7 @@ class Slits {
       const Point& within = faces.places()[walk];
       const double size = signed_area(ring);
       // A filled slit may close what lies between its end and another kerb.
-      open.push_back(size > 0 && (size < max_hole_area_ || narrow(ring, i, j)) &&
+      open.push_back(size > 0 && (size < least_island_ || narrow(ring, i, j)) &&
                      std::none_of(members.begin(), members.end(),
                                   [&](int k) { return inside(within, *claims_[k].surface); }));
     }
@@ -208,7 +208,7 @@ class Slits {
   }
 
   const std::vector<Claim>& claims_;
-  const double width_, radius_, max_hole_area_;
+  const double width_, radius_, least_island_;
   const std::vector<Box> boxes_;
   const BoxIndex index_;
 };
@@ -262,9 +262,9 @@ class Filled {
 }  // namespace
 
 std::vector<Hole> slits_between(const std::vector<Claim>& claims, const std::vector<Hole>& holes,
-                                double width, double radius, double max_hole_area) {
+                                double width, double radius, double least_island) {
   if (width <= 0 && radius <= 0) return {};
-  std::vector<Hole> slits = Slits(claims, width, radius, max_hole_area).found();
+  std::vector<Hole> slits = Slits(claims, width, radius, least_island).found();
   std::stable_sort(slits.begin(), slits.end(), [&](const Hole& a, const Hole& b) {
     const int k = a.around[0] != b.around[0] ? 0 : 1;
     return before(claims[a.around[k]], claims[b.around[k]]);
