@@ -29,7 +29,8 @@ SELECT source_ref, coalesce(axis_id::text, relation || ' ' || row_id) AS axis_id
 ORDER BY source_ref, axis_id, column_name LIMIT CASE WHEN :dry_run THEN NULL ELSE 20 END;
 \endif
 -- The last words where less than half of the rows became axes: why, the most frequent reasons first, and what to do.
-WITH row AS (SELECT count(*) AS rows, (SELECT coalesce(sum(count), 0) FROM load_report WHERE what IN ('taken', 'taken as footway', 'taken as track')) AS taken FROM :source),
+WITH row AS (SELECT count(*) AS rows, (SELECT coalesce(sum(count), 0) FROM load_report WHERE what IN ('taken',
+    'taken as footway', 'taken as track')) AS taken FROM :source),
 reason AS (SELECT row_number() OVER (ORDER BY count DESC, line) AS turn, * FROM load_report WHERE what LIKE 'not taken: %' OR what LIKE '%, left out')
 SELECT format('warning: %s of the %s rows of %s were taken', taken, rows, :'file') FROM row WHERE 2 * taken < rows
 UNION ALL SELECT words FROM row, (

@@ -21,7 +21,7 @@ local walked = { footway = true, path = true, pedestrian = true, cycleway = true
 local walk_keys = { 'footway', 'path', 'crossing', 'crossing:markings', 'indoor', 'location', 'level', 'surface', 'incline',
                     'wheelchair', 'tactile_paving' }
 
--- What is a track, and what tracks and streets with rails in them say beside that.
+-- Tags that say what is a track, and what tracks and streets with rails say beside that.
 local tracked = { tram = true, light_rail = true }
 local rail_keys = { 'gauge', 'tracks', 'indoor', 'location', 'level' }
 
@@ -189,18 +189,18 @@ local standing = osm2pgsql.define_table({ name = prefix .. '_object', columns = 
 local standing_classes = { crossing = true, street_lamp = true, bus_stop = true, traffic_signals = true,
                            stop = true, give_way = true, tree = true, bench = true, bollard = true, tram_stop = true }
 
--- Where people wait for trams; that of buses is a bus stop.
+-- Platforms on which people wait for trams; that of buses is a bus stop.
 local function is_tram_platform(tags)
     return tags.railway == 'platform' or
         tags.public_transport == 'platform' and (tags.tram == 'yes' or tags.light_rail == 'yes')
 end
 
--- What slows traffic, by the value of traffic_calming.
+-- Types of what slows traffic, by the value of traffic_calming.
 local calming_classes = { bump = 'speed_bump', mini_bumps = 'speed_bump', hump = 'speed_hump', table = 'speed_table',
                           cushion = 'speed_cushion', rumble_strip = 'rumble_strip', choker = 'choker',
                           chicane = 'chicane', island = 'traffic_island' }
 
--- What stands at a place: a word of one of the keys, or what slows traffic there.
+-- The word of one of the keys for what stands at a place, or what slows traffic there.
 local function standing_class(tags)
     for _, key in ipairs({ 'highway', 'natural', 'amenity', 'barrier', 'railway' }) do
         if standing_classes[tags[key]] then

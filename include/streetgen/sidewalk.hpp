@@ -31,8 +31,8 @@ struct SidewalkKerb {
   // Metres behind it, 0: none; without a value it leads from the width of the kerb before to that
   // of the kerb after.
   std::optional<double> width;
-  // Where the width changes along it: ascending, straight from one place to the next; with a width
-  // alone.
+  // The width at places along it, ascending; it changes straight from one to the next. A kerb without
+  // a width has none.
   std::vector<WidthAt> course;
   // The kerb is that of a dead end, or beside no city: a sidewalk leads on along it where both
   // sides have one.

@@ -37,7 +37,7 @@ CREATE OR REPLACE FUNCTION streetgen._lane_borders(borders float8[], width float
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN coalesce(borders, ARRAY[0, width / 2 + axis_offset, width / 2 - axis_offset]);
 COMMENT ON FUNCTION streetgen._lane_borders(float8[], float8, float8) IS
-    'Borders of a lane as column borders of a section has them, by its columns of these names.';
+    'Borders of a lane as column borders of a section has them, from its columns of these names.';
 
 CREATE OR REPLACE FUNCTION streetgen._roadway_border(axis bytea, borders float8[], abscissa float8,
     abscissa_end float8, side text, axis_offset float8) RETURNS bytea

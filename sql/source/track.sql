@@ -15,7 +15,7 @@ COMMENT ON FUNCTION streetgen._osm_rails(text) IS
 
 CREATE OR REPLACE FUNCTION streetgen._osm_gauge(said text) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    -- Of a track of several gauges the first is that of the trams.
+    -- The first of several gauges is that of the trams.
     AS $$ SELECT CASE WHEN gauge BETWEEN 300 AND 3000 THEN gauge END
         FROM (SELECT substring(said FROM '^\s*(\d{3,4})(?!\d)')::integer AS gauge) g $$;
 COMMENT ON FUNCTION streetgen._osm_gauge(text) IS
@@ -39,7 +39,7 @@ BEGIN
         WHERE c.use = 'rail' OR p.rails IS NOT NULL;
     DELETE FROM pg_temp._import_part p USING pg_temp._import_class c WHERE c.class = p.class AND c.use = 'rail';
     DELETE FROM pg_temp._import i USING pg_temp._import_class c WHERE c.class = i.class AND c.use = 'rail';
-    -- Mostly the tracks are lines of their own, and the street says that they lie in it.
+    -- Tracks mostly are lines of their own, and the street says that they lie in it.
     DELETE FROM pg_temp._import_rail_track t WHERE t.embedded AND (
         SELECT ST_Length(ST_Intersection(t.source_geom, ST_Union(ST_Buffer(o.source_geom, 12))))
         FROM pg_temp._import_rail_track o WHERE NOT o.embedded AND o.level = t.level

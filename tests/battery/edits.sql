@@ -79,7 +79,10 @@ CREATE FUNCTION edits.way_across(axis geometry) RETURNS geometry LANGUAGE sql VO
 -- One edit of what stands at streets.
 CREATE FUNCTION edits.object_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing', 'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway', 'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'area', 'area', 'other area', 'track', 'track', 'track', 'move track', 'no track');
+  edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing',
+      'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway',
+      'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'area', 'area',
+      'other area', 'track', 'track', 'track', 'move track', 'no track');
   other record;
 BEGIN
   CASE edit
@@ -116,15 +119,22 @@ BEGIN
                             || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
       END IF;
     WHEN 'track' THEN
-      RETURN ARRAY[format('INSERT INTO edited.rail_track (geom, tracks, level) VALUES (%L, %s, %s)', ST_AsEWKT(CASE WHEN edits.chance(0.3) THEN ST_MakeLine(ARRAY[edits.place(), edits.place_beside(a.geom), edits.place()])
-        WHEN edits.chance(0.3) THEN edits.way_across(a.geom) ELSE ST_Translate(a.geom, edits.between(-9, 9), edits.between(-9, 9)) END), edits.one_of('1', '1', '2'), edits.one_of('0', '0', '0', '1'))];
+      RETURN ARRAY[format('INSERT INTO edited.rail_track (geom, tracks, level) VALUES (%L, %s, %s)', ST_AsEWKT(CASE
+          WHEN edits.chance(0.3) THEN ST_MakeLine(ARRAY[edits.place(), edits.place_beside(a.geom), edits.place()])
+        WHEN edits.chance(0.3) THEN edits.way_across(a.geom) ELSE ST_Translate(a.geom, edits.between(-9, 9),
+            edits.between(-9, 9)) END), edits.one_of('1', '1', '2'), edits.one_of('0', '0', '0', '1'))];
     WHEN 'move track', 'no track' THEN
-      SELECT t.geom INTO other FROM edited.rail_track t ORDER BY ST_X(ST_StartPoint(t.geom)), ST_Y(ST_StartPoint(t.geom)), ST_Length(t.geom) OFFSET floor(random() * (SELECT count(*) FROM edited.rail_track)) LIMIT 1;
+      SELECT t.geom INTO other FROM edited.rail_track t ORDER BY ST_X(ST_StartPoint(t.geom)),
+          ST_Y(ST_StartPoint(t.geom)), ST_Length(t.geom) OFFSET floor(random() * (SELECT count(*) FROM
+          edited.rail_track)) LIMIT 1;
       IF FOUND THEN
-        RETURN ARRAY[format(CASE edit WHEN 'no track' THEN 'DELETE FROM edited.rail_track' ELSE edits.one_of('UPDATE edited.rail_track SET geom = ST_Translate(geom, 1.5, -0.7)', 'UPDATE edited.rail_track SET tracks = 2') END || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
+        RETURN ARRAY[format(CASE edit WHEN 'no track' THEN 'DELETE FROM edited.rail_track' ELSE
+            edits.one_of('UPDATE edited.rail_track SET geom = ST_Translate(geom, 1.5, -0.7)',
+            'UPDATE edited.rail_track SET tracks = 2') END || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
       END IF;
     WHEN 'crossing' THEN
-      RETURN ARRAY[format('INSERT INTO edited.pedestrian_crossing_editing (geom, width, angle, refuge) VALUES (%L, %s, %s, %s)', ST_AsEWKT(ST_LineInterpolatePoint(a.geom, edits.between(0, 1))), edits.between(2, 6), edits.one_of('90', '90', '60', '125'), edits.one_of('NULL', '1.2', '2'))];
+      RETURN ARRAY[format('INSERT INTO edited.pedestrian_crossing_editing (geom, width, angle, refuge) '
+          'VALUES (%L, %s, %s, %s)', ST_AsEWKT(ST_LineInterpolatePoint(a.geom, edits.between(0, 1))), edits.between(2, 6), edits.one_of('90', '90', '60', '125'), edits.one_of('NULL', '1.2', '2'))];
     WHEN 'bay' THEN
       RETURN ARRAY[format('INSERT INTO edited.parking_bay_editing (geom, angle) VALUES (%L, %s)', ST_AsEWKT(edits.place_beside(a.geom)), edits.one_of('0', '60', '90'))];
     WHEN 'rule' THEN
@@ -384,7 +394,9 @@ CREATE FUNCTION edits.begin(script edits.script) RETURNS void LANGUAGE plpgsql V
 DECLARE
   input regclass;
 BEGIN
-  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN ('axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'rail_track', 'street_area') OR relname LIKE '%\_override') LOOP
+  FOR input IN SELECT oid FROM pg_class WHERE relnamespace = 'edited'::regnamespace AND relkind = 'r' AND (relname IN
+      ('axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'rail_track', 'street_area') OR
+      relname LIKE '%\_override') LOOP
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
   DELETE FROM edited.placement_rule;

@@ -28,5 +28,6 @@ SELECT 'an axis that turns back on itself', pg_temp.drawn('{"LINESTRING(0 0, 100
 SELECT 'a nose radius wider than its island', pg_temp.drawn('{"LINESTRING(0 0, 60 0)","LINESTRING(60 0, 30 26)","LINESTRING(30 26, 0 0)","LINESTRING(60 0, 120 0)","LINESTRING(0 0, -60 0)"}', '{18,18,18,7,7}', '{}', '{"island_nose_radius": "5"}') = 'sound, true';
 -- Each of these settings refuses what makes no sense, naming itself.
 SELECT format('%s cannot be %s', setting, value), test.state(format('SELECT streetgen.set(''even'', %L, %L)', setting, value)) = '22023'
-FROM (SELECT streetgen.create_model('even', 2154)) m, unnest('{corner_length,corner_area,follow_length,follow_area,limit_distance,median_width_minimal,median_width_maximal,island_area,island_area_minimal,island_nose_radius,kerb_radius_minimal,slit_width}'::text[]) setting, unnest('{-1,NaN,Infinity,wide}'::text[]) value ORDER BY setting COLLATE "C", value COLLATE "C";
+FROM (SELECT streetgen.create_model('even', 2154)) m,
+    unnest('{corner_length,corner_area,follow_length,follow_area,limit_distance,median_width_minimal,median_width_maximal,island_area,island_area_minimal,island_nose_radius,kerb_radius_minimal,slit_width}'::text[]) setting, unnest('{-1,NaN,Infinity,wide}'::text[]) value ORDER BY setting COLLATE "C", value COLLATE "C";
 SELECT 'taper_ratio cannot be ' || value, test.state(format('SELECT streetgen.set(''even'', ''taper_ratio'', %L)', value)) = '22023' FROM unnest('{0,"{\"50\": -1}","{\"50\": \"NaN\"}"}'::text[]) value;

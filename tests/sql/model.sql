@@ -236,10 +236,13 @@ DROP TABLE public.layer_styles;
 DO $$ BEGIN PERFORM streetgen.generate('model_a'); END $$;
 CREATE TABLE before AS SELECT test.content('model_a') AS content;
 GRANT SELECT ON "model Z""".axis TO PUBLIC;
--- Fewer triggers are made, and asked, at each edit; the count only falls. Rules of drawing, results of checks, routes, lanes of classes, footways, kerbs on them and tracks have some, which no edit of a street asks.
+-- Fewer triggers are made, and asked, at each edit; the count only falls. Rules of drawing, results of checks,
+-- routes, lanes of classes, footways, kerbs on them and tracks have some, which no edit of a street asks.
 SELECT streetgen.create_model('few', 2154) \g /dev/null
 SELECT 'a model has few triggers', count(*) <= CASE WHEN 'object' = ANY (streetgen._subjects('few')) THEN 270 ELSE 169 END
-  FROM pg_trigger t JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'few'::regnamespace AND relname NOT IN ('symbol_rule', 'check_result') AND relname NOT IN ('axis_route', 'footway', 'footway_kerb', 'rail_track', 'street_area') AND (relname, tgname) <> ('axis_class', 'by_hand') AND NOT tgisinternal;
+  FROM pg_trigger t JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'few'::regnamespace AND relname NOT IN
+      ('symbol_rule', 'check_result') AND relname NOT IN ('axis_route', 'footway', 'footway_kerb', 'rail_track',
+      'street_area') AND (relname, tgname) <> ('axis_class', 'by_hand') AND NOT tgisinternal;
 SELECT streetgen.drop_model('few') \g /dev/null
 -- A role whose name is to be quoted.
 CREATE ROLE "Anna of streetgen_test" ROLE CURRENT_USER;

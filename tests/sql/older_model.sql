@@ -50,7 +50,8 @@ ALTER TABLE older.turn_restriction DROP via_axes CASCADE, DROP via_geom CASCADE,
 ALTER TABLE older.street_object DROP control_point_id CASCADE;
 ALTER TABLE older.control_point DROP marking CASCADE, DROP kerb CASCADE, DROP refuge CASCADE;
 -- Of the columns that one statement adds the first may be there: they came one by one.
-ALTER TABLE older.pedestrian_crossing DROP painted_as CASCADE, DROP footway_id CASCADE, DROP kerb CASCADE, DROP refuge CASCADE, DROP island CASCADE;
+ALTER TABLE older.pedestrian_crossing DROP painted_as CASCADE, DROP footway_id CASCADE, DROP kerb CASCADE, DROP
+    refuge CASCADE, DROP island CASCADE;
 ALTER TABLE older.object_edge ADD FOREIGN KEY (street_object_id) REFERENCES older.street_object ON DELETE CASCADE, ADD FOREIGN KEY (edge_id) REFERENCES older.edge ON DELETE CASCADE;
 ALTER TABLE older.lane_override DROP line CASCADE, DROP geom CASCADE;
 ALTER TABLE older.transition_override DROP geom CASCADE;
@@ -77,7 +78,9 @@ SELECT 'a rule of several columns is refused with the way out', state = '23514' 
 SELECT 'a condition of the user stays', test.state($$INSERT INTO older.symbol_rule (theme, layer, place, fill) VALUES ('street', 'ground', 7, '#112233')$$) = '23514';
 ALTER TABLE older.symbol_rule DROP CONSTRAINT mine;
 SELECT 'it gets the settings that came later, and their ranges', NOT EXISTS (SELECT name, unit, description, minimum, maximum, choice FROM streetgen._default_setting() EXCEPT SELECT name, unit, description, minimum, maximum, choice FROM older.setting);
-SELECT 'it gets the classes of tracks, and the types of their stops', (SELECT count(*) = 3 FROM older.axis_class WHERE use = 'rail' AND taken) AND (SELECT count(*) = 2 FROM older.object_type WHERE type IN ('tram_stop', 'platform'));
+SELECT 'it gets the classes of tracks, and the types of their stops', (SELECT count(*) = 3 FROM older.axis_class
+    WHERE use = 'rail' AND taken) AND (SELECT count(*) = 2 FROM older.object_type WHERE type IN ('tram_stop',
+    'platform'));
 SELECT 'an older model gets the columns and keys of a new one' AS name, NOT EXISTS ((SELECT pg_temp.columns() EXCEPT TABLE wanted) UNION ALL (TABLE wanted EXCEPT SELECT pg_temp.columns())) AS holds;
 SELECT 'and the indexes and comments of a new one', count(*) > 500 AND NOT EXISTS ((SELECT pg_temp.words() EXCEPT TABLE worded) UNION ALL (TABLE worded EXCEPT SELECT pg_temp.words())) FROM worded;
 CREATE FUNCTION pg_temp.meanings(classes jsonb) RETURNS SETOF jsonb LANGUAGE sql AS $$ SELECT c - '{lanes_one_way,lanes_one_way_by,width_one_way,lanes_each_way,parking_left,parking_right}'::text[] FROM jsonb_array_elements(classes) c $$;

@@ -160,7 +160,8 @@ SELECT 'what is left out is told', array_agg(concat_ws(' ', what, class, source_
     'floor, left out pedestrian {11,12}","area without a closed ring, left out square {relation/8}","bays of a '
     'street, left out as an area parking {5}","car park within a building, left out parking {4}"}' FROM told
   WHERE what LIKE '%left out%';
-INSERT INTO osm_line SELECT way_id, 'pedestrian', NULL, NULL, '{"area": "yes"}'::jsonb, 5, geom FROM osm_area WHERE way_id = 1
+INSERT INTO osm_line SELECT way_id, 'pedestrian', NULL, NULL, '{"area": "yes"}'::jsonb, 5, geom FROM osm_area WHERE
+    way_id = 1
   UNION ALL SELECT 99, 'pedestrian', NULL, NULL, '{"area": "yes"}'::jsonb, 5, geom FROM osm_area WHERE way_id = 1;
 TRUNCATE told;
 INSERT INTO told SELECT * FROM streetgen.import_osm('mapped', 'osm');

@@ -75,7 +75,9 @@ SELECT 'a walk that leads to the middle of a street ends at its sidewalk', count
 SELECT 'one that ends before a sidewalk is led on to it', count(*) = 1 AND bool_and(abs(ST_YMin(geom) - 6860005) < 0.1) FROM town.walk_link WHERE footway_id = 3;
 SELECT 'one that leads over a street crosses it between the sidewalks', array_agg(kind ORDER BY geom) FILTER (WHERE metres BETWEEN 9.9 AND 10.1) = '{crossing}' AND count(*) = 3 FROM town.walk_link WHERE footway_id = 4;
 SELECT 'nobody walks on a cycle track of which nothing is said, nor where he may not', NOT EXISTS (SELECT FROM town.walk_link WHERE footway_id IN (5, 6));
-SELECT 'nor over the street where these lead over it', count(*) = 2 AND NOT EXISTS (SELECT FROM town.walk_link JOIN town.pedestrian_crossing c USING (street_object_id) WHERE c.footway_id IN (5, 6)) FROM town.pedestrian_crossing WHERE footway_id IN (5, 6);
+SELECT 'nor over the street where these lead over it', count(*) = 2 AND NOT EXISTS (SELECT FROM town.walk_link JOIN
+    town.pedestrian_crossing c USING (street_object_id) WHERE c.footway_id IN (5, 6)) FROM town.pedestrian_crossing
+    WHERE footway_id IN (5, 6);
 SELECT 'a link has what its footway has', (kind, width, surface, incline, foot) = ('walk', 1.5, 'gravel', 4, 'permissive') FROM town.walk_link WHERE footway_id = 1 LIMIT 1;
 SELECT 'steps are none for a wheelchair; what is said of it counts', (SELECT (kind, wheelchair, climb) = ('steps', 'no', 'up') FROM town.walk_link WHERE footway_id = 2) AND (SELECT (wheelchair, tactile_paving) = ('limited', 'yes') FROM town.walk_link WHERE footway_id = 3);
 SELECT 'walks, steps and sidewalks are one network', pg_temp.way(pg_temp.near(20, 5), pg_temp.near(103, 85)) IS NOT NULL;

@@ -94,8 +94,8 @@ SELECT row_number() OVER (ORDER BY s.number, s.side, s.start_abscissa, s.footway
 FROM found_source s
 
 --{sidewalk_course
--- Where the widths of its footways hold along a side. From one stretch to the next the width runs straight, and goes on
--- before and beyond them.
+-- Sides along which the widths of their footways hold. The width runs straight from one stretch to the next, and goes
+-- on before and beyond them.
 SELECT coalesce(array_agg(number ORDER BY number, share, width), ARRAY[]::integer[]) AS course_kerbs,
     coalesce(array_agg(share ORDER BY number, share, width), ARRAY[]::float8[]) AS shares,
     coalesce(array_agg(width ORDER BY number, share, width), ARRAY[]::float8[]) AS course_widths
@@ -110,7 +110,7 @@ FROM (SELECT k.number::integer, (c.place - x.low) / (x.high - x.low) AS share, c
                     CASE cardinality(s.places) WHEN 0 THEN ARRAY[s.start_abscissa, s.end_abscissa] ELSE s.places END,
                     CASE cardinality(s.places) WHEN 0 THEN ARRAY[s.width, s.width] ELSE s.widths END)
                     u(place, width)) p) s
-        -- What two footways map is as wide as the first says.
+        -- The first of two footways says how wide a stretch is that both map.
         WHERE known_to IS NULL OR place > known_to
         WINDOW of_side AS (PARTITION BY edge_id, side)) c
     JOIN sidewalk_kerb k USING (edge_id, side), LATERAL (

@@ -27,7 +27,7 @@ SELECT t.rail_track_id, t.level, t.tracks, t.width, t.geom,
         END)::geometry(MultiPolygon, {srid}) AS surface,
     streetgen._surfaces_of(ST_Intersection(f.surface, r.surface, 0.0001))::geometry(MultiPolygon, {srid}) AS in_street
 FROM track_strip t, LATERAL (
-    -- Where tracks meet, the older one has the ground.
+    -- The older one of tracks that meet has the ground.
     SELECT CASE WHEN surface IS NULL THEN t.surface ELSE ST_Difference(t.surface, surface, 0.0001) END AS surface
     FROM (SELECT ST_Union(o.surface, 0.0001) AS surface FROM track_strip o WHERE o.rail_track_id < t.rail_track_id
         AND o.level = t.level AND o.geom && ST_Expand(t.geom, 16) AND ST_Intersects(o.surface, t.surface)) o) f,

@@ -1,4 +1,4 @@
-// Which ends of walks are one node.
+// Ends of walks that are one node.
 #pragma once
 
 #include <utility>

@@ -16,7 +16,7 @@ constexpr double worth_it = 5;     // metres that a walk over an area saves at l
 
 using Distances = std::vector<std::vector<double>>;
 
-// Where a ring, with the area on its left, bends inwards.
+// Bends of a ring, with the area on its left, that lead inwards.
 void add_inward_bends(const Ring& ring, std::vector<Point>& bends) {
   const std::size_t count = ring.size() < 4 ? 0 : ring.size() - 1;  // the last is the first
   for (std::size_t i = 0; i < count; ++i) {

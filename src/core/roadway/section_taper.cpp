@@ -118,8 +118,8 @@ class SectionTapers {
     });
   }
 
-  // From the node to the kerb of a third street that goes on beside a or b as the other one, but
-  // no farther out than both.
+  // Metres from the node to the kerb of a third street that goes on beside a or b as the other one,
+  // but no farther out than both.
   double held_out(const Junction& junction, const EdgeEnd& a, const EdgeEnd& b) const {
     const Arm &arm_a = layout_.arm(a), &arm_b = layout_.arm(b);
     double half = 0;

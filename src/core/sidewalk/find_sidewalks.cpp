@@ -27,7 +27,7 @@ std::vector<Sidewalk> find_sidewalks(std::vector<SidewalkKerb> kerbs, double tra
       Sidewalk sidewalk;
       sidewalk.kerb = i;
       sidewalk.width =
-          kerbs[i].course.empty() ? kerbs[i].width.value_or(strips[i].width) : strips[i].width;
+          kerbs[i].width && kerbs[i].course.empty() ? *kerbs[i].width : strips[i].width;
       if (strips[i].narrow) sidewalk.method = Method::contested;
       const std::vector<int> rivals = shared.rivals(i);
       if (!rivals.empty() || !strips[i].plain) {

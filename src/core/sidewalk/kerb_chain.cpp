@@ -36,7 +36,7 @@ double width_at(const std::vector<WidthKnot>& knots, double abscissa) {
   return knots.back().width;
 }
 
-// From the start of a kerb to its end; of a kerb without a course as wide all along.
+// Widths from the start of a kerb to its end; a kerb without a course is as wide all along.
 std::vector<WidthKnot> knots_of(const SidewalkKerb& kerb, double length) {
   if (kerb.course.empty()) return {{0, *kerb.width}, {length, *kerb.width}};
   std::vector<WidthKnot> course;

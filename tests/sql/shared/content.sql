@@ -31,14 +31,16 @@ BEGIN
     UNION ALL SELECT concat_ws(' ', 'sidewalk', e.axis_id, e.start_abscissa, n.geom::text, s.side, s.part, s.width, s.method, s.surface::text)
       FROM @.sidewalk s JOIN @.edge e USING (edge_id) LEFT JOIN @.node n USING (node_id)$q$ END
     || CASE WHEN to_regclass(format('%I.sidewalk_source', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'sidewalk source', e.axis_id, e.start_abscissa, s.side, s.part, s.start_abscissa, s.end_abscissa, s.distance, s.width, array_to_string(s.places, ' '), array_to_string(s.widths, ' '), s.widest)
+    UNION ALL SELECT concat_ws(' ', 'sidewalk source', e.axis_id, e.start_abscissa, s.side, s.part, s.start_abscissa,
+        s.end_abscissa, s.distance, s.width, array_to_string(s.places, ' '), array_to_string(s.widths, ' '), s.widest)
       FROM @.sidewalk_source s JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.street_area', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'area', a.kind, a.level, a.surface, a.geom::text) FROM @.street_area a$q$ END
     || CASE WHEN to_regclass(format('%I.area_surface', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'ground of area', a.kind, a.level, a.surface::text) FROM @.area_surface a$q$ END
     || CASE WHEN to_regclass(format('%I.street_track', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'track', e.axis_id, e.start_abscissa, t.part, t.start_abscissa, t.end_abscissa, t.borders)
+    UNION ALL SELECT concat_ws(' ', 'track', e.axis_id, e.start_abscissa, t.part, t.start_abscissa, t.end_abscissa,
+        t.borders)
       FROM @.street_track t JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.block', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'block', e.axis_id, e.start_abscissa, s.side, s.start_abscissa, b.kind, b.method, b.surface::text)
@@ -77,7 +79,10 @@ BEGIN
       FROM @.signal_movement m JOIN @.controller c USING (controller_id) JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
     UNION ALL SELECT concat_ws(' ', 'signal_head', e.axis_id, e.start_abscissa, l.ordinality, h.along_axis, h.angle, h.geom::text) FROM @.signal_head h JOIN @.lane l USING (lane_id) JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.street_object', model)) IS NULL THEN '' ELSE $q$
-    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method, placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.angle, c.painted_as, c.kerb_left, c.kerb_right, c.surface::text, c.stripes::text, c.island::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN @.pedestrian_crossing c USING (street_object_id)
+    UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method,
+        placed_by, o.rule_id, o.rule_place, o.geom::text, c.width, c.angle, c.painted_as, c.kerb_left, c.kerb_right,
+        c.surface::text, c.stripes::text, c.island::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN
+        @.pedestrian_crossing c USING (street_object_id)
       LEFT JOIN @.parking_bay b USING (street_object_id)$q$ END
     || CASE WHEN to_regclass(format('%I.bridge', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'bridge', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.bridge b JOIN @.edge e USING (edge_id)
@@ -107,7 +112,9 @@ $$;
 CREATE FUNCTION test.generate_anew(model name, anew name) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   -- Axes first: those that come by take overrides along.
-  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway', 'footway_kerb', 'rail_track', 'street_area') OR relname LIKE '%\_override')
+  inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND
+      relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway',
+      'footway_kerb', 'rail_track', 'street_area') OR relname LIKE '%\_override')
                          ORDER BY relname = 'axis' DESC);
   input name;
   with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;
