@@ -210,6 +210,13 @@ BEGIN
             JOIN axis a ON a.axis_id = (c ->> role)::bigint);
         -- A room tells which axes a decision on ground or about a ring is about.
         IF to_regprocedure(format('streetgen._axes_of_%s(name, jsonb[])', TG_TABLE_NAME)) IS NOT NULL THEN
+            IF live THEN
+                -- A street that comes there at the same time is seen, or sees this.
+                PERFORM streetgen._lock_ground(current_schema(), ARRAY(
+                    SELECT ST_SetSRID(ST_GeomFromGeoJSON(c ->> 'geom'), m.srid)
+                    FROM unnest(changed) c, streetgen.model m
+                    WHERE m.name = current_schema() AND c ->> 'geom' IS NOT NULL));
+            END IF;
             EXECUTE format('SELECT $1 || streetgen.%I($2, $3)', '_axes_of_' || TG_TABLE_NAME) INTO named
                 USING named, current_schema(), changed;
         END IF;

@@ -87,6 +87,51 @@ COMMENT ON FUNCTION streetgen._wait_at_door(name) IS
     'Waits until the door of a model is open, and holds nothing then. A lock_timeout that ends: 55P03, naming who '
         'holds places.';
 
+CREATE OR REPLACE FUNCTION streetgen._lock_ground(model name, ground geometry[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    size constant float8 := streetgen._setting_number(model, 'cell_size');
+    -- Half of the way between what comes and an axis that comes is each one's.
+    margin constant float8 := streetgen._change_reach(model) / 2;
+    cells constant integer[] := ARRAY(SELECT DISTINCT key FROM unnest(ground) g, streetgen._cells(g, margin, size) key);
+    districts constant integer[] := ARRAY(SELECT DISTINCT key
+        FROM unnest(ground) g, streetgen._districts_of(ST_Expand(g, margin), size) key);
+    places record;
+    free boolean;
+    since timestamptz;
+BEGIN
+    LOOP
+        BEGIN
+            places := streetgen._places_of(model, cells, districts, '{}');
+            IF since IS NULL THEN
+                free := streetgen._lock_places(model, places.alone, places.shared, wait => false);
+            ELSE
+                PERFORM streetgen._wait_for_places(model, places.alone, places.shared, since);
+                free := true;
+            END IF;
+            IF NOT free OR NOT streetgen._door_is_open(model) THEN
+                RAISE SQLSTATE 'SG001';
+            END IF;
+            EXIT;
+        EXCEPTION
+            WHEN SQLSTATE 'SG001' THEN
+                IF NOT free THEN
+                    since := clock_timestamp();
+                ELSE
+                    PERFORM streetgen._wait_at_door(model);
+                END IF;
+            WHEN lock_not_available OR deadlock_detected THEN
+                since := coalesce(since, clock_timestamp());
+                PERFORM streetgen._go_on_waiting(model, places.alone, places.shared, since);
+        END;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._lock_ground(name, geometry[]) IS
+    'Locks the cells about what is drawn on the ground, for this transaction: a street that another session draws '
+    'there comes before or after, and the later one sees the other. A place that another session holds longer than '
+    'lock_timeout, or that waits for this one: 55P03, naming who.';
+
 CREATE OR REPLACE FUNCTION streetgen._lock_places(
     model name, axes bigint[], wait boolean, OUT requested bigint[], OUT changed bigint[], OUT written bigint[],
         OUT gathered bigint[])

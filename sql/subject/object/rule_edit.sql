@@ -43,6 +43,10 @@ BEGIN
         beside constant bigint[] := ARRAY(SELECT DISTINCT a.axis_id FROM unnest(places) place
             JOIN axis a ON ST_DWithin(a.geom, place, 100));
     BEGIN
+        IF beside = '{}' THEN
+            -- A street that comes there at the same time is seen, or sees these.
+            PERFORM streetgen._lock_ground(current_schema(), places);
+        END IF;
         PERFORM _lock_streets(beside, holding);
         RETURN beside;
     END $body$;
@@ -210,7 +214,8 @@ BEGIN
     PERFORM streetgen._own_function(model, '_begin_ruled_edit()',
         'Locks the model beside other editors where rules place objects, and tells whether they do'),
         streetgen._own_function(model, '_lock_beside(geometry[], boolean)',
-        'Locks the axes within 100 m of places against other edits, and tells them; who holds objects does not wait'),
+        'Locks the axes within 100 m of places, or their ground, against other edits, and tells them; who holds objects '
+        'does not wait'),
         streetgen._own_function(model, '_lock_streets(bigint[], boolean)',
         'Locks axes against other edits; who holds objects does not wait'),
         streetgen._own_function(model, '_renew_lines(geometry[])',
