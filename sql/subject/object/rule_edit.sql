@@ -214,8 +214,8 @@ BEGIN
     PERFORM streetgen._own_function(model, '_begin_ruled_edit()',
         'Locks the model beside other editors where rules place objects, and tells whether they do'),
         streetgen._own_function(model, '_lock_beside(geometry[], boolean)',
-        'Locks the axes within 100 m of places, or their ground, against other edits, and tells them; who holds objects '
-        'does not wait'),
+        'Locks the axes within 100 m of places, or their ground, against other edits, and tells them; who holds '
+        'objects does not wait'),
         streetgen._own_function(model, '_lock_streets(bigint[], boolean)',
         'Locks axes against other edits; who holds objects does not wait'),
         streetgen._own_function(model, '_renew_lines(geometry[])',
