@@ -1,7 +1,8 @@
 -- Turns and merges of the model of variable model: psql -v model=NAME -f tests/measure/turns.sql prints a row. Table place keeps where.
 --   same         nodes where two paths of cars from one edge to one next edge cross
 --   merge        nodes where two nearly straight paths into one edge cross; diverge: out of one edge
---   weave        chains of three edges, the middle one under 25 m, whose two movements no lane of it has both of; of those under 7.5 m
+--   weave        chains of three edges, the middle one under 25 m, whose two movements no lane of it has both of; of those under 7.5 m.
+--                An edge is as long as the shortest of its lanes.
 --   trapped      edges that cars cannot leave, though another edge for cars goes on; unreached: that cars cannot come to, though others come
 --   lost         movements of two-way streets without restriction, no lanes of which are joined
 -- The first three and the last leave nodes out where a street is drawn twice.
@@ -31,7 +32,8 @@ DELETE FROM place WHERE node_id IN (SELECT node_id FROM twice);
 CREATE TEMPORARY TABLE chain AS
 SELECT a.edge_in, a.edge_out AS edge, a.along_out AS along, b.edge_out, bool_or(a.lane_out = b.lane_in) AS keeps_lane, min(l.length) AS length
 FROM joined a JOIN joined b ON (b.edge_in, b.along_in) = (a.edge_out, a.along_out) JOIN driven l ON (l.lane_id, l.along) = (a.lane_out, a.along_out)
-WHERE a.edge_in <> a.edge_out AND b.edge_out <> a.edge_out AND l.length < 25 GROUP BY 1, 2, 3, 4;
+WHERE a.edge_in <> a.edge_out AND b.edge_out <> a.edge_out
+GROUP BY 1, 2, 3, 4 HAVING min(l.length) < 25;
 INSERT INTO place SELECT DISTINCT 'weave', NULL::bigint, ST_Force2D(e.geom) FROM chain c JOIN :"model".edge e ON e.edge_id = c.edge WHERE NOT keeps_lane;
 CREATE TEMPORARY TABLE for_cars AS SELECT DISTINCT edge_id, along, leaves, enters FROM driven WHERE cars;
 INSERT INTO place SELECT 'trapped', d.enters, ST_Force2D(e.geom) FROM for_cars d JOIN :"model".edge e USING (edge_id)

@@ -61,3 +61,24 @@ SELECT * FROM pg_temp.edited('it is narrow', $$UPDATE right_hand.axis SET width 
 SELECT 'enough is left again', pg_temp.reached('right_hand', 4, 2) = '2';
 SELECT streetgen.set('right_hand', 'look_ahead', '0'), streetgen.generate('right_hand') \g /dev/null
 SELECT 'by setting nobody looks ahead', pg_temp.reached('right_hand', 4, 2) = '2' AND NOT EXISTS (SELECT FROM right_hand.interconnection WHERE reason = 'look_ahead');
+-- Carriageways of two streets cross, so many metres apart. Who turns back over a median turns left twice, and tightly.
+SELECT streetgen.create_model('median', 2154) \g /dev/null
+CREATE FUNCTION pg_temp.cross_apart(m float8) RETURNS void LANGUAGE sql AS $$
+    DELETE FROM median.axis;
+    INSERT INTO median.axis (axis_id, geom, width, direction, lane_count)
+    SELECT 10 * street + piece, pg_temp.line(x + along_x * a, y + along_y * a, x + along_x * b, y + along_y * b),
+        7, 'direct', 2
+    FROM (VALUES (1, 0, 0, 1, 0), (2, m, 0, 0, 1), (3, m, m, -1, 0), (4, 0, m, 0, -1)) s(street, x, y, along_x, along_y),
+        (VALUES (1, -99, 0), (2, 0, m), (3, m, 99)) p(piece, a, b) $$;
+-- The radius of the first turn is half of that less half of a lane.
+CREATE FUNCTION pg_temp.turned_on() RETURNS TABLE (lane integer, reason text) LANGUAGE sql AS $$
+    SELECT o.lane_position, c.reason FROM median.interconnection c
+        JOIN median.lane i ON i.lane_id = lane_in JOIN median.edge a ON a.edge_id = i.edge_id
+        JOIN median.lane o ON o.lane_id = lane_out JOIN median.edge b ON b.edge_id = o.edge_id
+    WHERE plausible AND (a.axis_id, b.axis_id) = (12, 22) $$;
+SELECT pg_temp.cross_apart(8) \g /dev/null
+SELECT 'who turns back over a median finds the lane that turns on, at a radius of 2.25 m',
+    (SELECT reason = 'look_ahead' FROM pg_temp.turned_on() WHERE lane = 1);
+SELECT pg_temp.cross_apart(11) \g /dev/null
+SELECT 'at 3.75 m it is an ordinary turn', array_agg(lane) = '{1}' AND NOT bool_or(reason = 'look_ahead')
+    FROM pg_temp.turned_on();

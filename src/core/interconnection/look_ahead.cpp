@@ -5,11 +5,14 @@
 
 #include "interconnection/merging_way.hpp"
 #include "interconnection/only_way.hpp"
-#include "interconnection/path_choice.hpp"
 
 namespace streetgen {
 
 namespace {
+
+// Metres, of a path without which one would stand on the wrong lane: two of them turn back over a
+// median as one of twice the radius does.
+constexpr double tightest_radius = 2;
 
 template <class Take>
 void each_pair(const Way& way, Take take) {
@@ -23,7 +26,7 @@ struct LanePair {
 
 bool wide_enough(const Way& way, int in, int out) {
   return !way.tight(in, out) ||
-         (way.drivable(in, out) && way.movement->radius[way.pair(in, out)] >= car_radius);
+         (way.drivable(in, out) && way.movement->radius[way.pair(in, out)] >= tightest_radius);
 }
 
 // The pair nearest to those that are plausible, from a lane that takes the way to one that serves
