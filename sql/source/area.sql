@@ -46,6 +46,8 @@ CREATE OR REPLACE FUNCTION streetgen._deliver_areas(model name, source text)
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
+DECLARE
+    wins constant boolean := streetgen._area_wins(model, 'roadway');
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._check_areas();
     CREATE TEMPORARY TABLE _import_part ON COMMIT DROP AS SELECT a.source_ref, streetgen._transformed(
@@ -59,14 +61,19 @@ BEGIN
     RETURN QUERY SELECT 'area that crosses itself, mended where it is used', kind, count(*),
         array_agg(source_ref ORDER BY source_ref) FROM pg_temp._import_part WHERE NOT ST_IsValid(source_geom)
         GROUP BY kind ORDER BY kind;
-    RETURN QUERY SELECT CASE kind WHEN 'roadway' THEN 'areas of which nothing is made: roadway follows the axes'
-            ELSE 'areas' END, kind, count(*),
-        CASE kind WHEN 'roadway' THEN array_agg(source_ref ORDER BY source_ref) END
-        FROM pg_temp._import_part GROUP BY kind ORDER BY kind;
+    RETURN QUERY SELECT CASE WHEN unused THEN 'areas of which nothing is made: roadway follows the axes'
+            ELSE 'areas' END, kind, count(*), CASE WHEN unused THEN array_agg(source_ref ORDER BY source_ref) END
+        FROM pg_temp._import_part, LATERAL (SELECT kind = 'roadway' AND NOT wins AS unused) u
+        GROUP BY kind, unused ORDER BY kind;
     RETURN QUERY SELECT * FROM streetgen._deliver_if_any(model, 'street_area', source);
+    IF wins THEN
+        RETURN QUERY SELECT 'streets with the kerbs of areas', a.kind, count(*), NULL::text[]
+            FROM axis_used u JOIN axis a USING (axis_id) WHERE u.by_area GROUP BY a.kind ORDER BY a.kind;
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._deliver_areas(name, text) IS
-    'Brings the areas of a source up to date with those that were read; reports them, and what is by hand.';
+    'Brings the areas of a source up to date with those that were read; reports them, what is by hand, and where areas '
+    'move kerbs how many streets have theirs.';
 
 CREATE OR REPLACE FUNCTION streetgen.import_areas(model name, source regclass, mapping jsonb)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])

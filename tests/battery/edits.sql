@@ -82,7 +82,7 @@ DECLARE
   edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing',
       'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway',
       'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'area', 'area',
-      'other area', 'track', 'track', 'track', 'move track', 'no track');
+      'area of roadway', 'area of roadway', 'other area', 'track', 'track', 'track', 'move track', 'no track');
   other record;
 BEGIN
   CASE edit
@@ -107,6 +107,11 @@ BEGIN
       RETURN ARRAY[format('INSERT INTO edited.street_area (geom, kind, level) VALUES (%L, %L, %s)',
         ST_AsEWKT(ST_Multi(ST_Expand(edits.place_beside(a.geom), edits.between(1, 25), edits.between(1, 25)))),
         edits.one_of('square', 'square', 'parking_area', 'walk', 'roadway'), edits.one_of('0', '0', '1'))];
+    WHEN 'area of roadway' THEN
+      RETURN ARRAY[format('INSERT INTO edited.street_area (geom, kind, level) VALUES (%L, ''roadway'', %s)', ST_AsEWKT(
+          ST_Multi(ST_Buffer(ST_Translate(ST_Force2D(ST_LineSubstring(a.geom, edits.between(0, 0.4),
+          edits.between(0.5, 1))), edits.between(-3, 3), edits.between(-3, 3)), edits.between(2, 9), 'endcap=flat'))),
+        edits.one_of('0', '0', '0', '1'))];
     WHEN 'other area' THEN
       RETURN ARRAY[edits.one_of($q$UPDATE edited.street_area SET kind = 'platform', geom = ST_Translate(geom, 2, 1)$q$,
         'DELETE FROM edited.street_area')];
@@ -448,7 +453,7 @@ BEGIN
   script.settings := ARRAY['crossing=' || edits.one_of('over', 'split'), 'short_axis=' || edits.one_of('reduce', 'follow'), 'dead_end=' || edits.one_of('flat', 'round'),
                            'u_turn=' || edits.one_of('true', 'false'), 'trajectory=' || edits.one_of('bezier', 'arcs'), 'reach=' || edits.one_of('60', '60', '25', '120'), 'edge_line=' || edits.one_of('none', 'solid'),
                            'smoothing=' || edits.one_of('none', 'none', 'arcs'), 'junction_gap=' || edits.one_of('35', '35', '12'), 'control_distance=' || edits.one_of('50', '20'),
-                           'roundabout_untagged=' || edits.one_of('auto', 'offered')];
+                           'roundabout_untagged=' || edits.one_of('auto', 'offered'), 'area_wins=' || edits.one_of('', 'roadway', 'roadway,square')];
   PERFORM edits.begin(script);
   source := edits.one_of(VARIADIC ARRAY(SELECT NULL UNION ALL SELECT NULL UNION ALL (SELECT name FROM edits.town ORDER BY name)));
   IF source IS NULL THEN

@@ -49,6 +49,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                ELSE hash_record_extended(ROW(parking_left, parking_right), CASE WHEN bays_beside THEN 9 ELSE 10 END) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
+           # CASE WHEN surveyed IS NULL THEN 0 ELSE hashfloat8extended(surveyed[2], 12) END
            # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
                THEN 0
                ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END
@@ -63,8 +64,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        CASE WHEN NOT bays_beside OR parking_right IS NULL THEN coalesce(sidewalk_right, sidewalk_usual)
            ELSE streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, settings) END
            AS sidewalk_right,
-       streetgen.believed_roadway_offset(roadway_offset, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
-           AS roadway_offset,
+       streetgen.believed_roadway_offset(coalesce(surveyed[2], roadway_offset), width_used,
+           CASE WHEN kerb_width IS NULL THEN believed_end END) AS roadway_offset,
        access,
        -- Cycle and parking lanes lie at the kerbs, and leave nothing there.
        -- Lanes share all of a roadway that widens, since neither end is the one to measure at.
@@ -73,7 +74,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            AND num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) > 0 THEN widest_lane END
            AS lane_width_maximal,
        coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring,
-       CASE WHEN name <> '' THEN hashtextextended(lower(name), 0) ELSE 0 END AS street
+       CASE WHEN name <> '' THEN hashtextextended(lower(name), 0) ELSE 0 END AS street,
+       surveyed IS NOT NULL AS by_area
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,
@@ -112,7 +114,10 @@ LEFT JOIN LATERAL (
         ELSE direction END AS direction_used HAVING true) way ON true
 LEFT JOIN LATERAL (
     SELECT CASE WHEN any_kerb THEN (SELECT avg(k.width ORDER BY k.kerb_point_override_id)
-        FROM kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_width HAVING true) kerb ON true
+        FROM kerb_point_override k WHERE k.axis_id = a.axis_id) END AS kerb_by_hand HAVING true) hand ON true
+-- A survey says the width and the offset of the roadway.
+LEFT JOIN LATERAL (SELECT {surveyed} AS surveyed HAVING true) survey ON true
+LEFT JOIN LATERAL (SELECT coalesce(kerb_by_hand, surveyed[1]) AS kerb_width HAVING true) kerb ON true
 -- What a street has by its class alone: lanes of a direction, width without parking, and parking.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN direction_used = 'both' THEN lanes_each_way

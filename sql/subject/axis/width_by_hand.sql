@@ -89,7 +89,7 @@ BEGIN
             LATERAL (VALUES ('width', a.width, u.width), ('width_end', a.width_end, u.width_end))
                 w(attribute, width, taken), LATERAL (SELECT w.attribute = ANY (u.estimated) AS estimated) s
         -- Both relations are narrowed: the planner computes the values used of all axes otherwise.
-        WHERE a.axis_id = ANY (doubted) AND u.axis_id = ANY (doubted)
+        WHERE a.axis_id = ANY (doubted) AND u.axis_id = ANY (doubted) AND NOT u.by_area
             AND w.width IS NOT NULL AND CASE WHEN s.estimated THEN a.lane_count IS NOT NULL
                 ELSE w.width < w.taken AND NOT EXISTS (SELECT FROM kerb_point_override k
                     WHERE k.axis_id = a.axis_id) END

@@ -23,10 +23,19 @@ BEGIN
             g.within
         FROM area a, LATERAL (SELECT ST_Collect(ST_Intersection(ST_Force2D(e.geom), a.ground)) AS within FROM edge e
             WHERE e.geom && a.geom AND e.level = a.level) g
-        WHERE a.kind NOT IN ('roadway', 'parking_area') AND ST_Length(g.within) > 10;
+        WHERE a.kind NOT IN ('roadway', 'parking_area') AND ST_Length(g.within) > 10
+    UNION ALL SELECT 'notice', 'area of roadway along no street, m2', 'street_area', street_area_id, ST_Area(ground),
+            geom::geometry
+        FROM area a WHERE streetgen._area_wins(model, 'roadway') AND kind = 'roadway' AND NOT EXISTS (
+            SELECT FROM edge e WHERE e.geom && a.ground AND e.level = a.level AND ST_Intersects(e.geom, a.ground))
+    UNION ALL SELECT 'notice', 'stated width that is not that of areas, m', 'axis', axis_id, u.width - a.width,
+            a.geom::geometry
+        FROM axis_used u JOIN axis a USING (axis_id)
+        WHERE streetgen._area_wins(model, 'roadway') AND u.by_area AND abs(u.width - a.width) > 0.5;
 END $$;
 COMMENT ON FUNCTION streetgen._areas_amiss(name) IS
-    'Rows of streetgen.check_model: areas that cross themselves, overlap, lie over a street, or have no ground.';
+    'Rows of streetgen.check_model: areas that cross themselves, overlap, lie over a street, have no ground, '
+    'or move kerbs that are stated.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_footway(model name) RETURNS SETOF streetgen.finding
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
@@ -71,9 +80,9 @@ CREATE OR REPLACE FUNCTION streetgen._footway_summary()
     AS $$ VALUES
     (36, 'footway', $part$
     SELECT 'footways', round(coalesce(sum(ST_Length(geom)) / 1000, 0)::numeric, 3), 'km' FROM %1$I.footway
-    UNION ALL SELECT 'footways that are sidewalks', count(DISTINCT footway_id), NULL
-        FROM %1$I.sidewalk_source
-    UNION ALL SELECT 'areas of the street', count(*), NULL FROM %1$I.street_area$part$) $$;
+    UNION ALL SELECT 'footways that are sidewalks', count(DISTINCT footway_id), NULL FROM %1$I.sidewalk_source
+    UNION ALL SELECT 'areas of the street', count(*), NULL FROM %1$I.street_area
+    UNION ALL SELECT 'streets with the kerbs of areas', count(*), NULL FROM %1$I.axis_used WHERE by_area$part$) $$;
 COMMENT ON FUNCTION streetgen._footway_summary() IS 'What streetgen.summary counts of footways.';
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
@@ -100,6 +109,12 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'correct its `kind`, the `width` of the street, or delete it'),
     ('area over a street, m', 'the axis of a street leads through an area, whose ground its roadway parts',
         'nothing, where people drive over it; else delete the axis, or correct its `level`'),
+    ('area of roadway along no street, m2',
+        'no axis leads through an area of kind roadway, which by setting area_wins moves kerbs: it moves none',
+        'draw the axis, or correct `level` or `kind` of the area'),
+    ('stated width that is not that of areas, m',
+        'areas of kind roadway have the kerbs of the street elsewhere, by setting area_wins; m: so much wider',
+        'nothing, where the areas are right; else put the width by hand, which areas leave'),
     ('side whose sidewalk apart is not drawn, m',
         '`axis.sidewalk_apart` names the side, and no footway runs along it: it has no sidewalk',
         'draw the sidewalk in `footway`, or empty `axis.sidewalk_apart`');

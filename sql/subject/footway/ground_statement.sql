@@ -1,9 +1,11 @@
 -- The partition of the ground beside streets, by name: footways and areas of the street take it from each other.
 
 --{wanted_ground
--- Areas come before lines of their kind: turn 0, then 1.
+-- Areas come before lines of their kind: turn 0, then 1. Areas of kinds that win come before all that do not.
 area_ground AS NOT MATERIALIZED (
-    SELECT a.street_area_id AS id, a.kind, a.level, array_position(streetgen._area_kinds(), a.kind) AS rank, 0 AS turn,
+    SELECT a.street_area_id AS id, a.kind, a.level, array_position(streetgen._area_kinds(), a.kind) - CASE WHEN a.kind
+            = ANY (string_to_array((SELECT value FROM setting WHERE name = 'area_wins'), ','))
+            THEN cardinality(streetgen._area_kinds()) ELSE 0 END AS rank, 0 AS turn,
         a.surface AS paved, a.geom, ST_CollectionExtract(ST_MakeValid(a.geom), 3) AS surface
     FROM street_area a WHERE a.kind <> 'roadway'),
 line_ground AS NOT MATERIALIZED (
@@ -68,3 +70,11 @@ FROM area_ground g, LATERAL (
     LATERAL (SELECT CASE WHEN f.surface IS NULL THEN d.surface
         ELSE ST_CollectionExtract(ST_Union(d.surface, f.surface, 0.0001), 3) END AS surface) r
 WHERE ST_Area(r.surface) > 0.01
+
+--{surveyed_roadway
+CASE WHEN (SELECT 'roadway' = ANY (string_to_array(value, ',')) FROM setting WHERE name = 'area_wins')
+        AND kerb_by_hand IS NULL
+        AND NOT ((width_by_hand OR source IS NULL) AND num_nonnulls(width, width_end, roadway_offset) > 0)
+    THEN (SELECT streetgen._kerbs_by_area(ST_Force2D(a.geom)::bytea,
+            array_agg(s.geom::bytea ORDER BY s.street_area_id))
+        FROM street_area s WHERE s.kind = 'roadway' AND s.level = a.level AND s.geom && ST_Expand(a.geom, 25)) END

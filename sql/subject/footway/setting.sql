@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._footway_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
     AS $$ VALUES
     ('mapped_sidewalk_distance', '12', 'm', 'farthest that a footway lies from the kerb whose sidewalk it is',
         0::float8, 50::float8, NULL::text[]),
@@ -17,5 +17,8 @@ CREATE OR REPLACE FUNCTION streetgen._footway_setting()
         'footways that make pedestrian crossings where they lead over streets: all, mapped (of role crossing), or none',
         NULL, NULL, '{all,mapped,none}'),
     ('walk_join_distance', '3', 'm', 'farthest that the loose end of a footway lies from the walk that it joins', 0, 20,
-        NULL) $$;
+        NULL),
+    ('area_wins', '', NULL,
+        'kinds of areas in street_area, parted by commas, that win over what comes before them: roadway moves kerbs '
+        'that are not by hand; an empty text: none', NULL, NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._footway_setting() IS 'The settings of footways, with their defaults and ranges.';
