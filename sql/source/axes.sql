@@ -260,6 +260,7 @@ BEGIN
     IF (parted OR FOUND) AND changed = 0 THEN
         changed := streetgen._stale_axes(model);
     END IF;
+    RETURN QUERY SELECT * FROM streetgen._tell_moved_kerbs(model);
     RETURN QUERY SELECT 'generate is due', NULL::text, changed, NULL::text[] WHERE changed > 0;
 END $$;
 COMMENT ON FUNCTION streetgen._import(name, text, text, boolean, boolean, boolean) IS

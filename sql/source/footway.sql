@@ -46,6 +46,21 @@ COMMENT ON FUNCTION streetgen._deliver_parted(name, name, text, text[]) IS
     'Brings the footways or the tracks of a source, or those among some source_refs, up to date with the lines that '
     'were parted from its axes; reports what is by hand.';
 
+CREATE OR REPLACE FUNCTION streetgen._tell_moved_kerbs(model name)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 5 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'footway' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY SELECT 'a sidewalk mapped within the estimated kerb, which gives way', a.kind, count(*),
+                array_agg(a.source_ref ORDER BY a.source_ref)
+            FROM axis_used u JOIN axis a USING (axis_id) WHERE u.width_moved > 0 GROUP BY a.kind ORDER BY a.kind;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._tell_moved_kerbs(name) IS
+    'Tells the axes of a model whose estimated kerbs give way to sidewalks mapped within them, by class.';
+
 CREATE OR REPLACE FUNCTION streetgen._import_osm_kerbs(model name, control regclass)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

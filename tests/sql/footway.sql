@@ -78,15 +78,15 @@ COMMIT;
 -- Random streets and footways, edited at random: all as from scratch.
 DO $$ DECLARE n integer; BEGIN
   PERFORM setseed(0.48), streetgen.create_model('random', 2154, subjects => '{footway}', driving_side => 'right');
-  INSERT INTO random.axis (geom, width, importance) SELECT pg_temp.line(format('LINESTRING(%s %s,%s %s)', 60 * i, 0, 60 * i + 8 * random(), 180)), 5 + 5 * random(), 4 FROM generate_series(0, 3) i
-    UNION ALL SELECT pg_temp.line(format('LINESTRING(%s %s,%s %s)', -20, 60 * i + 5, 210, 60 * i + 5 + 6 * random())), 5 + 5 * random(), 4 FROM generate_series(0, 3) i;
+  INSERT INTO random.axis (geom, width, importance) SELECT pg_temp.line(format('LINESTRING(%s %s,%s %s)', 60 * i, 0, 60 * i + 8 * random(), 180)), CASE WHEN i < 2 THEN 5 + 5 * random() END, 4 FROM generate_series(0, 3) i
+    UNION ALL SELECT pg_temp.line(format('LINESTRING(%s %s,%s %s)', -20, 60 * i + 5, 210, 60 * i + 5 + 6 * random())), CASE WHEN i < 2 THEN 5 + 5 * random() END, 4 FROM generate_series(0, 3) i;
   FOR n IN 1..40 LOOP
     CASE floor(6 * random())::integer
-      WHEN 0 THEN UPDATE random.axis SET width = 5 + 8 * random() WHERE axis_id = 1 + floor(8 * random());
+      WHEN 0 THEN UPDATE random.axis SET width = CASE WHEN n % 2 = 0 THEN 5 + 8 * random() END WHERE axis_id = 1 + floor(8 * random());
       WHEN 1 THEN UPDATE random.axis SET geom = ST_Translate(geom, 4 * random() - 2, 4 * random() - 2) WHERE axis_id = 1 + floor(8 * random());
       WHEN 2 THEN DELETE FROM random.footway WHERE footway_id = (SELECT footway_id FROM random.footway ORDER BY random() LIMIT 1);
       WHEN 3 THEN UPDATE random.footway SET geom = ST_Translate(geom, 3 * random() - 1.5, 3 * random() - 1.5) WHERE footway_id % 3 = n % 3;
-      ELSE INSERT INTO random.footway (geom, role) SELECT ST_OffsetCurve(ST_LineSubstring(geom, 0.3 * random(), 0.6 + 0.4 * random()), (4 + 8 * random()) * sign(random() - 0.5)), 'sidewalk' FROM random.axis ORDER BY random() LIMIT 2;
+      ELSE INSERT INTO random.footway (geom, role) SELECT ST_OffsetCurve(ST_LineSubstring(geom, 0.3 * random(), 0.6 + 0.4 * random()), (2 + 8 * random()) * sign(random() - 0.5)), 'sidewalk' FROM random.axis ORDER BY random() LIMIT 2;
     END CASE;
   END LOOP;
 END $$;
@@ -94,11 +94,45 @@ CREATE TABLE test.before AS SELECT e.axis_id, e.start_abscissa, s.side, s.part, 
 CREATE TABLE test.widths AS SELECT pg_temp.widths('random') AS said, (SELECT sum(ST_Area(surface)) FROM random.sidewalk) AS area;
 SELECT pg_temp.stale('random'), count(*) FROM streetgen.generate('random', wait => true) \g /dev/null
 SELECT 'there are mapped sidewalks', count(*) > 5 FROM test.before;
+SELECT 'and kerbs that give way', count(*) > 1 FROM random.axis_used WHERE width_moved > 0;
 SELECT count(*) FROM streetgen.generate('random', wait => true) \g /dev/null
 SELECT 'and another run writes nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('random', wait => true);
 SELECT 'random edits give what a run over all gives', NOT EXISTS (SELECT axis_id, start_abscissa, side, part, footway_id, at, distance, width FROM test.before EXCEPT SELECT e.axis_id, e.start_abscissa, s.side, s.part, s.footway_id, s.start_abscissa, s.distance, s.width FROM random.sidewalk_source s JOIN random.edge e USING (edge_id))
   AND (SELECT count(*) FROM test.before) = (SELECT count(*) FROM random.sidewalk_source) AND (SELECT said = pg_temp.widths('random') AND abs(area - (SELECT sum(ST_Area(surface)) FROM random.sidewalk)) < 1e-3 FROM test.widths);
 SELECT 'nothing is wrong', NOT EXISTS (SELECT FROM streetgen.check_model('random') WHERE severity = 'error');
+
+-- A footway within the kerb of an estimated width moves the kerb.
+SELECT streetgen.create_model('within', 2154, subjects => '{footway}', driving_side => 'right') \g /dev/null
+INSERT INTO within.axis (axis_id, geom, width, lane_count, importance, kind, lane_width_forward, roadway_offset) VALUES
+  (1, pg_temp.line('LINESTRING(0 0,100 0)'), NULL, 2, 4, NULL, NULL, NULL), (2, pg_temp.line('LINESTRING(0 100,100 100)'), 7, 2, 4, NULL, NULL, NULL),
+  (3, pg_temp.line('LINESTRING(0 200,100 200)'), NULL, 2, 4, NULL, '3.5', NULL), (4, pg_temp.line('LINESTRING(0 300,100 300)'), NULL, NULL, 4, 'residential', NULL, NULL),
+  (5, pg_temp.line('LINESTRING(0 400,100 400)'), NULL, 2, 4, NULL, NULL, 1), (6, pg_temp.line('LINESTRING(0 500,400 500)'), NULL, 2, 4, NULL, NULL, NULL);
+INSERT INTO within.footway (footway_id, geom, role) SELECT n, pg_temp.line(format('LINESTRING(2 %s,98 %1$s)', y)), 'sidewalk' FROM (VALUES (1, 3), (2, 103), (3, 203), (4, 302.4), (5, 396.9), (6, 501.2)) v(n, y);
+CREATE FUNCTION pg_temp.kerbs(axis bigint) RETURNS text LANGUAGE sql AS $$ SELECT concat_ws(' ', round((width / 2 + roadway_offset)::numeric, 6), round((width / 2 - roadway_offset)::numeric, 6)) FROM within.edge WHERE axis_id = axis $$;
+SELECT 'half of the least width lies before it, on its side alone', pg_temp.kerbs(1) = '2.000000 3.500000' AND (SELECT sidewalk_left = 2 AND estimated @> '{width}' FROM within.edge WHERE axis_id = 1);
+SELECT 'a stated width stays, and so do widths of lanes', pg_temp.kerbs(2) = '3.500000 3.500000' AND pg_temp.kerbs(3) = '3.500000 3.500000';
+SELECT 'a narrow street has fewer lanes', pg_temp.kerbs(4) = '1.400000 3.000000' AND (SELECT forward_lanes + backward_lanes + both_lanes = 1 FROM (SELECT lanes_forward AS forward_lanes, lanes_backward AS backward_lanes, lanes_both AS both_lanes FROM within.axis_used WHERE axis_id = 4) u);
+SELECT 'an offset of the roadway counts', pg_temp.kerbs(5) = '4.500000 2.100000';
+SELECT 'what lies nearer to the axis than to the kerb is no sidewalk', pg_temp.kerbs(6) = '3.500000 3.500000';
+SELECT 'the street is told, and counted', (SELECT array_agg(id || ' ' || round(measure::numeric, 3) ORDER BY id) FROM streetgen.check_model('within') WHERE rule ~ '^kerb that gives way') = '{"1 1.500","4 1.600","5 0.400"}'
+  AND (SELECT amount = 3 FROM streetgen.summary('within') s WHERE subject ~ 'give way');
+UPDATE within.footway SET geom = ST_Translate(geom, 0, -0.3) WHERE footway_id = 1;
+SELECT 'the kerb follows its footway', pg_temp.kerbs(1) = '1.700000 3.500000';
+UPDATE within.footway SET geom = ST_Translate(geom, 0, 1) WHERE footway_id = 1;
+SELECT 'and comes back', pg_temp.kerbs(1) = '2.700000 3.500000';
+UPDATE within.axis SET width = 7 WHERE axis_id = 1;
+SELECT 'a width by hand stays', pg_temp.kerbs(1) = '3.500000 3.500000';
+UPDATE within.axis SET width = NULL WHERE axis_id = 1;
+SELECT 'and gives way where it is taken back', pg_temp.kerbs(1) = '2.700000 3.500000';
+SELECT streetgen.set('within', 'mapped_sidewalk_distance', '0') \g /dev/null
+SELECT count(*) FROM streetgen.generate('within', wait => true) \g /dev/null
+DELETE FROM within.footway WHERE footway_id = 1;
+SELECT 'a kerb that gave way is found by the footway that goes, however near it is looked for', pg_temp.kerbs(1) = '3.500000 3.500000';
+SELECT 'lanes keep their least width', width >= 4 FROM within.edge WHERE axis_id = 6;
+DELETE FROM within.footway WHERE footway_id = 6;
+INSERT INTO within.footway (geom, role) VALUES (pg_temp.line('LINESTRING(0 502,390 502)'), 'sidewalk'), (pg_temp.line('LINESTRING(0 498,390 498)'), 'sidewalk');
+SELECT 'also where footways leave none', pg_temp.kerbs(6) = '2.000000 2.000000';
+SELECT 'nothing is wrong with narrower streets', NOT EXISTS (SELECT FROM streetgen.check_model('within') WHERE severity = 'error');
 
 -- Off, they make nothing; the rows stay.
 SELECT count(*) FROM streetgen.switch_subject('town', 'footway', false) \g /dev/null

@@ -50,6 +50,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
            # CASE WHEN surveyed IS NULL THEN 0 ELSE hashfloat8extended(surveyed[2], 12) END
+           # CASE WHEN kerbs_beside IS NULL THEN 0 ELSE hash_array_extended(kerbs_beside, 13) END
            # CASE WHEN highway_role IS NULL AND coalesce(walked_along AND crossed_on_foot AND lanes_by_width, true)
                THEN 0
                ELSE hash_record_extended(ROW(highway_role, walked_along, crossed_on_foot, lanes_by_width), 5) END
@@ -64,8 +65,9 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        CASE WHEN NOT bays_beside OR parking_right IS NULL THEN coalesce(sidewalk_right, sidewalk_usual)
            ELSE streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, settings) END
            AS sidewalk_right,
-       streetgen.believed_roadway_offset(coalesce(surveyed[2], roadway_offset), width_used,
-           CASE WHEN kerb_width IS NULL THEN believed_end END) AS roadway_offset,
+       streetgen.believed_roadway_offset(CASE WHEN kerbs_beside IS NULL THEN coalesce(surveyed[2], roadway_offset)
+           ELSE (kerbs_used[1] - kerbs_used[2]) / 2 END, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
+           AS roadway_offset,
        access,
        -- Cycle and parking lanes lie at the kerbs, and leave nothing there.
        -- Lanes share all of a roadway that widens, since neither end is the one to measure at.
@@ -75,7 +77,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            AS lane_width_maximal,
        coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring,
        CASE WHEN name <> '' THEN hashtextextended(lower(name), 0) ELSE 0 END AS street,
-       surveyed IS NOT NULL AS by_area
+       surveyed IS NOT NULL AS by_area,
+       CASE WHEN kerbs_beside IS NULL THEN 0 ELSE width_unmoved - width_used END AS width_moved
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,
@@ -139,13 +142,13 @@ LEFT JOIN LATERAL (
                HAVING true) known ON true
 LEFT JOIN LATERAL (
     -- A lane of a roundabout is as wide as long vehicles need that turn.
-    SELECT CASE WHEN by_hand OR NOT lanes_by_width OR streetgen._names_ring(roundabout_tag)
+    SELECT narrowest, CASE WHEN by_hand OR NOT lanes_by_width OR streetgen._names_ring(roundabout_tag)
         THEN NULL ELSE max_width_per_lane END AS most_per_lane,
         -- Nobody drives a car where it is forbidden, nor where the class is made for walking or cycling.
         CASE WHEN by_hand OR NOT lanes_by_width OR class_width <= narrowest_lane
-            OR access IN ('no', 'cycle', 'no|cycle', 'cycle|no') THEN 0 ELSE least(narrowest_lane * greatest(lane_count,
-            coalesce(stated_forward, 0) + coalesce(stated_backward, 0) + coalesce(lanes_both, 0), 1),
-            coalesce(width_usual, width_default)) END AS least_width HAVING true) m ON true
+            OR access IN ('no', 'cycle', 'no|cycle', 'cycle|no') THEN 0 ELSE narrowest END AS least_width
+    FROM (SELECT least(narrowest_lane * greatest(lane_count, coalesce(stated_forward, 0) + coalesce(stated_backward, 0)
+        + coalesce(lanes_both, 0), 1), coalesce(width_usual, width_default)) AS narrowest HAVING true) n) m ON true
 CROSS JOIN LATERAL (SELECT coalesce(lane_count, stated_forward + stated_backward + coalesce(lanes_both, 0))
         AS lanes_stated,
     streetgen._kerbside_width(kind_forward, lane_width_forward, lane_width, cycle_lane_width, parking_lane_width)
@@ -161,8 +164,19 @@ LEFT JOIN LATERAL (
 LEFT JOIN LATERAL (
     SELECT coalesce(kerb_width, believed,
         least(200, streetgen.estimated_width(CASE WHEN lanes_by_width IS NOT FALSE THEN lanes_stated END, width_usual,
-            lane_width, width_default) + CASE WHEN lanes_stated IS NULL THEN parking ELSE kerbside END)) AS width_first
+            lane_width, width_default) + CASE WHEN lanes_stated IS NULL THEN parking ELSE kerbside END)) AS width_guess
             HAVING true) w ON true
+-- The kerbs of a width that nothing states give way to what is mapped beside the street.
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN kerb_width IS NULL AND believed IS NULL AND believed_end IS NULL
+            AND num_nonnulls(lane_width_forward, lane_width_backward) = 0 AND lanes_by_width IS NOT FALSE
+            AND (tags_count AND streetgen._names_ring(roundabout_tag)) IS NOT TRUE
+        THEN {kerbs_beside} END AS kerbs_beside, narrowest + CASE WHEN lanes_stated IS NULL THEN parking ELSE kerbside
+            END AS narrowest_between HAVING true) beside ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN kerbs_beside IS NULL THEN width_guess ELSE streetgen._width_between(streetgen._kerbs_between(
+        width_guess, roadway_offset, kerbs_beside), width_guess, narrowest_between) END AS width_first
+        HAVING true) moved ON true
 LEFT JOIN LATERAL (
     SELECT coalesce(speed, class_speed, streetgen._estimated_speed(importance_known, width_first, speeds,
         speed_per_width)) AS speed_used HAVING true) p ON true
@@ -205,7 +219,16 @@ LEFT JOIN LATERAL (
             + streetgen._lanes_width(forward_used, kind_forward, lane_width_forward, lane_width, cycle_lane_width,
                 parking_lane_width)
             + streetgen._lanes_width(backward_used, kind_backward, lane_width_backward, lane_width, cycle_lane_width,
-                parking_lane_width)) END AS width_used HAVING true) f ON true
+                parking_lane_width)) END AS width_lanes HAVING true) f ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN num_nonnulls(lane_count, stated_forward, stated_backward, lanes_both) = 0 THEN width_guess
+        ELSE width_lanes END AS width_unmoved HAVING true) g ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN kerbs_beside IS NOT NULL THEN streetgen._kerbs_between(width_unmoved, roadway_offset,
+        kerbs_beside) END AS kerbs_used HAVING true) k ON true
+LEFT JOIN LATERAL (
+    SELECT CASE WHEN kerbs_beside IS NULL THEN width_lanes ELSE least(width_lanes, streetgen._width_between(
+        kerbs_used, width_unmoved, narrowest_between)) END AS width_used HAVING true) u ON true
 -- Each direction lists its lanes from its left to its right.
 LEFT JOIN LATERAL (
     SELECT CASE WHEN direction_used = 'direct' OR direction_used = 'both' AND driving_side = 'left'
@@ -217,7 +240,7 @@ LEFT JOIN LATERAL (
             AS left_of_backward,
         CASE direction_used WHEN 'reverse' THEN class_parking_right
             WHEN 'both' THEN CASE driving_side WHEN 'left' THEN 0 ELSE class_parking_left END ELSE 0 END
-            AS right_of_backward HAVING true) beside ON true
+            AS right_of_backward HAVING true) parked ON true
 
 --{setting_used
 CREATE OR REPLACE VIEW setting_used WITH (security_invoker = true) AS

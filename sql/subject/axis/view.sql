@@ -28,6 +28,8 @@ BEGIN
         'rings', CASE WHEN with_rings THEN ', name, roundabout_tag' END, 'any', decided.any, 'says', decided.says,
         'flags', decided.flags,
         'bays', streetgen._bays_stand(streetgen._subjects(model), ''),
+        'kerbs_beside', coalesce((streetgen._parts_of_rooms('_%s_kerbs_beside', jsonb_build_object('subjects',
+            streetgen._subjects(model))))[1], 'NULL::float8[]'),
         'surveyed', coalesce((streetgen._parts_of_rooms('_%s_surveyed', jsonb_build_object('subjects',
             streetgen._subjects(model))))[1], 'NULL::float8[]'),
         'more', array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n')));
@@ -68,6 +70,9 @@ BEGIN
     COMMENT ON COLUMN axis_used.roadway_offset IS 'metres from the axis to the middle of the roadway, left positive';
     COMMENT ON COLUMN axis_used.by_area IS
         'are width and roadway_offset those of areas of kind roadway in street_area, by setting area_wins?';
+    COMMENT ON COLUMN axis_used.width_moved IS
+        'metres that an estimated width is less since its kerbs give way to what is mapped beside the street; 0: they '
+        'lie as estimated';
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_views(name) IS
     'Makes the views setting_used and axis_used of a model, again and again.';

@@ -59,6 +59,9 @@ BEGIN
             GROUP BY edge_id, side) s USING (edge_id)
         WHERE ST_Length(e.geom) - s.metres > greatest(50, 0.5 * ST_Length(e.geom))
     UNION ALL
+    SELECT 'notice', 'kerb that gives way to a footway, m', 'axis', u.axis_id, u.width_moved, u.geom
+        FROM axis_used u WHERE u.width_moved > 0
+    UNION ALL
     SELECT 'notice', 'side whose sidewalk apart is not drawn, m', 'edge', e.edge_id, ST_Length(e.geom), e.geom
         FROM edge e JOIN axis a USING (axis_id), LATERAL (VALUES ('left', e.sidewalk_left),
             ('right', e.sidewalk_right)) v(side, width)
@@ -78,11 +81,12 @@ CREATE OR REPLACE FUNCTION streetgen._footway_summary()
     RETURNS TABLE(place integer, subject text, query text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    (36, 'footway', $part$
-    SELECT 'footways', round(coalesce(sum(ST_Length(geom)) / 1000, 0)::numeric, 3), 'km' FROM %1$I.footway
-    UNION ALL SELECT 'footways that are sidewalks', count(DISTINCT footway_id), NULL FROM %1$I.sidewalk_source
-    UNION ALL SELECT 'areas of the street', count(*), NULL FROM %1$I.street_area
-    UNION ALL SELECT 'streets with the kerbs of areas', count(*), NULL FROM %1$I.axis_used WHERE by_area$part$) $$;
+    (36, 'footway', 'SELECT ''footways'', round(coalesce(sum(ST_Length(geom)) / 1000, 0)::numeric, 3), ''km'' '
+        'FROM %1$I.footway '
+        'UNION ALL SELECT ''footways that are sidewalks'', count(DISTINCT footway_id), NULL FROM %1$I.sidewalk_source '
+        'UNION ALL SELECT ''streets whose kerbs give way'', count(*), NULL FROM %1$I.axis_used WHERE width_moved > 0 '
+        'UNION ALL SELECT ''areas of the street'', count(*), NULL FROM %1$I.street_area '
+        'UNION ALL SELECT ''streets with the kerbs of areas'', count(*), NULL FROM %1$I.axis_used WHERE by_area') $$;
 COMMENT ON FUNCTION streetgen._footway_summary() IS 'What streetgen.summary counts of footways.';
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
@@ -94,6 +98,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('sidewalk drawn along a part of its side, m',
         'footways run along less than half of the side, and its sidewalk lies all along it',
         'draw the rest in `footway`, or type the width in `sidewalk_editing`'),
+    ('kerb that gives way to a footway, m',
+        'a sidewalk is drawn within the kerb of a street whose width is estimated, which is narrower by so much',
+        'nothing, where the street is that narrow; else correct its `width`, which is believed, or the line'),
     ('walks that nothing joins to the others, m',
         'a part of the network on foot, `walk_link`, that no link joins to the largest part',
         'draw a way to the others in `footway`, or a crossing; raise setting walk_join_distance where ends lie near'),

@@ -50,6 +50,13 @@ COMMENT ON FUNCTION streetgen._footway_places(jsonb) IS
     'The places of the one statement where edges get the widths of sidewalks that footways map, and kerbs the courses '
     'of these widths.';
 
+CREATE OR REPLACE FUNCTION streetgen._footway_kerbs_beside(places jsonb) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN places -> 'subjects' ? 'footway' THEN streetgen._part('kerbs_beside') END $$;
+COMMENT ON FUNCTION streetgen._footway_kerbs_beside(jsonb) IS
+    'The expression of view axis_used that says how far the kerbs of an axis lie from it at most, left and right, '
+    'where sidewalks are mapped beside it.';
+
 CREATE OR REPLACE FUNCTION streetgen._upsert_footway(places jsonb) RETURNS text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT concat_ws(',', streetgen._fill_template(streetgen._part('mapped_sidewalk'), places

@@ -10,8 +10,9 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     IF 'footway' = ANY (streetgen._subjects(model)) THEN
-        -- GeoJSON rounds.
-        SELECT value::float8 + 0.01 INTO reach FROM setting WHERE name = 'mapped_sidewalk_distance';
+        -- GeoJSON rounds. A kerb that gave way lies half of the least width before a footway.
+        SELECT max(CASE name WHEN 'mapped_sidewalk_minimal' THEN value::float8 / 2 ELSE value::float8 END) + 0.01
+            INTO reach FROM setting WHERE name IN ('mapped_sidewalk_distance', 'mapped_sidewalk_minimal');
         SELECT ARRAY(SELECT DISTINCT e.axis_id FROM (SELECT max(greatest(width, width_end) / 2
                     + abs(roadway_offset)) AS half FROM edge) widest, unnest(footways) f,
             LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom FROM streetgen.model m

@@ -78,6 +78,39 @@ mapped_sidewalk AS MATERIALIZED (
         FROM found_source s JOIN beside_footway e USING (number) GROUP BY s.number, s.side) m
     WHERE enough GROUP BY number)
 
+--{kerbs_beside
+-- Half of the least width of a sidewalk lies between a kerb and its footway, and none of the footway before the kerb.
+-- One that lies nearer to the axis than to its kerb is no sidewalk.
+(SELECT CASE WHEN num_nonnulls(on_left, on_right) > 0 THEN ARRAY[on_left, on_right] END FROM (
+    SELECT min(to_kerb) FILTER (WHERE "left") AS on_left, min(to_kerb) FILTER (WHERE NOT "left") AS on_right FROM (
+        SELECT side = 1 AS "left", round(least(middle - least_width / 2, nearest)::numeric, 3)::float8 AS to_kerb
+        FROM (SELECT m.side, r.least_width, sum(m.distance * p.metres ORDER BY m.footway, m.start_abscissa)
+                / sum(p.metres ORDER BY m.footway, m.start_abscissa) AS middle,
+                min(least(m.distance, (SELECT min(d) FROM unnest(m.distances) d))) AS nearest,
+                sum(p.metres ORDER BY m.footway, m.start_abscissa) AS metres
+            FROM (SELECT max(value::float8) FILTER (WHERE name = 'mapped_sidewalk_minimal') AS least_width,
+                    max(value::float8) FILTER (WHERE name = 'mapped_sidewalk_distance') AS distance
+                FROM setting WHERE name IN ('mapped_sidewalk_minimal', 'mapped_sidewalk_distance')) r,
+                LATERAL (SELECT array_agg(ST_Force2D(f.geom)::bytea ORDER BY footway_id) AS lines,
+                    array_agg(f.level ORDER BY footway_id) AS levels,
+                    array_agg(f.role IS NULL ORDER BY footway_id) AS only_apart,
+                    bool_or(ST_DWithin(f.geom, a.geom, width_guess / 2 + abs(coalesce(roadway_offset, 0))
+                        + r.least_width / 2)) AS within
+                FROM footway f LEFT JOIN axis_class c ON c.class = f.kind
+                WHERE (f.role = 'sidewalk' OR f.role IS NULL AND sidewalk_apart IS NOT NULL
+                        AND coalesce(c.use = 'walk', true))
+                    AND f.geom && ST_Expand(a.geom, width_guess / 2 + abs(coalesce(roadway_offset, 0))
+                        + r.least_width / 2)) f,
+                LATERAL streetgen._sidewalk_sources(ARRAY[ST_Force2D(a.geom)::bytea], ARRAY[a.level], f.lines,
+                    f.levels, '{1,1}', '{true,false}', '{0,0}', '{0,0}', least(50, width_guess / 2
+                        + abs(coalesce(roadway_offset, 0)) + r.least_width / 2 + r.distance)) m,
+                LATERAL (SELECT m.end_abscissa - m.start_abscissa AS metres) p
+            WHERE f.within AND (NOT f.only_apart[m.footway]
+                OR sidewalk_apart IN ('both', (ARRAY['left', 'right'])[m.side]))
+            GROUP BY m.side, r.least_width) s,
+            LATERAL (SELECT (streetgen._kerbs_between(width_guess, roadway_offset, NULL))[side] AS kerb) k
+        WHERE metres >= least(20, 0.3 * ST_Length(a.geom)) AND middle > kerb / 2) s) b)
+
 --{footways_near
 SELECT DISTINCT ON (f.footway_id) f.* FROM footway_rule r, beside_footway e, LATERAL (
     SELECT footway_id, geom, kind, role, level, width FROM {model}.footway f
