@@ -17,6 +17,9 @@ struct KerbsByArea {
 // Areas tell of kerbs no farther than this from the axis, metres.
 constexpr double area_reach = 25;
 
+// Metres beyond the kerbs that areas tell in which a street takes what it has of an area.
+constexpr double area_beyond_kerb = 6;
+
 // The middle one of all places along the axis that lie within areas tells each kerb; areas that
 // touch are one. None where fewer of them than 20 m, or 0.3 of a shorter axis, are within, or where
 // areas have no border beside the axis within area_reach. A side without a border, or one over

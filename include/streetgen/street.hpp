@@ -52,6 +52,9 @@ struct StreetAxis {
   std::int64_t street = 0;  // a number of its name, 0: none
   bool changed = true;      // false: as it was when the streets about it were computed
   bool outer = false;       // beyond reach of the change: the others are computed with it
+  // The areas that were surveyed as roadway about it, whose parts may overlap: its surfaces end at
+  // their border, as far as it lies within them.
+  MultiPolygon area{};
   // Wanted at its ends instead of StreetSettings::transition.
   std::optional<Transition> transition_start{}, transition_end{};
 };

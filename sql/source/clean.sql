@@ -137,7 +137,7 @@ BEGIN
             array_agg(ROW (axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, 0, importance,
                 speed, lanes_forward, lanes_backward, lanes_both, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
                 false, 0,
-                true, false)::streetgen.street_axis ORDER BY axis_id)) AS number FROM axis_used),
+                true, false, NULL)::streetgen.street_axis ORDER BY axis_id)) AS number FROM axis_used),
     -- An axis of another source is known by its number.
     missed AS (SELECT r.issue, r.measure, coalesce(CASE WHEN a.source = origin THEN a.source_ref END,
             'axis ' || a.axis_id) AS source_ref

@@ -1,7 +1,7 @@
 -- Roadway against areas of kind roadway in street_area of a model: psql -v model=MODEL
 -- Printed by kind of axis: axes, those of which 0.3 or more lies within areas, those whose kerbs are those of areas;
--- and of the second m2 of areas and of roadway, and shared ground by ground of both (agreement). A point within 20 m
--- of an axis, not beyond its ends, belongs to its nearest axis.
+-- and of the second m2 of areas and of roadway, and shared ground by ground of both (agreement), which is also printed
+-- of the third (consistency). A point within 20 m of an axis, not beyond its ends, belongs to its nearest axis.
 SET search_path = :"model", public;
 CREATE TEMPORARY TABLE street AS
     SELECT axis_id, coalesce(kind, '-') AS kind, by_area, level, ST_Force2D(geom) AS line FROM axis_used
@@ -28,5 +28,7 @@ CREATE TEMPORARY TABLE measured AS
 SELECT coalesce(kind, 'all') AS kind, count(*) AS axes, count(*) FILTER (WHERE surveyed) AS surveyed,
     count(*) FILTER (WHERE by_area) AS by_area, round((sum(drawn) FILTER (WHERE surveyed))::numeric) AS drawn,
     round((sum(made) FILTER (WHERE surveyed))::numeric) AS made, round((sum(shared) FILTER (WHERE surveyed)
-        / nullif(sum(drawn + made - shared) FILTER (WHERE surveyed), 0))::numeric, 3) AS agreement
+        / nullif(sum(drawn + made - shared) FILTER (WHERE surveyed), 0))::numeric, 3) AS agreement,
+    round((sum(shared) FILTER (WHERE by_area)
+        / nullif(sum(drawn + made - shared) FILTER (WHERE by_area), 0))::numeric, 3) AS consistency
 FROM measured GROUP BY ROLLUP (kind) ORDER BY kind IS NULL, sum(drawn) DESC;

@@ -66,6 +66,38 @@ SELECT 'an axis that moves keeps the kerbs', abs(u.width - 9) < 0.01 AND as_gene
   WHERE axis_id = 1;
 UPDATE town.axis SET geom = pg_temp.shape('LINESTRING(0 0,100 0)') WHERE axis_id = 1;
 
+-- Surfaces end where the area does, bays and narrow places included.
+CREATE FUNCTION beside_area() RETURNS float8 LANGUAGE sql AS $$ SELECT round(ST_Area(ST_SymDifference(r.ground,
+  a.ground))::numeric, 4)::float8 FROM (SELECT ST_Intersection(ST_Union(surface), pg_temp.box(0, -50, 90, 50)) AS ground
+  FROM town.roadway) r, (SELECT ST_Intersection(ST_Union(geom), pg_temp.box(0, -50, 90, 50)) AS ground
+  FROM town.street_area WHERE kind = 'roadway') a $$;
+CREATE FUNCTION overlap() RETURNS float8 LANGUAGE sql AS $$ SELECT coalesce(sum(ST_Area(ST_Intersection(a.surface,
+  b.surface))), 0) FROM town.roadway a JOIN town.roadway b ON a.surface && b.surface
+  AND a.surface::bytea < b.surface::bytea $$;
+SELECT 'the roadway is the area', beside_area() = 0;
+UPDATE town.street_area SET geom = ST_Multi(ST_Union(geom, pg_temp.box(40, 6, 60, 9))) WHERE street_area_id = 1;
+SELECT 'with a bay', kerbs() = '-3 9' AND roadway(1) = '9.000 1.500' AND beside_area() = 0 AND as_generated();
+UPDATE town.street_area SET geom = ST_Multi(ST_Difference(pg_temp.box(-5, -3, 210, 6), pg_temp.box(40, 4, 60, 9)))
+  WHERE street_area_id = 1;
+SELECT 'or a narrow place', kerbs() = '-3 4' AND roadway(1) = '9.000 1.500' AND beside_area() = 0 AND as_generated();
+UPDATE town.street_area SET geom = ST_Multi(ST_Difference(pg_temp.box(-5, -3, 210, 6), pg_temp.box(40, 2, 60, 4)))
+  WHERE street_area_id = 1;
+SELECT 'or an island, whose kerb is one', kerbs() = '-3 3 6' AND beside_area() = 0 AND as_generated();
+UPDATE town.street_area SET geom = ST_Multi(ST_Union(pg_temp.box(-5, -3, 210, 6), pg_temp.box(40, 6, 60, 40)))
+  WHERE street_area_id = 1;
+SELECT 'and 6 m of ground that leads away', kerbs() = '-3 12' AND as_generated();
+UPDATE town.street_area SET geom = pg_temp.box(30, -3, 210, 6) WHERE street_area_id = 1;
+SELECT 'where the area ends the street goes on', (SELECT ST_Contains(ST_Buffer(surface, 0.001), pg_temp.box(0, -3, 90,
+  6)) AND NOT ST_Intersects(surface, pg_temp.box(0, 6.1, 90, 9)) FROM town.section JOIN town.edge USING (edge_id)
+  WHERE axis_id = 1) AND as_generated();
+UPDATE town.axis SET width = 4 WHERE axis_id = 3;
+SELECT 'a street with a width by hand keeps its ground in the junction', (SELECT bool_and(ST_Contains(r.ground, place))
+  FROM (SELECT ST_Buffer(ST_Union(surface), 0.001) AS ground FROM town.roadway) r,
+  ST_DumpPoints(pg_temp.shape('MULTIPOINT(98 6,102 6,98 7,102 7,98 12,102 12)')) p(path, place)) AND as_generated();
+SELECT 'nothing overlaps', overlap() = 0 AND (SELECT bool_and(ST_IsValid(surface)) FROM town.roadway);
+UPDATE town.axis SET width = NULL WHERE axis_id = 3;
+UPDATE town.street_area SET geom = pg_temp.box(-5, -3, 210, 6) WHERE street_area_id = 1;
+
 -- What is amiss is told.
 INSERT INTO town.street_area (street_area_id, geom, kind) VALUES (4, pg_temp.box(0, 50, 20, 60), 'roadway');
 SELECT 'check_model tells stated widths that give way to areas, and areas along no street',

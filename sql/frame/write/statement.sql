@@ -33,7 +33,7 @@ used AS MATERIALIZED (
         kind_backward,
            lane_width_forward, lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access,
            on_ring, street, sidewalk_left, sidewalk_right, speed,
-           importance, radius, direction, estimated,
+           importance, radius, direction, estimated, area,
                CASE WHEN {whole} OR axis_id IN (SELECT unnest($1)) THEN input_hash END AS input_hash, setting_hash
     FROM {model}.axis_used WHERE {whole} OR axis_id = ANY ($2)),
 {rings}
@@ -48,7 +48,7 @@ computed AS MATERIALIZED (
                 axis_id, ST_Force2D(geom)::bytea, level, width, width_end, roadway_offset, radius, importance, speed,
                 lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
                     lane_width_backward, lane_width_maximal, turn_forward, turn_backward, access, on_ring, street,
-                {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL
+                {whole} OR axis_id IN (SELECT unnest($3)) {or_turned}, input_hash IS NULL, area::bytea
                 )::streetgen.street_axis ORDER BY axis_id)
             FROM used),
         controls => (

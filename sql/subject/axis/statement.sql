@@ -78,7 +78,7 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
        coalesce(tags_count, false) AND streetgen._names_ring(roundabout_tag) AS on_ring,
        CASE WHEN name <> '' THEN hashtextextended(lower(name), 0) ELSE 0 END AS street,
        surveyed IS NOT NULL AS by_area,
-       CASE WHEN kerbs_beside IS NULL THEN 0 ELSE width_unmoved - width_used END AS width_moved
+       CASE WHEN kerbs_beside IS NULL THEN 0 ELSE width_unmoved - width_used END AS width_moved, {area} AS area
 FROM axis a LEFT JOIN (SELECT class AS kind, width AS class_width, speed AS class_speed,
     importance AS class_importance,
     highway_role, walked_along, crossed_on_foot, lanes_by_width, lanes_one_way, width_one_way, lanes_each_way,

@@ -5,7 +5,8 @@ CREATE TYPE streetgen.street_axis AS (
         importance integer, speed float8,
     lanes_forward integer, lanes_backward integer, lanes_both integer, kind_forward text, kind_backward text,
     lane_width_forward text, lane_width_backward text, lane_width_maximal float8, turn_forward text,
-    turn_backward text, access text, on_ring boolean, street bigint, changed boolean, outer_axis boolean
+    turn_backward text, access text, on_ring boolean, street bigint, changed boolean, outer_axis boolean,
+    area bytea
 );
 COMMENT ON TYPE streetgen.street_axis IS 'An axis with the values used, and what an edit has to do with it.';
 COMMENT ON COLUMN streetgen.street_axis.axis_id IS 'the axis';
@@ -40,6 +41,8 @@ COMMENT ON COLUMN streetgen.street_axis.on_ring IS
     'does its source say that it is part of a roundabout?';
 COMMENT ON COLUMN streetgen.street_axis.street IS 'a number of its name; 0: none';
 COMMENT ON COLUMN streetgen.street_axis.changed IS 'was it changed? What that can change is asked for';
+COMMENT ON COLUMN streetgen.street_axis.area IS
+    'areas at whose border its surfaces end, MULTIPOLYGON, EWKB; NULL: none';
 COMMENT ON COLUMN streetgen.street_axis.outer_axis IS 'is it there for the others only, its rows not to be written?';
 
 CREATE TYPE streetgen.street_control AS (axis_id bigint, abscissa float8, kind text, direction text);

@@ -5,6 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._make_axis_views(model name) RETURNS void
     AS $$
 DECLARE
     with_rings constant boolean := 'roundabout' = ANY (streetgen._subjects(model));
+    places constant jsonb := jsonb_build_object('subjects', streetgen._subjects(model));
     decided record;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -28,10 +29,9 @@ BEGIN
         'rings', CASE WHEN with_rings THEN ', name, roundabout_tag' END, 'any', decided.any, 'says', decided.says,
         'flags', decided.flags,
         'bays', streetgen._bays_stand(streetgen._subjects(model), ''),
-        'kerbs_beside', coalesce((streetgen._parts_of_rooms('_%s_kerbs_beside', jsonb_build_object('subjects',
-            streetgen._subjects(model))))[1], 'NULL::float8[]'),
-        'surveyed', coalesce((streetgen._parts_of_rooms('_%s_surveyed', jsonb_build_object('subjects',
-            streetgen._subjects(model))))[1], 'NULL::float8[]'),
+        'kerbs_beside', coalesce((streetgen._parts_of_rooms('_%s_kerbs_beside', places))[1], 'NULL::float8[]'),
+        'surveyed', coalesce((streetgen._parts_of_rooms('_%s_surveyed', places))[1], 'NULL::float8[]'),
+        'area', coalesce((streetgen._parts_of_rooms('_%s_area_used', places))[1], 'NULL::geometry'),
         'more', array_to_string(streetgen._parts_of_rooms('_%s_value_used', '{}'), E'\n')));
     COMMENT ON VIEW axis_used
         IS 'The axes with the values that generate uses: what the source lacks is estimated by named functions';
@@ -73,6 +73,8 @@ BEGIN
     COMMENT ON COLUMN axis_used.width_moved IS
         'metres that an estimated width is less since its kerbs give way to what is mapped beside the street; 0: they '
         'lie as estimated';
+    COMMENT ON COLUMN axis_used.area IS
+        'these areas (MULTIPOLYGON, parts may overlap), at whose border its surfaces end; NULL: there are none';
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_views(name) IS
     'Makes the views setting_used and axis_used of a model, again and again.';

@@ -29,6 +29,12 @@ CREATE OR REPLACE FUNCTION streetgen._footway_surveyed(places jsonb) RETURNS tex
 COMMENT ON FUNCTION streetgen._footway_surveyed(jsonb) IS
     'The value of view axis_used that says the kerbs of an axis by areas of roadway.';
 
+CREATE OR REPLACE FUNCTION streetgen._footway_area_used(places jsonb) RETURNS text
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN places -> 'subjects' ? 'footway' THEN streetgen._part('area_used') END $$;
+COMMENT ON FUNCTION streetgen._footway_area_used(jsonb) IS
+    'The value of view axis_used that is the areas of roadway about an axis whose kerbs they say.';
+
 CREATE OR REPLACE FUNCTION streetgen._axes_of_street_area(model name, areas jsonb[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -41,8 +47,8 @@ BEGIN
     RETURN ARRAY(SELECT DISTINCT a.axis_id FROM unnest(areas) changed, LATERAL (
             SELECT ST_SetSRID(ST_GeomFromGeoJSON(changed ->> 'geom'), m.srid) AS geom FROM streetgen.model m
             WHERE m.name = model) g, LATERAL (
-            SELECT axis_id, level FROM axis a WHERE a.geom && ST_Expand(g.geom, 25.01)
-                AND ST_DWithin(a.geom, g.geom, 25.01) OFFSET 0) a
+            SELECT axis_id, level FROM axis a WHERE a.geom && ST_Expand(g.geom, 32.01)
+                AND ST_DWithin(a.geom, g.geom, 32.01) OFFSET 0) a
         WHERE changed ->> 'kind' = 'roadway' AND (changed ->> 'level')::integer = a.level);
 END $$;
 COMMENT ON FUNCTION streetgen._axes_of_street_area(name, jsonb[]) IS

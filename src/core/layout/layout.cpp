@@ -9,6 +9,7 @@
 #include "layout/node_corner.hpp"
 #include "layout/round_rings.hpp"
 #include "layout/smooth_edges.hpp"
+#include "streetgen/kerbs_by_area.hpp"
 #include "streetgen/street_network.hpp"
 
 namespace streetgen {
@@ -54,6 +55,8 @@ void Layout::add_arms(int e) {
   Line back = reversed(line);
   arms.push_back({std::move(line), start, end});
   arms.push_back({std::move(back), end, start});
+  if (!axis.area.empty())
+    arms[2 * e].widest = arms[2 * e + 1].widest = std::max(start, end) + area_beyond_kerb;
   arms[2 * e].roadway_offset = axis.roadway_offset;
   arms[2 * e + 1].roadway_offset = -axis.roadway_offset;
   junctions[edge.from_node].ends.push_back({e, true});

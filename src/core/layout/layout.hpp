@@ -43,6 +43,10 @@ struct Layout {
   const StreetAxis& axis_of(int edge) const { return *axes[edge]; }
   const Arm& arm(const EdgeEnd& end) const { return arms[slot(end)]; }
   Arm& arm(const EdgeEnd& end) { return arms[slot(end)]; }
+  const Junction& junction_of(const EdgeEnd& end) const {
+    const Edge& edge = streets.network.edges[end.edge];
+    return junctions[end.at_start ? edge.from_node : edge.to_node];
+  }
   std::vector<Arm> arms_of(int node) const;
   // The level with most of the node's edges; ties: the lowest.
   int level_of(int node) const;

@@ -19,11 +19,6 @@ constexpr double most_of_way = 0.9;  // from the node to the crossing of the ker
 
 bool keeps_width(const Arm& arm) { return arm.half_start == arm.half_end; }
 
-const Junction& junction_of(const Layout& layout, const EdgeEnd& end) {
-  const Edge& edge = layout.streets.network.edges[end.edge];
-  return layout.junctions[end.at_start ? edge.from_node : edge.to_node];
-}
-
 std::size_t place_of(const Junction& junction, const EdgeEnd& end) {
   std::size_t i = 0;
   while (slot(junction.ends[i]) != slot(end)) ++i;
@@ -32,7 +27,7 @@ std::size_t place_of(const Junction& junction, const EdgeEnd& end) {
 
 // The gap on a side of an edge's end, seen from the node; none at a dead end.
 const Gap* gap_beside(const Layout& layout, const EdgeEnd& end, int side) {
-  const Junction& junction = junction_of(layout, end);
+  const Junction& junction = layout.junction_of(end);
   if (junction.dead_end()) return nullptr;
   const std::size_t i = place_of(junction, end), count = junction.ends.size();
   return &junction.gaps[side > 0 ? i : (i + count - 1) % count];

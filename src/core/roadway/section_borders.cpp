@@ -12,11 +12,6 @@ namespace streetgen {
 
 namespace {
 
-const Junction& junction_of(const Layout& layout, const EdgeEnd& end) {
-  const Edge& edge = layout.streets.network.edges[end.edge];
-  return layout.junctions[end.at_start ? edge.from_node : edge.to_node];
-}
-
 // One kerb changes from limit to limit, the other one may step at the node.
 std::vector<WidthProfile::Place> transition_places(const Layout& layout, const Junction& junction,
                                                    const EdgeEnd& end) {
@@ -46,7 +41,7 @@ std::vector<WidthProfile::Place> transition_places(const Layout& layout, const J
 
 // From the node to the limit, seen from the node; none where nothing changes there.
 std::vector<WidthProfile::Place> places_before_limit(const Layout& layout, const EdgeEnd& end) {
-  const Junction& junction = junction_of(layout, end);
+  const Junction& junction = layout.junction_of(end);
   if (junction.dead_end() || junction.straight || layout.arm(end).limit <= 0) return {};
   if (junction.transition) return transition_places(layout, junction, end);
   const auto at = std::find_if(junction.ends.begin(), junction.ends.end(),

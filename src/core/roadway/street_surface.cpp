@@ -1,7 +1,10 @@
 #include "roadway/street_surface.hpp"
 
+#include <utility>
+
 #include "geometry/fill_holes.hpp"
 #include "layout/width_transition.hpp"
+#include "roadway/fit_to_area.hpp"
 #include "roadway/near_limits.hpp"
 #include "roadway/round_kink.hpp"
 
@@ -54,6 +57,7 @@ Surface section_of(Geos& geos, const Layout& layout, int e) {
   std::vector<Line> borders{start.border_line, end.border_line};
   for (Parting& parting : partings.all()) borders.push_back(std::move(parting.line));
   finish(geos, layout.settings, borders, surface.ground);
+  surface.ground = fit_section(geos, layout, e, std::move(surface.ground));
   return surface;
 }
 
@@ -64,6 +68,7 @@ Surface intersection_of(Geos& geos, const Layout& layout, int node) {
   Surface surface = junction.transition ? transition_of(geos, junction, arms)
                                         : surface_of(build_intersection(geos, arms, junction.gaps));
   finish(geos, layout.settings, unrounded(arms, junction.gaps), surface.ground);
+  surface.ground = fit_intersection(geos, layout, node, std::move(surface.ground));
   return surface;
 }
 

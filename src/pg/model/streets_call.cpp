@@ -83,7 +83,8 @@ void take_network(FunctionCallInfo fcinfo, StreetsCall* call) {
                 column(axes, "on_ring", BOOLOID),
                 column(axes, "street", INT8OID),
                 column(axes, "changed", BOOLOID),
-                column(axes, "outer_axis", BOOLOID)};
+                column(axes, "outer_axis", BOOLOID),
+                column_or_null(axes, "area", BYTEAOID)};
 }
 
 void take(FunctionCallInfo fcinfo, StreetsCall* call) {

@@ -19,7 +19,7 @@ struct StreetsCall {
     Column lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward;
     Column lane_width_forward, lane_width_backward, lane_width_maximal;
     Column turn_forward, turn_backward, access;
-    Column on_ring, street, changed, outer_axis;
+    Column on_ring, street, changed, outer_axis, area;
   } axes;
   struct {
     int count;

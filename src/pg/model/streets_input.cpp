@@ -90,6 +90,8 @@ std::vector<StreetAxis> axes_of(const StreetsCall& call, bool* has_z) {
     axis.street = DatumGetInt64(rows.street.values[i]);
     axis.changed = DatumGetBool(rows.changed.values[i]);
     axis.outer = DatumGetBool(rows.outer_axis.values[i]);
+    if (!rows.area.nulls[i])
+      axis.area = read_surface(bytes_of(rows.area.values[i]), "the area" + of_axis);
     axis.transition_start = own(axis.axis_id, true);
     axis.transition_end = own(axis.axis_id, false);
     axes.push_back(std::move(axis));

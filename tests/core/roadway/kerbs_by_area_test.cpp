@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace streetgen {
-namespace {
+namespace kerbs_by_area_test {
 
 MultiPolygon box(double west, double south, double east, double north) {
   return {{{{west, south}, {east, south}, {east, north}, {west, north}, {west, south}}}};
@@ -59,5 +59,5 @@ TEST(KerbsByArea, AnIslandOnTheAxisIsLeftOut) {
   EXPECT_NEAR(kerbs_by_area(axis, {area})->width, 12, 1e-9);
 }
 
-}  // namespace
+}  // namespace kerbs_by_area_test
 }  // namespace streetgen
