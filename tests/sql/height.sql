@@ -55,7 +55,7 @@ SELECT 'a bridge that is none any more crosses on the ground or above by importa
 UPDATE town.axis SET level = 2 WHERE axis_id = 3;
 SELECT 'as a bridge again', pg_temp.same_from_scratch();
 DELETE FROM town.axis WHERE axis_id = 1;
-SELECT 'where the road below is gone all lie on the ground', bool_and(p.method = 'ground') FROM town.profile p;
+SELECT 'where the road below is gone the bridge lies half a metre over the ground', (SELECT array_agg(axis_id ORDER BY axis_id) = '{2,3,4}' FROM town.profile JOIN town.edge USING (edge_id) WHERE method = 'lifted') AND (SELECT abs(max(ST_ZMax(p.geom)) - 0.5) < 0.2 FROM town.profile p);
 SELECT 'the same from scratch', pg_temp.same_from_scratch();
 INSERT INTO town.axis (axis_id, geom, width, level, speed) VALUES (7, 'SRID=2154;LINESTRING(650000 6860000, 650600 6860000)', 7, 0, 50), (8, 'SRID=2154;LINESTRING(650250 6859900, 650500 6860100)', 7, 4, 50);
 SELECT 'roads in three storeys', pg_temp.same_from_scratch();
@@ -65,6 +65,33 @@ SELECT 'a road that leads up is made shorter', pg_temp.same_from_scratch();
 UPDATE town.axis SET speed = 30 WHERE axis_id IN (2, 4);
 SELECT 'a slower road is steeper', pg_temp.same_from_scratch();
 
+
+-- A bridge without heights of its own is clear of the ground, also of several pieces, and without a road below.
+SELECT streetgen.create_model('river', 2154, subjects => '{height}') \g /dev/null
+INSERT INTO river.axis (axis_id, geom, width, level, speed) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000, 650200 6860000)', 7, 0, 50), (2, 'SRID=2154;LINESTRING(650200 6860000, 650260 6860000)', 7, 1, 50),
+    (3, 'SRID=2154;LINESTRING(650260 6860000, 650300 6860000)', 7, 1, 50), (4, 'SRID=2154;LINESTRING(650300 6860000, 650500 6860000)', 7, 0, 50),
+    (5, 'SRID=2154;LINESTRING(650500 6860000, 650520 6860000)', 7, 1, 50), (6, 'SRID=2154;LINESTRING(650520 6860000, 650700 6860000)', 7, 0, 50);
+CREATE FUNCTION pg_temp.over_ground(axis bigint, low integer, high integer) RETURNS float8 LANGUAGE sql AS $$
+  SELECT min(pg_temp.height('river', edge_id, at)) FROM river.edge, generate_series(low, high) at WHERE axis_id = axis $$;
+SELECT 'a bridge of two pieces is clear of the ground', pg_temp.over_ground(2, 10, 60) >= 0.5 - 1e-6 AND pg_temp.over_ground(3, 0, 30) >= 0.5 - 1e-6;
+SELECT 'and no higher than it needs', max(ST_ZMax(p.geom)) < 0.8 FROM river.profile p;
+SELECT 'a short one is level with the ground, and is told', (SELECT array_agg(axis_id) FROM streetgen.check_model('river') c JOIN river.edge ON edge_id = id WHERE rule = 'level crossing of water') = '{5}';
+SELECT 'nothing else is told of heights', count(*) = 0 FROM streetgen.check_model('river') WHERE rule LIKE 'bridge or tunnel%' OR rule LIKE 'clearance%';
+CREATE FUNCTION pg_temp.river_as_anew() RETURNS boolean LANGUAGE sql AS $$ SELECT sum(inserted + updated + deleted) = 0 FROM streetgen.generate('river') $$;
+UPDATE river.axis SET level = 0 WHERE axis_id = 3;
+SELECT 'a piece that is none any more ends the bridge, as from scratch', pg_temp.river_as_anew() AND pg_temp.over_ground(3, 10, 40) < 0.5 AND pg_temp.over_ground(2, 10, 50) >= 0.5 - 1e-6;
+UPDATE river.axis SET level = -1 WHERE axis_id = 3;
+SELECT 'a tunnel after a bridge, as from scratch', pg_temp.river_as_anew();
+SELECT 'both are told, since they are too near', count(*) = 0 OR bool_and(id IN (SELECT edge_id FROM river.edge WHERE axis_id IN (2, 3))) FROM streetgen.check_model('river') WHERE rule LIKE 'bridge or tunnel%';
+UPDATE river.axis SET level = 1 WHERE axis_id = 3;
+DELETE FROM river.axis WHERE axis_id = 4;
+SELECT 'where the road beyond is gone it ends in the air, as from scratch', pg_temp.river_as_anew() AND pg_temp.over_ground(3, 0, 40) >= 0.5 - 1e-6;
+INSERT INTO river.axis (axis_id, geom, width, level, speed) VALUES (7, 'SRID=2154;LINESTRING(650300 6860000, 650300 6860200)', 7, 0, 50), (8, 'SRID=2154;LINESTRING(650250 6859900, 650250 6860100)', 7, 0, 50), (9, 'SRID=2154;LINESTRING(650230 6859900, 650230 6860100)', 7, 0, 50);
+SELECT 'a road that meets it, and two below, as from scratch', pg_temp.river_as_anew();
+SELECT 'it stays up between the two', pg_temp.over_ground(2, 30, 50) >= 6 - 0.02;
+DO $$ BEGIN PERFORM streetgen.set('river', 'plateau', '0'), streetgen.set('river', 'bridge_rise', '0'); PERFORM streetgen.generate('river'); END $$;
+SELECT 'settings take both back', pg_temp.over_ground(2, 30, 50) < 5.9;
 
 -- By hand: the road lies at least so high at a place.
 INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650750 6860002)', 4);
@@ -149,7 +176,7 @@ SELECT 'and the next one where it is gone', pg_temp.filled() = '{104,104}', sum(
 SELECT 'refused: ' || name, test.state(statement) = state FROM (VALUES
     ('grades that are no object', $$SELECT streetgen.set('town', 'grade_maximal', '8')$$, '22023'),
     ('a grade of nought', $$SELECT streetgen.set('town', 'grade_maximal', '{"0": 0}')$$, '22023'),
-    ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 2154)$$, '2202E')) r(name, statement, state);
+    ('arrays of two lengths', $$SELECT streetgen._profiles(ARRAY[]::bytea[], '{1}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', '{}', 30, 1, 2154)$$, '2202E')) r(name, statement, state);
 
 -- Where not all clearances can be kept, the lines tell which ones are, and no key: it says who came first.
 \o /dev/null
@@ -161,9 +188,9 @@ INSERT INTO copies.axis (geom, width, width_end, lane_count, importance, level, 
 SELECT FROM streetgen.generate('copies') \g /dev/null
 CREATE FUNCTION pg_temp.heights(turned bigint) RETURNS TABLE (edge_id bigint, geom geometry) LANGUAGE sql AS $$
   SELECT turned * p.edge_id, p.line::geometry FROM streetgen._solved_profile(
-    (SELECT array_agg(ROW (turned * e.edge_id, e.from_node, e.to_node, streetgen._ground_of('copies', e.geom, f.geom, t.geom)::bytea, 0.06, e.speed)::streetgen.profile_edge)
+    (SELECT array_agg(ROW (turned * e.edge_id, e.from_node, e.to_node, streetgen._ground_of('copies', e.geom, f.geom, t.geom)::bytea, 0.06, 0.06, e.speed, 0, true, true)::streetgen.profile_edge)
       FROM copies.edge e JOIN copies.node f ON f.node_id = e.from_node JOIN copies.node t ON t.node_id = e.to_node),
-    (SELECT array_agg(ROW (turned * edge_above, abscissa_above, turned * edge_below, abscissa_below, clearance, false)::streetgen.profile_lift) FROM copies.overpass), '{}', 2154) p $$;
+    (SELECT array_agg(ROW (turned * edge_above, abscissa_above, turned * edge_below, abscissa_below, clearance, false)::streetgen.profile_lift) FROM copies.overpass), '{}', 30, 1, 2154) p $$;
 SELECT 'heights are those of other keys', count(*) > 100 AND bool_and(a.geom::bytea = b.geom::bytea) FROM pg_temp.heights(1) a JOIN pg_temp.heights(-1) b USING (edge_id);
 SELECT 'clearances that cannot be kept', count(*) > 0 FROM streetgen.check_model('copies') WHERE rule = 'clearance not kept, m';
 

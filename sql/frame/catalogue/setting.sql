@@ -85,7 +85,7 @@ BEGIN
             holds := holds AND value ~ '^\s*[-+]?\d+\s*$';
             expected := replace(expected, 'Expected', 'Expected a whole number,');
         END IF;
-    ELSIF setting IN ('taper_ratio', 'grade_maximal') THEN
+    ELSIF setting IN ('taper_ratio', 'grade_usual', 'grade_maximal') THEN
         expected := format('Expected a JSON object of speed (0 to 999 km/h) to %s, such as %s.', CASE setting
             WHEN 'taper_ratio' THEN 'ratio (0 to 100)' ELSE 'grade (0.1 to 100 %)' END, known.value);
         BEGIN

@@ -30,6 +30,24 @@ BEGIN
     SELECT 'warning', 'height override without its axis', 'height_override', o.height_override_id, o.height, o.geom
         FROM height_override o WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = o.axis_id
             AND o.abscissa BETWEEN e.start_abscissa AND e.end_abscissa)
+    UNION ALL
+    SELECT 'notice', 'level crossing of water', 'edge', e.edge_id, NULL::float8, p.geom
+        FROM edge e JOIN profile p USING (edge_id)
+        WHERE streetgen._off_ground(e.level, e.geom) = 1 AND p.method = 'ground'
+    UNION ALL
+    SELECT 'warning', 'bridge or tunnel too near to the ground, m', 'edge', b.edge_id, min(rise), b.geom
+        FROM (SELECT e.edge_id, p.geom, off_ground, ST_Length2D(e.geom) AS metres,
+                streetgen._ground_of(model, e.geom, f.geom, t.geom) AS ground,
+                CASE WHEN streetgen._ends_off_ground(model, e.from_node) THEN 10 ELSE 0 END AS free_from,
+                CASE WHEN streetgen._ends_off_ground(model, e.to_node) THEN 10 ELSE 0 END AS free_to
+            FROM edge e JOIN profile p USING (edge_id) JOIN node f ON f.node_id = e.from_node
+                JOIN node t ON t.node_id = e.to_node, streetgen._off_ground(e.level, e.geom) off_ground
+            WHERE off_ground <> 0 AND p.method <> 'ground' OFFSET 0) b,
+            generate_series(ceil(free_from)::integer, floor(metres - free_to)::integer) at,
+            LATERAL (SELECT off_ground * (streetgen._height_along(b.geom, at) - coalesce(streetgen._height_along(
+                ST_Force3D(ground), at), 0)) AS rise) r
+        GROUP BY b.edge_id, b.geom
+        HAVING min(rise) < (SELECT value::float8 FROM setting WHERE name = 'bridge_rise') - 0.01
     LOOP
         RETURN NEXT finding;
     END LOOP;
@@ -50,6 +68,13 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'move them apart, raise setting grade_maximal, or lower the clearance in overpass_editing'),
     ('edges of one node at two heights, m', 'profiles of edges that meet end at different heights',
         'run generate; tell us, it should not happen'),
+    ('level crossing of water', 'a bridge shorter than setting bridge_level_length that crosses no street lies as high '
+        'as the ground: what flows below is no part of the model',
+        'nothing; or type a height in height_editing'),
+    ('bridge or tunnel too near to the ground, m',
+        'but for ten metres at each end it lies nearer to the ground than setting bridge_rise says: a tunnel and a '
+        'bridge follow each other too closely',
+        'type a height in height_editing, raise grade_maximal, or correct levels'),
     ('height by hand below the road, m',
         'the road lies higher there by its ground or by another rule, so the height changes nothing',
         'raise the height, or delete it'),

@@ -16,8 +16,9 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_height(places jsonb) RETURNS text
         SELECT row_number() OVER (ORDER BY edge_id)::integer AS number, edge_id, line::geometry AS geom, grade_max,
             method, tied_from, tied_to
         FROM $part$ || CASE WHEN places ->> 'run' IN ('whole', 'empty') THEN $part$
-            streetgen._solved_profile((SELECT list FROM profile_edges), (SELECT list FROM profile_lifts),
-                (SELECT list FROM profile_heights), {srid})$part$
+            setting, streetgen._solved_profile((SELECT list FROM profile_edges), (SELECT list FROM profile_lifts),
+                (SELECT list FROM profile_heights), (v ->> 'bridge_level_length')::float8, (v ->> 'plateau')::float8,
+                {srid})$part$
         ELSE $part$
             streetgen._renewed_profile('{model_name}', (SELECT list FROM profile_edges),
                 (SELECT list FROM profile_lifts), (SELECT list FROM profile_heights),

@@ -110,6 +110,24 @@ COMMENT ON FUNCTION streetgen._ground_of(name, geometry, geometry, geometry) IS
     'The ground along an edge between the places of its nodes, at which all edges have one height: the Z of its line; '
     'where that is 0 all along, or at a node, the terrain of the model, if it has one. Holes of Z are filled.';
 
+CREATE OR REPLACE FUNCTION streetgen._off_ground(level integer, line geometry) RETURNS integer
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT CASE WHEN level = 0 OR ST_NDims(line) = 3 AND (ST_ZMin(line) <> 0 OR ST_ZMax(line) <> 0) THEN 0
+        ELSE sign(level)::integer END $$;
+COMMENT ON FUNCTION streetgen._off_ground(integer, geometry) IS
+    'Where an edge lies by its level alone: 1, a bridge without heights of its own, -1, such a tunnel; 0: neither.';
+
+CREATE OR REPLACE FUNCTION streetgen._ends_off_ground(model name, node bigint) RETURNS boolean
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN (SELECT count(DISTINCT streetgen._off_ground(level, geom)) > 1 FROM edge
+        WHERE node IN (from_node, to_node));
+END $$;
+COMMENT ON FUNCTION streetgen._ends_off_ground(name, bigint) IS
+    'Does a bridge or a tunnel end at a node, since an edge there is none?';
+
 CREATE OR REPLACE FUNCTION streetgen._heights_by_hand(model name, edge bigint, axis bigint, low float8, high float8,
     length float8) RETURNS SETOF streetgen.profile_height
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public

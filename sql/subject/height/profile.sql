@@ -14,20 +14,25 @@ COMMENT ON FUNCTION streetgen._height_along(geometry, float8) IS
     'The height (m) of a LINESTRING Z at an abscissa, metres along it in the plane.';
 
 CREATE OR REPLACE FUNCTION streetgen._profiles(lines bytea[], from_nodes bigint[], to_nodes bigint[], grades float8[],
-    radii float8[], above integer[], at_above float8[], below integer[], at_below float8[], clearances float8[],
-    sinks boolean[], by_hand integer[], at_hand float8[], heights float8[], srid integer)
+    radii float8[], grades_greatest float8[], rises float8[], ends_from boolean[], ends_to boolean[],
+    above integer[], at_above float8[], below integer[], at_below float8[], clearances float8[],
+    sinks boolean[], by_hand integer[], at_hand float8[], heights float8[], level_length float8,
+    plateau float8, srid integer)
     RETURNS TABLE(number integer, line bytea, grade_max float8, method text, tied_from boolean, tied_to boolean)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_profiles';
-COMMENT ON FUNCTION streetgen._profiles(bytea[], bigint[], bigint[], float8[], float8[], integer[], float8[],
-    integer[], float8[], float8[], boolean[], integer[], float8[], float8[], integer) IS
+COMMENT ON FUNCTION streetgen._profiles(bytea[], bigint[], bigint[], float8[], float8[], float8[], float8[],
+    boolean[], boolean[], integer[], float8[], integer[], float8[], float8[], boolean[], integer[], float8[],
+    float8[], float8, float8, integer) IS
     'The height (LINESTRING Z, EWKB) of each line, its greatest grade, how it came about (ground, lifted or sunk), and '
     'at which of its nodes all lines are solved together. '
-    'radii: of vertical arcs, m. above and below: numbers, from 1, of the lines that cross there, with metres along '
+    'radii: of vertical arcs, m. rises: over the ground, m, of bridges (tunnels: negative; 0: neither), which end at a '
+    'node or are led on. level_length: that of bridges that may stay level, m. plateau: so many times the way on which '
+    'a road comes down. above and below: numbers, from 1, of the lines that cross there, with metres along '
     'them. by_hand: numbers of lines that lie at least so high there. Arrays of one thing have one length (2202E); a '
     'NULL in one: 22004; a number of no line: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._solved_profile(edges streetgen.profile_edge[], lifts streetgen.profile_lift[],
-    heights streetgen.profile_height[], srid integer)
+    heights streetgen.profile_height[], level_length float8, plateau float8, srid integer)
     RETURNS SETOF streetgen.solved_profile
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
@@ -43,7 +48,9 @@ SELECT e.edge_id, p.line, p.grade_max, p.method, p.tied_from, p.tied_to
 FROM (SELECT array_agg(line ORDER BY number) AS lines, array_agg(from_node ORDER BY number) AS from_nodes,
         array_agg(to_node ORDER BY number) AS to_nodes, array_agg(grade ORDER BY number) AS grades,
         -- A car rises and sinks at no more than half a metre a second squared.
-        array_agg((speed / 3.6) ^ 2 / 0.5 ORDER BY number) AS radii FROM edge) g,
+        array_agg((speed / 3.6) ^ 2 / 0.5 ORDER BY number) AS radii,
+        array_agg(grade_greatest ORDER BY number) AS grades_greatest, array_agg(rise ORDER BY number) AS rises,
+        array_agg(ends_from ORDER BY number) AS ends_from, array_agg(ends_to ORDER BY number) AS ends_to FROM edge) g,
     (SELECT coalesce(array_agg(above ORDER BY turn), '{}') AS above,
         coalesce(array_agg(abscissa_above ORDER BY turn), '{}') AS at_above,
         coalesce(array_agg(below ORDER BY turn), '{}') AS below,
@@ -53,10 +60,12 @@ FROM (SELECT array_agg(line ORDER BY number) AS lines, array_agg(from_node ORDER
     (SELECT coalesce(array_agg(number ORDER BY number, abscissa, height), '{}') AS numbers,
         coalesce(array_agg(abscissa ORDER BY number, abscissa, height), '{}') AS at,
         coalesce(array_agg(height ORDER BY number, abscissa, height), '{}') AS heights FROM by_hand) h,
-    streetgen._profiles(lines, from_nodes, to_nodes, grades, radii, above, at_above, below, at_below, clearances,
-        t.sinks, h.numbers, h.at, h.heights, srid) p JOIN edge e USING (number) $$;
+    streetgen._profiles(lines, from_nodes, to_nodes, grades, radii, grades_greatest, rises, g.ends_from, g.ends_to,
+        above, at_above, below, at_below, clearances, t.sinks, h.numbers, h.at, h.heights, level_length, plateau, srid)
+        p JOIN edge e USING (number) $$;
 COMMENT ON FUNCTION streetgen._solved_profile(streetgen.profile_edge[], streetgen.profile_lift[],
-    streetgen.profile_height[], integer) IS 'The heights along edges, with all that lifts and sinks them.';
+    streetgen.profile_height[], float8, float8, integer) IS
+    'The heights along edges, with all that lifts and sinks them.';
 
 CREATE OR REPLACE FUNCTION streetgen._renewed_profile(model name, edges streetgen.profile_edge[],
     lifts streetgen.profile_lift[], heights streetgen.profile_height[], gone bigint[], axes bigint[])
@@ -70,12 +79,17 @@ DECLARE
     crossings streetgen.profile_lift[] := lifts;
     by_hand streetgen.profile_height[] := heights;
     known bigint[] := ARRAY(SELECT e.edge_id FROM unnest(edges) e) || gone;
+    rules record;
     solved streetgen.solved_profile[];
     tied bigint[] := '{}';
     more bigint[] := '{}';
 BEGIN
     PERFORM streetgen._use_model(model);
     SELECT m.srid, m.dimension INTO place FROM streetgen.model m WHERE m.name = model;
+    SELECT (v ->> 'grade_usual')::jsonb AS usual, (v ->> 'grade_maximal')::jsonb AS greatest,
+        (v ->> 'bridge_rise')::float8 AS bridge_rise,
+        (v ->> 'bridge_level_length')::float8 AS level_length, (v ->> 'plateau')::float8 AS plateau
+        FROM (SELECT jsonb_object_agg(name, value) AS v FROM setting) s INTO rules;
     -- A node without a height has the nearest one, before and after: no axis that lies farther off changes it. An edge
     -- lies no farther from its axis than the reach.
     IF place.dimension = 3 THEN
@@ -96,11 +110,13 @@ BEGIN
     LOOP
         IF more <> '{}' THEN
             SELECT region || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
-                    streetgen._ground_of(model, e.geom, f.geom, t.geom)::bytea, streetgen._by_speed(s.grades, e.speed) /
-                        100,
-                    e.speed)::streetgen.profile_edge
+                    streetgen._ground_of(model, e.geom, f.geom, t.geom)::bytea,
+                    streetgen._by_speed(rules.usual, e.speed) / 100,
+                    streetgen._by_speed(rules.greatest, e.speed) / 100, e.speed, rules.bridge_rise * off_ground,
+                    off_ground <> 0 AND streetgen._ends_off_ground(model, e.from_node),
+                    off_ground <> 0 AND streetgen._ends_off_ground(model, e.to_node))::streetgen.profile_edge
                 FROM edge e JOIN node f ON f.node_id = e.from_node JOIN node t ON t.node_id = e.to_node,
-                    (SELECT value::jsonb AS grades FROM setting WHERE name = 'grade_maximal') s
+                    LATERAL (SELECT streetgen._off_ground(e.level, e.geom) AS off_ground) o
                 WHERE e.edge_id = ANY (more)),
                 crossings || ARRAY(SELECT ROW (o.edge_above, o.abscissa_above, o.edge_below, o.abscissa_below,
                     o.clearance,
@@ -128,7 +144,8 @@ BEGIN
             EXCEPT SELECT unnest(known)) INTO more;
         IF more = '{}' THEN
             EXIT WHEN solved IS NOT NULL;
-            solved := ARRAY(SELECT s FROM streetgen._solved_profile(region, crossings, by_hand, place.srid) s);
+            solved := ARRAY(SELECT s FROM streetgen._solved_profile(region, crossings, by_hand,
+                rules.level_length, rules.plateau, place.srid) s);
             tied := ARRAY(SELECT v.node FROM unnest(solved) s JOIN unnest(region) e USING (edge_id),
                 LATERAL (VALUES (e.from_node, s.tied_from), (e.to_node, s.tied_to)) v(node, is_tied) WHERE v.is_tied);
             EXIT WHEN tied = '{}';

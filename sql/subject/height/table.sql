@@ -16,7 +16,8 @@ COMMENT ON COLUMN :"model".profile.edge_id IS 'the edge';
 COMMENT ON COLUMN :"model".profile.geom IS
     'the line of the edge with the heights of the roadway, metres, and further points where its grade changes';
 COMMENT ON COLUMN :"model".profile.grade_max IS
-    'greatest rise for each metre along it: setting grade_maximal, more where its ground is steeper';
+    'greatest rise for each metre along it: setting grade_usual; where that leaves no heights, grade_maximal; more '
+    'where its ground is steeper';
 COMMENT ON COLUMN :"model".profile.method IS
     'how it came about: ground (as the ground), lifted (somewhere above it) or sunk (somewhere below it)';
 COMMENT ON COLUMN :"model".profile.tied_from IS

@@ -1,14 +1,19 @@
 -- Heights of roads are found from these types.
 
 CREATE TYPE streetgen.profile_edge AS (edge_id bigint, from_node bigint, to_node bigint, line bytea, grade float8,
-    speed float8);
+    grade_greatest float8, speed float8, rise float8, ends_from boolean, ends_to boolean);
 COMMENT ON TYPE streetgen.profile_edge IS 'An edge whose height is asked for.';
 COMMENT ON COLUMN streetgen.profile_edge.edge_id IS 'the edge';
 COMMENT ON COLUMN streetgen.profile_edge.from_node IS 'the node where it begins';
 COMMENT ON COLUMN streetgen.profile_edge.to_node IS 'the node where it ends';
 COMMENT ON COLUMN streetgen.profile_edge.line IS 'LINESTRING, EWKB: Z is the ground, without Z that is 0 m';
-COMMENT ON COLUMN streetgen.profile_edge.grade IS 'greatest rise for each metre along the road';
+COMMENT ON COLUMN streetgen.profile_edge.grade IS 'usual rise for each metre along the road';
+COMMENT ON COLUMN streetgen.profile_edge.grade_greatest IS 'its rise where the usual one leaves no heights';
 COMMENT ON COLUMN streetgen.profile_edge.speed IS 'km/h';
+COMMENT ON COLUMN streetgen.profile_edge.rise IS
+    'm over the ground that a bridge without heights of its own lies, negative: under it, a tunnel; 0: neither';
+COMMENT ON COLUMN streetgen.profile_edge.ends_from IS 'does the bridge end where it begins? Else others lead it on';
+COMMENT ON COLUMN streetgen.profile_edge.ends_to IS 'does the bridge end where it ends?';
 
 CREATE TYPE streetgen.solved_profile AS (edge_id bigint, line bytea, grade_max float8, method text, tied_from boolean,
     tied_to boolean);

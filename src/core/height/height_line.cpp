@@ -131,6 +131,54 @@ double height_at(const HeightLine& heights, double at) {
   return from.z + (to.z - from.z) * ((at - from.at) / (to.at - from.at));
 }
 
+HeightLine higher_of(const HeightLine& a, const HeightLine& b) {
+  std::vector<double> places;
+  for (const HeightLine* line : {&a, &b})
+    for (const HeightPoint& point : *line) places.push_back(point.at);
+  std::sort(places.begin(), places.end());
+  HeightLine higher;
+  double before = 0;  // of a over b at the last place
+  for (const double at : places) {
+    if (!higher.empty() && at <= higher.back().at + same_place) continue;
+    const double z_a = height_at(a, at), z_b = height_at(b, at), over = z_a - z_b;
+    if (!higher.empty() && over * before < 0) {
+      const double from = higher.back().at;
+      const double meet = from + (at - from) * (before / (before - over));
+      if (meet > from + same_place && meet < at - same_place)
+        higher.push_back({meet, height_at(a, meet)});
+    }
+    higher.push_back({at, std::max(z_a, z_b)});
+    before = over;
+  }
+  return higher;
+}
+
+HeightLine raised_to(const HeightLine& heights, const HeightLine& bound, double grade) {
+  const HeightPoint first = bound.front(), last = bound.back();
+  const double begin = heights.front().at, end = heights.back().at;
+  HeightLine whole;
+  if (first.at > begin + same_place) whole.push_back({begin, first.z - grade * (first.at - begin)});
+  whole.insert(whole.end(), bound.begin(), bound.end());
+  if (last.at < end - same_place) whole.push_back({end, last.z - grade * (end - last.at)});
+  return higher_of(heights, whole);
+}
+
+HeightLine kinks_of(const HeightLine& heights) {
+  HeightLine kinks{heights.front()};
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    const bool is_last = i + 1 == heights.size();
+    if (is_last ||
+        std::abs(grade(kinks.back(), heights[i]) - grade(heights[i], heights[i + 1])) > same_grade)
+      kinks.push_back(heights[i]);
+  }
+  return kinks;
+}
+
+HeightLine upside_down(HeightLine heights) {
+  for (HeightPoint& point : heights) point.z = -point.z;
+  return heights;
+}
+
 Line with_heights(const Line& line, const HeightLine& heights) {
   Line out;
   auto next = heights.begin();

@@ -20,11 +20,19 @@ struct Station {
   int vertex;  // that of a node, which roads share, or its own
 };
 
-// From a vertex at height z, vertex `to` has at least z + rise.
+// From a vertex at height z, vertex `to` has at least z + rise, less the grade of the road by
+// length.
 struct Step {
   int to;
   double rise;
+  double length;
   int lift;  // -1: along a road
+  int road;  // -1: a lift
+};
+
+struct Origin {
+  int vertex;  // -1: none
+  int lift, road;
 };
 
 class Solver {
@@ -32,6 +40,7 @@ class Solver {
   Solver(const std::vector<GradedRoad>& roads, const std::vector<Lift>& lifts,
          const std::vector<LeastHeight>& by_hand)
       : roads_(roads), lifts_(lifts) {
+    for (const GradedRoad& road : roads) grade_.push_back(road.grade);
     for (std::size_t r = 0; r < roads.size(); ++r) {
       std::set<double> places;
       for (const HeightPoint& point : roads[r].ground) places.insert(point.at);
@@ -51,16 +60,18 @@ class Solver {
     for (std::size_t l = 0; l < lifts.size(); ++l) {
       const Lift& lift = lifts[l];
       steps_[vertex_at(lift.from, lift.from_at)].push_back(
-          {vertex_at(lift.to, lift.to_at), lift.rise, static_cast<int>(l)});
+          {vertex_at(lift.to, lift.to_at), lift.rise, 0, static_cast<int>(l), -1});
     }
   }
 
-  std::vector<HeightLine> solve() {
+  LeastHeights solve() {
     passed_over_.assign(lifts_.size(), false);
     while (!raise()) poll_cancel();
-    std::vector<HeightLine> lines;
-    for (std::size_t r = 0; r < roads_.size(); ++r) lines.push_back(line(static_cast<int>(r)));
-    return lines;
+    LeastHeights least;
+    for (std::size_t r = 0; r < roads_.size(); ++r)
+      least.roads.push_back(line(static_cast<int>(r)));
+    least.grades = grade_;
+    return least;
   }
 
  private:
@@ -70,6 +81,7 @@ class Solver {
 
   int vertex(double ground) {
     ground_.push_back(ground);
+    stays_.push_back(false);
     steps_.emplace_back();
     return static_cast<int>(ground_.size()) - 1;
   }
@@ -90,10 +102,14 @@ class Solver {
       if (at > stations.back().at + same_place && at < end - same_place)
         stations.push_back({at, vertex(height_at(road.ground, at))});
     stations.push_back({end, vertex_of_node(road.to_node, road.ground.back().z)});
+    if (!road.left.empty())
+      for (const Station& station : stations)
+        if (height_at(road.ground, station.at) < height_at(road.left, station.at) - same_place)
+          stays_[station.vertex] = true;
     for (std::size_t i = 1; i < stations.size(); ++i) {
-      const double drop = -road.grade * (stations[i].at - stations[i - 1].at);
-      steps_[stations[i - 1].vertex].push_back({stations[i].vertex, drop, -1});
-      steps_[stations[i].vertex].push_back({stations[i - 1].vertex, drop, -1});
+      const double length = stations[i].at - stations[i - 1].at;
+      steps_[stations[i - 1].vertex].push_back({stations[i].vertex, 0, length, -1, r});
+      steps_[stations[i].vertex].push_back({stations[i - 1].vertex, 0, length, -1, r});
     }
     stations_.push_back(std::move(stations));
   }
@@ -107,55 +123,94 @@ class Solver {
     return nearest->vertex;
   }
 
-  // Highest first, each vertex raises those beside and above it.  False where a circle of lifts was
-  // found: one of them is passed over from then on.
+  double rise_of(const Step& step) const {
+    return step.road < 0 ? step.rise : -grade_[step.road] * step.length;
+  }
+
+  bool is_higher(double wanted, const Step& step) const {
+    return wanted > height_[step.to] + rounding_of_heights;
+  }
+
+  bool raises_any(int v) const {
+    return std::any_of(steps_[v].begin(), steps_[v].end(), [&](const Step& step) {
+      return is_higher(height_[v] + rise_of(step), step);
+    });
+  }
+
+  // Highest first, each vertex raises those beside and above it.  False where roads were made
+  // steeper, or a lift of a circle was passed over: then all is raised anew.
   bool raise() {
     height_ = ground_;
-    before_.assign(ground_.size(), {-1, -1});
+    before_.assign(ground_.size(), {-1, -1, -1});
+    bool steeper = false;
     std::priority_queue<std::pair<double, int>> open;
-    for (std::size_t v = 0; v < ground_.size(); ++v) open.push({height_[v], static_cast<int>(v)});
+    for (std::size_t v = 0; v < ground_.size(); ++v)
+      if (raises_any(static_cast<int>(v))) open.push({height_[v], static_cast<int>(v)});
     while (!open.empty()) {
       const auto [height, v] = open.top();
       open.pop();
       if (height < height_[v]) continue;
       for (const Step& step : steps_[v]) {
-        const double wanted = height + step.rise;
-        if (wanted <= height_[step.to] + rounding_of_heights) continue;
-        if (step.lift >= 0 && (passed_over_[step.lift] || closes_circle(v, step))) {
-          if (passed_over_[step.lift]) continue;
-          return false;
-        }
+        const double wanted = height + rise_of(step);
+        if (!is_higher(wanted, step)) continue;
+        if (step.lift >= 0 && passed_over_[step.lift]) continue;
+        if (step.lift >= 0)
+          if (const auto circle = circle_closed_by(v, step); !circle.empty()) {
+            if (are_made_steeper(circle)) steeper = true;
+            // Heights of this round may be those of grades that hold no more.
+            if (steeper) continue;
+            pass_over_last(circle);
+            if (passed_over_[step.lift]) continue;
+            return false;
+          }
+        if (stays_[step.to] && are_made_steeper(way_of(v, step))) steeper = true;
         height_[step.to] = wanted;
-        before_[step.to] = {v, step.lift};
+        before_[step.to] = {v, step.lift, step.road};
         open.push({wanted, step.to});
       }
     }
-    return true;
+    return !steeper;
   }
 
-  // Whether the vertex that the step raises raised vertex v; if so, the last lift of that circle is
-  // passed over.
-  bool closes_circle(int v, const Step& step) {
+  // What raised the vertex that the step raises, if that raised vertex v; else nothing.
+  std::vector<Origin> circle_closed_by(int v, const Step& step) const {
     std::map<int, std::size_t> seen;
-    std::vector<int> walked;  // lifts, -1 between them
-    for (int at = v; at >= 0; at = before_[at].first) {
-      if (const auto [found, fresh] = seen.try_emplace(at, walked.size()); !fresh) {
-        pass_over(
-            std::vector<int>(walked.begin() + static_cast<long>(found->second), walked.end()));
-        return true;
-      }
+    std::vector<Origin> walked;
+    for (int at = v; at >= 0; at = before_[at].vertex) {
+      if (const auto [found, fresh] = seen.try_emplace(at, walked.size()); !fresh)
+        return {walked.begin() + static_cast<long>(found->second), walked.end()};
       if (at == step.to) {
-        walked.push_back(step.lift);
-        pass_over(walked);
-        return true;
+        walked.push_back({v, step.lift, step.road});
+        return walked;
       }
-      walked.push_back(before_[at].second);
+      walked.push_back(before_[at]);
     }
-    return false;
+    return {};
   }
 
-  void pass_over(const std::vector<int>& circle) {
-    const int last = *std::max_element(circle.begin(), circle.end());
+  // The way by which the step came; one of lifts that close again leads in a circle.
+  std::vector<Origin> way_of(int v, const Step& step) const {
+    std::set<int> seen;
+    std::vector<Origin> way{{v, step.lift, step.road}};
+    for (int at = v; at >= 0 && seen.insert(at).second; at = before_[at].vertex)
+      way.push_back(before_[at]);
+    return way;
+  }
+
+  // Gives the roads of a way their greatest grades; did any not have it?
+  bool are_made_steeper(const std::vector<Origin>& way) {
+    bool steeper = false;
+    for (const Origin& origin : way)
+      if (origin.road >= 0 && grade_[origin.road] < roads_[origin.road].grade_greatest) {
+        grade_[origin.road] = roads_[origin.road].grade_greatest;
+        steeper = true;
+      }
+    return steeper;
+  }
+
+  void pass_over_last(const std::vector<Origin>& circle) {
+    int last = -1;
+    for (const Origin& origin : circle) last = std::max(last, origin.lift);
     if (last >= 0) passed_over_[last] = true;
   }
 
@@ -166,22 +221,21 @@ class Solver {
     HeightLine out{{stations.front().at, height_[stations.front().vertex]}};
     for (std::size_t i = 1; i < stations.size(); ++i) {
       const HeightPoint p = out.back(), q{stations[i].at, height_[stations[i].vertex]};
-      append_between(road, p, q, &out);
+      append_between(road, grade_[r], p, q, &out);
       out.push_back(q);
     }
     return out;
   }
 
-  static void append_between(const GradedRoad& road, const HeightPoint& p, const HeightPoint& q,
-                             HeightLine* out) {
+  static void append_between(const GradedRoad& road, double grade, const HeightPoint& p,
+                             const HeightPoint& q, HeightLine* out) {
     const double length = q.at - p.at;
     const double ground_p = height_at(road.ground, p.at), ground_q = height_at(road.ground, q.at);
     const double slope = (ground_q - ground_p) / length;
     // Metres from p to where the fall from p ends on the ground, and to where the rise to q begins.
-    const double end_of_fall =
-        road.grade + slope > 0 ? (p.z - ground_p) / (road.grade + slope) : length;
+    const double end_of_fall = grade + slope > 0 ? (p.z - ground_p) / (grade + slope) : length;
     const double begin_of_rise =
-        road.grade - slope > 0 ? length - (q.z - ground_q) / (road.grade - slope) : 0;
+        grade - slope > 0 ? length - (q.z - ground_q) / (grade - slope) : 0;
     if (end_of_fall < begin_of_rise) {
       for (const double at : {end_of_fall, begin_of_rise})
         if (at > same_place && at < length - same_place)
@@ -189,9 +243,9 @@ class Solver {
       return;
     }
     // The two meet above the ground.
-    const double meet = (p.z - q.z + road.grade * length) / (2 * road.grade);
+    const double meet = (p.z - q.z + grade * length) / (2 * grade);
     if (meet > same_place && meet < length - same_place)
-      out->push_back({p.at + meet, p.z - road.grade * meet});
+      out->push_back({p.at + meet, p.z - grade * meet});
   }
 
   static constexpr double rounding_of_heights = 1e-9;  // metres
@@ -202,16 +256,17 @@ class Solver {
   std::vector<std::vector<Station>> stations_;
   std::map<std::int64_t, int> node_;
   std::vector<double> ground_, height_;
+  std::vector<bool> stays_;  // vertices that rise last
   std::vector<std::vector<Step>> steps_;
-  std::vector<std::pair<int, int>> before_;  // the vertex that raised it, and by which lift
+  std::vector<Origin> before_;  // the vertex that raised it, and by what
+  std::vector<double> grade_;   // of each road
   std::vector<bool> passed_over_;
 };
 
 }  // namespace
 
-std::vector<HeightLine> least_heights(const std::vector<GradedRoad>& roads,
-                                      const std::vector<Lift>& lifts,
-                                      const std::vector<LeastHeight>& by_hand) {
+LeastHeights least_heights(const std::vector<GradedRoad>& roads, const std::vector<Lift>& lifts,
+                           const std::vector<LeastHeight>& by_hand) {
   return Solver(roads, lifts, by_hand).solve();
 }
 

@@ -11,8 +11,12 @@ namespace streetgen {
 struct GradedRoad {
   std::int64_t from_node = 0;
   std::int64_t to_node = 0;
-  HeightLine ground;  // at least two points
-  double grade = 0;   // positive
+  HeightLine ground;          // at least two points
+  double grade = 0;           // positive
+  double grade_greatest = 0;  // the grade in a circle of lifts, if it is greater
+  // Ground that the road left downwards before: there it rises only where its greatest grades
+  // leave no other heights.  Empty: it did not.
+  HeightLine left;
 };
 
 // The place `to` lies at least `rise` above the place `from`.
@@ -31,11 +35,15 @@ struct LeastHeight {
   double z = 0;
 };
 
+struct LeastHeights {
+  std::vector<HeightLine> roads;
+  std::vector<double> grades;  // that each road keeps
+};
+
 // The least heights of each road.  Roads of one node have one height there, the greatest of their
-// grounds or more. Of
-// lifts that raise each other without end the last one is passed over.
-std::vector<HeightLine> least_heights(const std::vector<GradedRoad>& roads,
-                                      const std::vector<Lift>& lifts,
-                                      const std::vector<LeastHeight>& by_hand);
+// grounds or more.  Where lifts raise each other without end, the roads of that circle get their
+// greatest grades, and then the last lift is passed over.
+LeastHeights least_heights(const std::vector<GradedRoad>& roads, const std::vector<Lift>& lifts,
+                           const std::vector<LeastHeight>& by_hand);
 
 }  // namespace streetgen

@@ -21,11 +21,21 @@ namespace {
 class Clusters {
  public:
   Clusters(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
-           const std::vector<ProfileHeight>& by_hand)
-      : edges_(edges), lifts_(lifts), by_hand_(by_hand), groups_(static_cast<int>(edges.size())) {
+           const std::vector<ProfileHeight>& by_hand, const ProfileRules& rules)
+      : edges_(edges),
+        lifts_(lifts),
+        by_hand_(by_hand),
+        rules_(rules),
+        groups_(static_cast<int>(edges.size())) {
     for (int e = 0; e < groups_.size(); ++e) {
       meet(edges[e].from_node, edges[e].line.front().z, e);
       meet(edges[e].to_node, edges[e].line.back().z, e);
+    }
+    // Bridges that lead each other on are solved together, wherever they lie.
+    for (int e = 0; e < groups_.size(); ++e) {
+      if (edges[e].rise == 0) continue;
+      if (!edges[e].ends_from) tie(edges[e].from_node);
+      if (!edges[e].ends_to) tie(edges[e].to_node);
     }
     for (const ProfileLift& lift : lifts) groups_.join(lift.above, lift.below);
     out_.edges.resize(edges.size());
@@ -33,13 +43,16 @@ class Clusters {
   }
 
   Profiles solve() {
-    is_fresh_.assign(edges_.size(), true);
-    do {
-      for (const auto& [group, cluster] : fresh_clusters()) {
-        poll_cancel();
-        solve(cluster);
-      }
-    } while (join_off_ground());
+    // What hangs together shows in rough heights, but for few edges.
+    for (const Rounds rounds : {Rounds::rough, Rounds::all}) {
+      is_fresh_.assign(edges_.size(), true);
+      do {
+        for (const auto& [group, cluster] : fresh_clusters()) {
+          poll_cancel();
+          solve(cluster, rounds);
+        }
+      } while (join_off_ground());
+    }
     for (std::size_t e = 0; e < edges_.size(); ++e) {
       out_.edges[e].tied_from = nodes_.at(edges_[e].from_node).tied;
       out_.edges[e].tied_to = nodes_.at(edges_[e].to_node).tied;
@@ -65,6 +78,12 @@ class Clusters {
     met.edges.push_back(edge);
   }
 
+  void tie(std::int64_t node) {
+    Node& tied = nodes_.at(node);
+    tied.tied = true;
+    for (const int e : tied.edges) groups_.join(e, tied.edges.front());
+  }
+
   std::map<int, Cluster> fresh_clusters() {
     std::map<int, Cluster> fresh;
     const auto add = [&](int edge, int number, std::vector<int> Cluster::*numbers) {
@@ -79,7 +98,7 @@ class Clusters {
     return fresh;
   }
 
-  void solve(const Cluster& cluster) {
+  void solve(const Cluster& cluster, Rounds rounds) {
     std::vector<ProfileEdge> edges;
     std::unordered_map<int, int> place;
     for (const int e : cluster.edges) {
@@ -97,7 +116,7 @@ class Clusters {
       by_hand.push_back(by_hand_[h]);
       by_hand.back().edge = place.at(by_hand_[h].edge);
     }
-    Profiles solved = joint_profiles(edges, lifts, by_hand);
+    Profiles solved = joint_profiles(edges, lifts, by_hand, rules_, rounds);
     for (std::size_t i = 0; i < edges.size(); ++i)
       out_.edges[cluster.edges[i]] = std::move(solved.edges[i]);
     for (std::size_t i = 0; i < lifts.size(); ++i) out_.unmet[cluster.lifts[i]] = solved.unmet[i];
@@ -131,6 +150,7 @@ class Clusters {
   const std::vector<ProfileEdge>& edges_;
   const std::vector<ProfileLift>& lifts_;
   const std::vector<ProfileHeight>& by_hand_;
+  const ProfileRules& rules_;
   Groups groups_;  // of edges, a group for each cluster
   std::unordered_map<std::int64_t, Node> nodes_;
   std::vector<bool> is_fresh_;  // edges of clusters that grew since they were solved
@@ -140,8 +160,8 @@ class Clusters {
 }  // namespace
 
 Profiles profiles(const std::vector<ProfileEdge>& edges, const std::vector<ProfileLift>& lifts,
-                  const std::vector<ProfileHeight>& by_hand) {
-  return Clusters(edges, lifts, by_hand).solve();
+                  const std::vector<ProfileHeight>& by_hand, const ProfileRules& rules) {
+  return Clusters(edges, lifts, by_hand, rules).solve();
 }
 
 }  // namespace streetgen

@@ -22,8 +22,10 @@ namespace {
 struct ProfilesCall {
   LineArray lines;
   ValueArray from_nodes, to_nodes, grades, radii;
+  ValueArray greatest, rises, ends_from, ends_to;
   ValueArray above, at_above, below, at_below, clearances, sinks;
   ValueArray by_hand, at_hand, heights;
+  ProfileRules rules;
   int srid;
 };
 
@@ -35,18 +37,23 @@ ProfilesCall take(FunctionCallInfo fcinfo) {
   call.to_nodes = take_values(fcinfo, 2, INT8OID, edges, "to_nodes");
   call.grades = take_values(fcinfo, 3, FLOAT8OID, edges, "grades");
   call.radii = take_values(fcinfo, 4, FLOAT8OID, edges, "radii");
-  call.above = take_values(fcinfo, 5, INT4OID, any_count, "above");
+  call.greatest = take_values(fcinfo, 5, FLOAT8OID, edges, "grades_greatest");
+  call.rises = take_values(fcinfo, 6, FLOAT8OID, edges, "rises");
+  call.ends_from = take_values(fcinfo, 7, BOOLOID, edges, "ends_from");
+  call.ends_to = take_values(fcinfo, 8, BOOLOID, edges, "ends_to");
+  call.above = take_values(fcinfo, 9, INT4OID, any_count, "above");
   const int lifts = call.above.count;
-  call.at_above = take_values(fcinfo, 6, FLOAT8OID, lifts, "at_above");
-  call.below = take_values(fcinfo, 7, INT4OID, lifts, "below");
-  call.at_below = take_values(fcinfo, 8, FLOAT8OID, lifts, "at_below");
-  call.clearances = take_values(fcinfo, 9, FLOAT8OID, lifts, "clearances");
-  call.sinks = take_values(fcinfo, 10, BOOLOID, lifts, "sinks");
-  call.by_hand = take_values(fcinfo, 11, INT4OID, any_count, "by_hand");
+  call.at_above = take_values(fcinfo, 10, FLOAT8OID, lifts, "at_above");
+  call.below = take_values(fcinfo, 11, INT4OID, lifts, "below");
+  call.at_below = take_values(fcinfo, 12, FLOAT8OID, lifts, "at_below");
+  call.clearances = take_values(fcinfo, 13, FLOAT8OID, lifts, "clearances");
+  call.sinks = take_values(fcinfo, 14, BOOLOID, lifts, "sinks");
+  call.by_hand = take_values(fcinfo, 15, INT4OID, any_count, "by_hand");
   const int heights = call.by_hand.count;
-  call.at_hand = take_values(fcinfo, 12, FLOAT8OID, heights, "at_hand");
-  call.heights = take_values(fcinfo, 13, FLOAT8OID, heights, "heights");
-  call.srid = PG_GETARG_INT32(14);
+  call.at_hand = take_values(fcinfo, 16, FLOAT8OID, heights, "at_hand");
+  call.heights = take_values(fcinfo, 17, FLOAT8OID, heights, "heights");
+  call.rules = {PG_GETARG_FLOAT8(18), PG_GETARG_FLOAT8(19)};
+  call.srid = PG_GETARG_INT32(20);
   return call;
 }
 
@@ -57,7 +64,10 @@ std::vector<ProfileEdge> edges_of(const ProfilesCall& call) {
     edges.push_back({DatumGetInt64(call.from_nodes.values[i]),
                      DatumGetInt64(call.to_nodes.values[i]), std::move(line),
                      in_range(DatumGetFloat8(call.grades.values[i]), 1e-6, 10, "grade"),
-                     in_range(DatumGetFloat8(call.radii.values[i]), 0, 1e9, "radius")});
+                     in_range(DatumGetFloat8(call.radii.values[i]), 0, 1e9, "radius"),
+                     in_range(DatumGetFloat8(call.greatest.values[i]), 0, 10, "grade_greatest"),
+                     in_range(DatumGetFloat8(call.rises.values[i]), -1000, 1000, "rise"),
+                     DatumGetBool(call.ends_from.values[i]), DatumGetBool(call.ends_to.values[i])});
   }
   return edges;
 }
@@ -86,6 +96,11 @@ std::vector<ProfileHeight> heights_of(const ProfilesCall& call) {
                        finite(DatumGetFloat8(call.at_hand.values[i]), "at_hand"),
                        finite(DatumGetFloat8(call.heights.values[i]), "heights")});
   return heights;
+}
+
+ProfileRules rules_of(const ProfilesCall& call) {
+  return {in_range(call.rules.level_length, 0, 1e9, "level_length"),
+          in_range(call.rules.plateau, 0, 1e9, "plateau")};
 }
 
 const char* profile_method_name(ProfileMethod method) {
@@ -118,7 +133,7 @@ STREETGEN_FUNCTION(streetgen_profiles) {
   Slot<std::vector<Written>>* slot = make_slot<std::vector<Written>>(CurrentMemoryContext);
   report(compute([&] {
     slot->value = new std::vector<Written>;
-    for (const Profile& profile : profiles(edges_of(call), lifts_of(call), heights_of(call)).edges)
+    for (const Profile& profile : profiles(edges_of(call), lifts_of(call), heights_of(call), rules_of(call)).edges)
       slot->value->push_back({write_line(profile.line, {call.srid, true}), profile.grade,
                               profile_method_name(profile.method), profile.tied_from,
                               profile.tied_to});

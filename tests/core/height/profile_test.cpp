@@ -111,6 +111,83 @@ TEST(Profile, TellsARoadThatCannotBeLifted) {
   }
 }
 
+ProfileEdge bridge(int from, int to, Line line, double rise, bool ends_from = true,
+                   bool ends_to = true) {
+  ProfileEdge made = edge(from, to, std::move(line), 386);
+  made.rise = rise, made.ends_from = ends_from, made.ends_to = ends_to;
+  return made;
+}
+
+TEST(Profile, LiftsABridgeOffTheGroundAndSinksATunnel) {
+  for (const double rise : {0.5, -0.5}) {
+    const Profiles all =
+        profiles({edge(0, 1, {{0, 0}, {200, 0}}, 386), bridge(1, 2, {{200, 0}, {300, 0}}, rise),
+                  edge(2, 3, {{300, 0}, {500, 0}}, 386)},
+                 {}, {});
+    const double side = rise > 0 ? 1 : -1;
+    for (int at = 10; at <= 90; ++at) EXPECT_GE(side * z(all.edges[1], at), 0.5 - 1e-6) << at;
+    EXPECT_NEAR(z(all.edges[1], 10), rise, 1e-6) << "no higher than its arc needs";
+    EXPECT_NEAR(z(all.edges[0], 0), 0, 1e-9);
+    EXPECT_EQ(z(all.edges[0], 200), z(all.edges[1], 0));
+    for (const Profile& road : all.edges) EXPECT_LE(steepest(road.line), grade + 1e-9);
+    EXPECT_EQ(all.edges[1].method, rise > 0 ? ProfileMethod::lifted : ProfileMethod::sunk);
+  }
+}
+
+TEST(Profile, LeavesAShortBridgeLevelThatCrossesNoRoad) {
+  const std::vector<ProfileEdge> roads{bridge(1, 2, {{0, 0}, {25, 0}}, 0.5),
+                                       edge(3, 4, {{12, -200}, {12, 200}})};
+  const ProfileRules rules{30, 0};
+  EXPECT_EQ(profiles(roads, {}, {}, rules).edges[0].method, ProfileMethod::ground);
+  EXPECT_GE(z(profiles(roads, {{0, 12, 1, 200, clearance}}, {}, rules).edges[0], 12), clearance);
+}
+
+// Of three pieces over a valley, whose nodes have the height of its floor.
+TEST(Profile, LeadsABridgeEvenlyOverAValley) {
+  const Profiles all = profiles({bridge(0, 1, {{0, 0, 10}, {50, 0, -20}}, 0.5, true, false),
+                                 bridge(1, 2, {{50, 0, -20}, {150, 0, -30}}, 0.5, false, false),
+                                 bridge(2, 3, {{150, 0, -30}, {200, 0, 14}}, 0.5, false, true)},
+                                {}, {});
+  EXPECT_NEAR(z(all.edges[0], 25), 10.5, 1e-9);
+  EXPECT_NEAR(z(all.edges[1], 50), 12, 1e-9);
+  EXPECT_NEAR(z(all.edges[2], 0), 13, 1e-9);
+  for (const Profile& road : all.edges) EXPECT_EQ(road.method, ProfileMethod::lifted);
+  EXPECT_TRUE(all.edges[0].tied_to && all.edges[1].tied_from && all.edges[1].tied_to);
+  EXPECT_FALSE(all.edges[0].tied_from);
+}
+
+TEST(Profile, TakesTheGreatestGradeOnlyInACircle) {
+  std::vector<ProfileEdge> roads{edge(0, 1, {{0, 0}, {600, 0}}), edge(2, 3, {{0, 5}, {600, 5}})};
+  for (ProfileEdge& road : roads) road.grade = 0.03, road.grade_greatest = 0.06;
+  const Profiles one = profiles(roads, {{0, 300, 1, 300, clearance}}, {});
+  EXPECT_NEAR(steepest(one.edges[0].line), 0.03, 1e-9);
+  const Profiles turn =
+      profiles(roads, {{0, 200, 1, 200, clearance}, {1, 301, 0, 301, clearance}}, {});
+  EXPECT_FALSE(turn.unmet[0] || turn.unmet[1]);
+  EXPECT_EQ(turn.edges[0].grade, 0.06);
+}
+
+TEST(Profile, StaysUpBetweenCrossingsThatAreNear) {
+  const ProfileRules rules{0, 1};
+  const Line low{{0, -500}, {0, 500}};
+  for (const auto& [apart, stays] : {std::pair(90.0, true), std::pair(140.0, false)}) {
+    const std::vector<ProfileLift> lifts{{0, 400, 1, 500, clearance},
+                                         {0, 400 + apart, 2, 500, clearance}};
+    const Profiles all = profiles(
+        {edge(0, 1, {{0, 0}, {900, 0}}), edge(2, 3, low), edge(4, 5, low)}, lifts, {}, rules);
+    const double middle = z(all.edges[0], 400 + apart / 2);
+    EXPECT_NEAR(middle, stays ? clearance : clearance - grade * apart / 2, 0.01);
+    // A node between them, from which a side street leads away, changes nothing.
+    std::vector<ProfileLift> cut = lifts;
+    cut[1] = {3, 400 + apart - 420, 2, 500, clearance};
+    const Profiles parted =
+        profiles({edge(0, 6, {{0, 0}, {420, 0}}), edge(2, 3, low), edge(4, 5, low),
+                  edge(6, 1, {{420, 0}, {900, 0}}), edge(6, 7, {{420, 0}, {420, 300}})},
+                 cut, {}, rules);
+    EXPECT_NEAR(z(parted.edges[3], 400 + apart / 2 - 420), middle, 0.01);
+  }
+}
+
 // Roads on flat ground that cross at random: not all clearances can be kept.
 struct Net {
   std::vector<ProfileEdge> edges;
@@ -122,6 +199,19 @@ struct NetSize {
   unsigned shortest, range;  // metres
 };
 
+// A bridge ends where it meets what is none.
+void end_bridges(Net* net) {
+  const auto ends = [&](std::int64_t node, double rise) {
+    return std::any_of(net->edges.begin(), net->edges.end(), [&](const ProfileEdge& other) {
+      return (other.from_node == node || other.to_node == node) && other.rise != rise;
+    });
+  };
+  for (ProfileEdge& edge : net->edges) {
+    edge.ends_from = ends(edge.from_node, edge.rise);
+    edge.ends_to = ends(edge.to_node, edge.rise);
+  }
+}
+
 Net random_net(std::mt19937_64* random, bool sinks, NetSize size = {8, 10, 4, 10, 300}) {
   Net net;
   const int nodes = size.nodes, count = size.edges;
@@ -130,7 +220,10 @@ Net random_net(std::mt19937_64* random, bool sinks, NetSize size = {8, 10, 4, 10
     const int from = static_cast<int>((*random)() % nodes),
               to = static_cast<int>((*random)() % nodes);
     net.edges.push_back(edge(from, to, {{0, 0}, {length, 0}}, 400));
+    net.edges.back().grade_greatest = 0.1;
+    if (sinks && (*random)() % 6 == 0) net.edges.back().rise = (*random)() % 2 == 0 ? 0.5 : -0.5;
   }
+  end_bridges(&net);
   const auto place = [&](int e) {
     return net.edges[e].line.back().x * static_cast<double>((*random)() % 100) / 100;
   };
@@ -204,7 +297,7 @@ Net part_of(const Net& net, const std::vector<bool>& chosen, std::vector<int>* p
 // before or after, stays as it was, and the others are as they are among all.
 TEST(Profile, IsThatOfTheEdgesThatLiftsAndTiesJoin) {
   std::mt19937_64 random(43);
-  const NetSize size{14, 16, 5, 30, 150};
+  const NetSize size{18, 18, 5, 30, 150};
   const int tries = rounds(1000);
   int unmet = 0, kept = 0, hidden = 0;
   for (int round = 0; round < tries; ++round) {
@@ -213,6 +306,7 @@ TEST(Profile, IsThatOfTheEdgesThatLiftsAndTiesJoin) {
     const int changed = static_cast<int>(random() % static_cast<std::size_t>(edges));
     Net after{before.edges, {}};
     after.edges[changed] = other.edges[changed];
+    end_bridges(&after);
     const auto touches = [&](const ProfileLift& l) {
       return l.above == changed || l.below == changed;
     };
@@ -220,17 +314,22 @@ TEST(Profile, IsThatOfTheEdgesThatLiftsAndTiesJoin) {
       if (!touches(lift)) after.lifts.push_back(lift);
     for (const ProfileLift& lift : other.lifts)
       if (touches(lift)) after.lifts.push_back(lift);
-    const Profiles were = profiles(before.edges, before.lifts, {}),
-                   all = profiles(after.edges, after.lifts, {});
+    const ProfileRules rules{60, 1};
+    const Profiles were = profiles(before.edges, before.lifts, {}, rules),
+                   all = profiles(after.edges, after.lifts, {}, rules);
     unmet += static_cast<int>(std::count(all.unmet.begin(), all.unmet.end(), true));
 
     std::vector<bool> region(edges);
     region[changed] = true;
+    for (int e = 0; e < edges; ++e)
+      if (before.edges[e].ends_from != after.edges[e].ends_from ||
+          before.edges[e].ends_to != after.edges[e].ends_to)
+        region[e] = true;
     std::vector<int> place;
     Profiles some;
     for (bool grew = true; grew;) {
       const Net part = part_of(after, region, &place);
-      some = profiles(part.edges, part.lifts, {});
+      some = profiles(part.edges, part.lifts, {}, rules);
       std::set<std::int64_t> near, tied;
       for (int e = 0; e < edges; ++e)
         if (region[e]) {
@@ -294,7 +393,7 @@ TEST(Profile, IsTheLeastOfAllThatHold) {
         lifts.push_back({below, roads[below].ground.back().at * 0.25, above,
                          roads[above].ground.back().at * 0.75, 6});
     }
-    const std::vector<HeightLine> solved = least_heights(roads, lifts, {});
+    const std::vector<HeightLine> solved = least_heights(roads, lifts, {}).roads;
     // Heights at quarters of each road, raised until nothing moves.
     std::vector<std::vector<double>> least;
     for (const GradedRoad& road : roads) {
