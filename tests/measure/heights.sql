@@ -20,9 +20,10 @@ CREATE TEMPORARY TABLE height AS
         r.length * ST_LineLocatePoint(ST_Force2D(r.line), ST_Force2D(d.geom)) AS at
     FROM road r, ST_DumpPoints(r.geom) d;
 CREATE TEMPORARY TABLE bend AS
-    SELECT *, (z - lag(z) OVER w) / nullif(at - lag(at) OVER w, 0) AS before, (lead(z) OVER w - z) / nullif(lead(at) OVER w - at, 0)
-        AS after, at - lag(at) OVER w AS gone, lead(at) OVER w - at AS coming, greatest(abs(z), abs(lag(z) OVER w),
-            abs(lead(z) OVER w)) > 0.01 AS off
+    SELECT *, (z - lag(z) OVER w) / nullif(at - lag(at) OVER w, 0) AS before,
+        (lead(z) OVER w - z) / nullif(lead(at) OVER w - at, 0) AS after, at - lag(at) OVER w AS gone,
+        lead(at) OVER w - at AS coming,
+        greatest(abs(z), abs(lag(z) OVER w), abs(lead(z) OVER w)) > 0.01 AS off
     FROM height WINDOW w AS (PARTITION BY edge_id ORDER BY n);
 WITH bridge_part AS (
     SELECT r.*, CASE WHEN EXISTS (SELECT FROM edge o WHERE r.from_node IN (o.from_node, o.to_node) AND o.level <= 0)
@@ -38,7 +39,8 @@ crossing AS (
         ST_Z(ST_LineInterpolatePoint(r.geom, least(1, o.abscissa_above / r.length))) AS z
     FROM overpass o JOIN road r ON r.edge_id = o.edge_above JOIN edge e ON e.edge_id = r.edge_id),
 in_turn AS (
-    SELECT *, lead(at) OVER w AS next_at, lead(z) OVER w AS next_z FROM crossing WINDOW w AS (PARTITION BY axis_id ORDER BY at)),
+    SELECT *, lead(at) OVER w AS next_at, lead(z) OVER w AS next_z FROM crossing
+    WINDOW w AS (PARTITION BY axis_id ORDER BY at)),
 near AS (
     SELECT i.*, least(z, next_z) - least(z, next_z, (SELECT min(h.z) FROM edge e JOIN height h USING (edge_id)
         WHERE e.axis_id = i.axis_id AND e.start_abscissa + h.at BETWEEN i.at AND next_at)) AS dip
