@@ -18,7 +18,7 @@ end
 
 -- What footways, cycle tracks and steps say beside that.
 local walked = { footway = true, path = true, pedestrian = true, cycleway = true, steps = true, corridor = true }
-local walk_keys = { 'footway', 'path', 'crossing', 'crossing:markings', 'indoor', 'location', 'level', 'surface', 'incline',
+local walk_keys = { 'footway', 'path', 'crossing', 'crossing:markings', 'indoor', 'location', 'level', 'incline',
                     'wheelchair', 'tactile_paving' }
 
 -- Tags that say what is a track, and what tracks and streets with rails say beside that.
@@ -236,6 +236,7 @@ function osm2pgsql.process_way(object)
     for _, key in ipairs(walked[class] and walk_keys or {}) do
         tags[key] = object.tags[key]
     end
+    tags.surface = object.tags.surface
     tags.railway = class ~= track and track or nil
     tags.embedded_rails = tracked[object.tags.embedded_rails] and object.tags.embedded_rails or nil
     for _, key in ipairs((track or tags.embedded_rails) and rail_keys or {}) do

@@ -18,7 +18,7 @@ BEGIN
         -- Its views: those of subjects, and those that are edited, whose triggers are the extension's or the model's own.
         EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(format('%I.%I', known.name, v), ', ')
             FROM (SELECT unnest(ARRAY['setting_used', 'axis_used', 'axis_to_mend', 'intersection_group', 'conflict', 'import_conflict', 'activity', 'roadway', 'override_place', 'lane_group', 'lane_driving', 'lane_interval', 'lane_adjacency', 'lane_extent',
-                'corner_on_kerb', 'cross_section', 'road_arc', 'movement', 'ramp_path', 'right_of_way',
+                'corner_on_kerb', 'cross_section', 'paving', 'road_arc', 'movement', 'ramp_path', 'right_of_way',
                     'rim_marking', 'junction_link', 'signal_crossing', 'junction_crossing', 'roundabout_block',
                     'sidewalk_block', 'block_interior', 'footway_surface', 'rail_crossing', 'lane_track',
                     'track_bed', 'rail', 'track_strip', 'area_surface', 'bus_stop_box', 'crossover', 'walk_node',

@@ -209,7 +209,7 @@ EDITED = (
     Layer('edit', 'rail_track', 'rail_track_id', 'geom', lambda look: single(line(look.handle(), 0.6, '3;1')), ('kind', 'gauge', 'tracks', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'lane_markings', 'access', 'sidewalk_left', 'sidewalk_right', 'sidewalk_apart', 'parking_left', 'parking_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True, scale=5000),
+           'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'lane_markings', 'access', 'sidewalk_left', 'sidewalk_right', 'sidewalk_apart', 'paved', 'sidewalk_paved_left', 'sidewalk_paved_right', 'cycle_paved_left', 'cycle_paved_right', 'parking_left', 'parking_right', 'flow', 'roundabout_tag', 'source', 'source_ref'), shown=True, scale=5000),
     Layer('edit/tables', 'object_type', 'type', writable=('type', 'category', 'parent', 'geometry', 'symbol', 'size', 'description', 'distance_least')),
     Layer('edit/tables', 'object_distance', '"type_a","type_b"', writable=('type_a', 'type_b', 'metres')),
     Layer('edit/tables', 'placement_rule', 'rule_id', writable=('type', 'along', 'side', 'every', 'phase', 'axis_offset', 'orientation', 'distance_from_limit', 'importance_from', 'importance_to', 'kind', 'turn', 'density', 'active')),

@@ -26,6 +26,10 @@ OF_AXIS = 'JOIN @.street_object USING (street_object_id) LEFT JOIN @.axis a USIN
 # Kinds, as PostgreSQL and QGIS both read them.
 SECTION_KIND = "CASE WHEN method IN ('contested', 'crowded') THEN 'contested' ELSE '' END"
 INTERSECTION_KIND = "CASE WHEN method IN ('contested', 'crowded') THEN 'contested' WHEN method = 'transition' THEN 'transition' ELSE '' END"
+SIDEWALK_KIND = ("streetgen._paving_kind(CASE side WHEN 'left' THEN sidewalk_left WHEN 'right' THEN sidewalk_right "
+                 'ELSE CASE sidewalk_left WHEN sidewalk_right THEN sidewalk_left END END)')
+PAVING_AT_NODE = ("(SELECT CASE WHEN min(k) = max(k) THEN min(k) ELSE '' END FROM (SELECT streetgen._paving_kind(roadway) FROM @.paving JOIN @.edge e USING (edge_id) "
+                  'WHERE node_id IN (e.from_node, e.to_node)) p(k))')
 CORNER_KIND = "CASE WHEN method = 'hypothesis' THEN '' ELSE 'fallback' END"
 PATH_KIND = "CASE WHEN plausible THEN '' ELSE 'implausible' END"
 RING_KIND = "CASE WHEN accepted THEN '' ELSE 'refused' END"
@@ -44,10 +48,10 @@ ON_DECK = dict(layer='deck_paint', geometry='ST_CollectionExtract(ST_Intersectio
 
 GROUNDS = (
     Shape('block', ('block',), 'block_id', 'kind', GROUND_LEVEL),
-    Shape('sidewalk', ('sidewalk', 'kerb'), 'sidewalk_id', geometry='w.surface', rows='@.sidewalk w JOIN @.kerb USING (edge_id, side, part)'),
+    Shape('sidewalk', ('sidewalk', 'kerb', 'paving'), 'sidewalk_id', SIDEWALK_KIND, geometry='w.surface', rows='@.sidewalk w JOIN @.kerb USING (edge_id, side, part) JOIN @.paving USING (edge_id)'),
     Shape('kerb', ('kerb',), 'kerb_id', where="method <> 'level_change'"),
-    Shape('section', ('section',), 'edge_id', SECTION_KIND),
-    Shape('intersection', ('intersection',), 'node_id', INTERSECTION_KIND),
+    Shape('section', ('section', 'paving'), 'edge_id', SECTION_KIND.replace("''", 'streetgen._paving_kind(roadway)'), rows='@.section JOIN @.paving USING (edge_id)'),
+    Shape('intersection', ('intersection', 'paving'), 'node_id', INTERSECTION_KIND.replace("ELSE ''", 'ELSE ' + PAVING_AT_NODE)),
     Shape('roadway', ('section',), 'edge_id', 'importance::text', 's.level', rows='@.section s ' + EDGE),
     Shape('roadway', ('intersection',), 'node_id', LEAST_IMPORTANCE),
     Shape('junction', ('junction', 'intersection'), 'junction_id', level='i.level', geometry='j.surface', where="j.method <> 'hypothesis'",

@@ -58,8 +58,11 @@ BEGIN
                 'importance', e.importance, 'level', e.level, 'width', e.width, 'speed', e.speed)),
             boundaries, surfaces, of_surface) AS text
         FROM road r LEFT JOIN edge e ON e.edge_id = r.edge_id LEFT JOIN axis a USING (axis_id), LATERAL (
-            SELECT json_agg(json_build_object('type', type, 'function', function) ORDER BY number) AS surfaces
-            FROM streetgen._cityjson_surface() WHERE number = ANY (semantics)) m),
+            SELECT json_agg(json_strip_nulls(json_build_object('type', type, 'function', function, 'surfaceMaterial',
+                CASE kind WHEN 'section' THEN roadway WHEN 'sidewalk' THEN CASE sidewalk_left WHEN sidewalk_right
+                    THEN sidewalk_left END END)) ORDER BY number) AS surfaces
+            FROM streetgen._cityjson_surface() LEFT JOIN paving p ON p.edge_id = r.edge_id
+            WHERE number = ANY (semantics)) m),
     box AS (
         SELECT json_build_array(min(place[1]) * step + o.x, min(place[2]) * step + o.y, min(place[3]) * step,
             max(place[1]) * step + o.x, max(place[2]) * step + o.y, max(place[3]) * step) AS extent,

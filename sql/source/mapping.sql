@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._axis_input()
     RETURNS TABLE(name text, type text, read_as text, low float8, high float8)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 30 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 40 SET search_path = pg_catalog
     AS $$ VALUES ('width', 'float8', 'metres', 0::float8, 200::float8), ('width_end', 'float8', 'metres', 0, 200),
         ('roadway_offset', 'float8', 'metres', -100, 100), ('lane_count', 'integer', 'count', 0, 30),
         ('direction', 'text', 'direction', NULL, NULL), ('speed', 'float8', 'kmh', 0, 400),
@@ -18,7 +18,10 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input()
         ('flow', 'float8', 'number', 0, 1000000), ('roundabout_tag', 'text', 'text', NULL, NULL),
         ('ref', 'text', 'text', NULL, NULL), ('access', 'text', 'text', NULL, NULL),
         ('parking_left', 'text', 'parking', NULL, NULL), ('parking_right', 'text', 'parking', NULL, NULL),
-        ('lane_markings', 'text', 'yes_or_no', NULL, NULL), ('sidewalk_apart', 'text', 'sides', NULL, NULL) $$;
+        ('lane_markings', 'text', 'yes_or_no', NULL, NULL), ('sidewalk_apart', 'text', 'sides', NULL, NULL),
+        ('paved', 'text', 'text', NULL, NULL), ('sidewalk_paved_left', 'text', 'text', NULL, NULL),
+        ('sidewalk_paved_right', 'text', 'text', NULL, NULL), ('cycle_paved_left', 'text', 'text', NULL, NULL),
+        ('cycle_paved_right', 'text', 'text', NULL, NULL) $$;
 COMMENT ON FUNCTION streetgen._axis_input() IS
     'The columns of axis that a source may fill besides geom, how their texts are read, and the bounds of numbers.';
 

@@ -233,7 +233,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         change_backward text, sidewalk_left float8, sidewalk_right float8, unread text[], left_out text, access text,
         parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text,
         surface text, incline float8, climb text, wheelchair text, tactile_paving text, foot text, gauge integer,
-        tracks integer, rails text, rails_embedded boolean)
+        tracks integer, rails text, rails_embedded boolean, paved text, sidewalk_paved_left text,
+        sidewalk_paved_right text, cycle_paved_left text, cycle_paved_right text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -250,12 +251,18 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     streetgen._osm_wheelchair(l.tags ->> 'wheelchair'), CASE WHEN l.tags ->> 'tactile_paving'
         IN ('yes', 'no', 'incorrect') THEN l.tags ->> 'tactile_paving' END,
     streetgen._osm_foot(l.tags ->> 'foot', l.tags ->> 'access'), streetgen._osm_gauge(l.tags ->> 'gauge'),
-    streetgen._osm_tracks(l.tags ->> 'tracks'), coalesce(t.rails, t.embedded), t.rails IS NULL
+    streetgen._osm_tracks(l.tags ->> 'tracks'), coalesce(t.rails, t.embedded), t.rails IS NULL, l.tags ->> 'surface',
+    coalesce(l.tags ->> 'sidewalk:left:surface', s.sidewalks),
+    coalesce(l.tags ->> 'sidewalk:right:surface', s.sidewalks),
+    coalesce(l.tags ->> 'cycleway:left:surface', s.cycle_lanes),
+    coalesce(l.tags ->> 'cycleway:right:surface', s.cycle_lanes)
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class,
     LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w,
     LATERAL (SELECT streetgen._osm_rails(l.tags ->> 'railway') AS rails,
-        streetgen._osm_rails(l.tags ->> 'embedded_rails') AS embedded) t
+        streetgen._osm_rails(l.tags ->> 'embedded_rails') AS embedded) t,
+    LATERAL (SELECT coalesce(l.tags ->> 'sidewalk:both:surface', l.tags ->> 'sidewalk:surface') AS sidewalks,
+        coalesce(l.tags ->> 'cycleway:both:surface', l.tags ->> 'cycleway:surface') AS cycle_lanes) s
 $$;
 COMMENT ON FUNCTION streetgen._osm_rows() IS
     'The rows of the import that the lines of an OSM table become, with what their tags mean.';

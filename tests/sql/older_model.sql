@@ -26,7 +26,7 @@ CREATE FUNCTION pg_temp.words() RETURNS SETOF text LANGUAGE sql AS $$
   UNION ALL SELECT format('%s %s %s', conrelid::regclass, pg_get_constraintdef(oid), obj_description(oid)) FROM pg_constraint WHERE connamespace = 'older'::regnamespace
   UNION ALL SELECT format('%s %s', oid::regclass, obj_description(oid)) FROM pg_class WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' $$;
 CREATE TABLE worded AS SELECT pg_temp.words() AS words;
-ALTER TABLE older.axis DROP access CASCADE, DROP parking_left CASCADE, DROP parking_right CASCADE, DROP lane_markings CASCADE, DROP sidewalk_apart CASCADE, DROP lanes_both CASCADE, DROP ref CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
+ALTER TABLE older.axis DROP access CASCADE, DROP parking_left CASCADE, DROP parking_right CASCADE, DROP lane_markings CASCADE, DROP sidewalk_apart CASCADE, DROP paved CASCADE, DROP sidewalk_paved_left CASCADE, DROP sidewalk_paved_right CASCADE, DROP cycle_paved_left CASCADE, DROP cycle_paved_right CASCADE, DROP lanes_both CASCADE, DROP ref CASCADE, DROP roadway_offset CASCADE, DROP change_forward CASCADE, DROP change_backward CASCADE, DROP sidewalk_left CASCADE, DROP sidewalk_right CASCADE, DROP flow CASCADE;
 ALTER TABLE older.axis_class DROP highway_role CASCADE, DROP walked_along CASCADE, DROP crossed_on_foot CASCADE, DROP lanes_by_width CASCADE,
   DROP lanes_one_way CASCADE, DROP width_one_way CASCADE, DROP lanes_each_way CASCADE, DROP parking_left CASCADE, DROP parking_right CASCADE;
 DELETE FROM older.axis_class WHERE class = 'busway' OR use = 'rail';

@@ -165,6 +165,17 @@ COMMENT ON COLUMN :"model".axis.sidewalk_apart IS
     'has the sidewalk of its footways alone, by setting mapped_sidewalk_missing; NULL: nothing is said';
 COMMENT ON CONSTRAINT axis_sidewalk_apart_check ON :"model".axis IS
     'left, right or both. Leave it empty where nothing is said.';
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS paved text, ADD COLUMN IF NOT EXISTS sidewalk_paved_left text,
+    ADD COLUMN IF NOT EXISTS sidewalk_paved_right text, ADD COLUMN IF NOT EXISTS cycle_paved_left text,
+    ADD COLUMN IF NOT EXISTS cycle_paved_right text;
+COMMENT ON COLUMN :"model".axis.paved IS
+    'what the roadway is paved with, in the words of the source, such as asphalt, sett or paving_stones; NULL: unknown';
+COMMENT ON COLUMN :"model".axis.sidewalk_paved_left IS
+    'the same of the sidewalk on the left of geom; where a footway maps it, what the footway says comes first';
+COMMENT ON COLUMN :"model".axis.sidewalk_paved_right IS 'the same on the right of geom';
+COMMENT ON COLUMN :"model".axis.cycle_paved_left IS
+    'the same of cycle lanes on the left of geom; NULL: as the roadway';
+COMMENT ON COLUMN :"model".axis.cycle_paved_right IS 'the same on the right of geom';
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;

@@ -4,7 +4,12 @@
 CREATE OR REPLACE VIEW cross_section WITH (security_invoker = true) AS
 SELECT e.edge_id, e.axis_id, e.first + s.low AS start_abscissa, e.first + s.high AS end_abscissa, p.side, p."order",
     p.kind, p.kerb, p.lane_id, r.offset_from, nullif(r.offset_to, 'Infinity') AS offset_to, r.offset_from_end,
-    nullif(r.offset_to_end, 'Infinity') AS offset_to_end
+    nullif(r.offset_to_end, 'Infinity') AS offset_to_end,
+    CASE WHEN p.kind IN ('sidewalk', 'furnishing')
+            THEN CASE p.side WHEN 'left' THEN g.sidewalk_left ELSE g.sidewalk_right END
+        WHEN p.kind = 'cycle' THEN CASE p.side WHEN 'left' THEN g.cycle_left ELSE g.cycle_right END
+        WHEN p.lane_id IS NOT NULL OR p.kind IN ('roadway', 'rail', 'shoulder', 'gutter') AND p."order" > 0
+            AND r.offset_to < 'Infinity' THEN g.roadway END AS paved
 FROM (
     SELECT e.edge_id, e.axis_id, e.start_abscissa AS first, ST_Force2D(e.geom) AS line, e.beside_left, e.beside_right,
         e.median_left, e.median_right,
@@ -14,6 +19,7 @@ FROM (
         JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
         JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
     WHERE a.abscissa < b.abscissa) e
+JOIN paving g USING (edge_id)
 -- A stretch has the same pieces from its start to its end, and their borders run straight.
 CROSS JOIN LATERAL (
     SELECT place AS low, lead(place) OVER (ORDER BY place) AS high FROM (

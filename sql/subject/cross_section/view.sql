@@ -110,13 +110,18 @@ BEGIN
     COMMENT ON COLUMN cross_section.offset_to IS 'metres to where it ends there; NULL: it goes on';
     COMMENT ON COLUMN cross_section.offset_from_end IS 'metres to where it begins, at the end of the stretch';
     COMMENT ON COLUMN cross_section.offset_to_end IS 'metres to where it ends there; NULL: it goes on';
+    COMMENT ON COLUMN cross_section.paved IS
+        'what a lane, shoulder, gutter, sidewalk or the furnishing strip before it is paved with, as in view paving; '
+        'NULL: unknown, or another piece';
 END $$;
 COMMENT ON FUNCTION streetgen._make_cross_section_views(name) IS
     'Makes the view cross_section of a model, again and again.';
 
 CREATE OR REPLACE FUNCTION streetgen._cross_section_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
     AS $$ SELECT 'cross_section'::name, subject
-        FROM unnest('{lane,rail,kerb,sidewalk,footway,object}'::text[]) subject $$;
+        FROM unnest('{lane,rail,kerb,sidewalk,footway,object}'::text[]) subject
+    -- It reads this one.
+    UNION ALL VALUES ('paving', 'footway') $$;
 COMMENT ON FUNCTION streetgen._cross_section_view() IS
-    'The view of cross-sections, and the subjects whose tables it reads.';
+    'The view of cross-sections and the one of pavings that it reads, and the subjects whose tables they read.';

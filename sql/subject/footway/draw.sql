@@ -17,7 +17,7 @@ COMMENT ON FUNCTION streetgen._footway_drawn(name, geometry, text[]) IS
 -- One walks there as on a sidewalk, and cycles there as on a lane for bicycles: in the same colours.
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
     SELECT theme, 'footway', to_scale, place, fill, line, width, unit, 'footway' FROM streetgen.symbol_rule
-    WHERE layer = 'sidewalk';
+    WHERE layer = 'sidewalk' AND kind = '';
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('street', 'footway', 'cycle', 5000, 0, '#a94f3d', '#a94f3d', 0.7, 'pixel', 'cycle track'),
     ('dark', 'footway', 'cycle', 5000, 0, '#a04c38', '#a04c38', 0.7, 'pixel', 'cycle track'),

@@ -48,4 +48,4 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
 -- One walks over the bed there.
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
     SELECT theme, 'rail_crossing', to_scale, 0.3, fill, line, width, unit, 'sidewalk' FROM streetgen.symbol_rule
-    WHERE layer = 'sidewalk';
+    WHERE layer = 'sidewalk' AND kind = '';

@@ -8,8 +8,11 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT 'crossover', '', level, c.surface::geometry, crossover_id FROM crossover c
         WHERE 'crossover' = ANY (layers) AND c.place && ST_Expand(box, 30) AND c.surface && box;
-    RETURN QUERY SELECT 'sidewalk', '', level, w.surface::geometry, sidewalk_id FROM sidewalk w
-        JOIN kerb USING (edge_id, side, part) WHERE 'sidewalk' = ANY (layers) AND w.surface && box;
+    RETURN QUERY SELECT 'sidewalk', streetgen._paving_kind(CASE side WHEN 'left' THEN sidewalk_left
+            WHEN 'right' THEN sidewalk_right ELSE CASE sidewalk_left WHEN sidewalk_right THEN sidewalk_left END END),
+            level, w.surface::geometry, sidewalk_id
+        FROM sidewalk w JOIN kerb USING (edge_id, side, part) JOIN paving USING (edge_id)
+        WHERE 'sidewalk' = ANY (layers) AND w.surface && box;
 END $$;
 COMMENT ON FUNCTION streetgen._sidewalk_drawn(name, geometry, text[]) IS
     'What can be drawn of sidewalks in a box: sidewalk; crossover, where one goes on over a drive.';
@@ -20,7 +23,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
     ('print', 'sidewalk', 5000, 0, '#e0e0e0', '#e0e0e0', 0.7, 'pixel', 'sidewalk'),
     ('construction', 'sidewalk', 11000, 0, '#e9d6ac', '#c9b791', 0.4, 'pixel', 'sidewalk');
 
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)
+    SELECT theme, 'sidewalk', 'unpaved', 5000, 0, colour, colour, 0.7, 'pixel', 'unpaved sidewalk'
+    FROM (VALUES ('street', '#c2ad88'), ('dark', '#8a7c63')) v(theme, colour);
+
 -- One walks on there, above lines at the end of the drive, which nobody paints on a sidewalk.
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
     SELECT theme, 'crossover', to_scale, 4.2, fill, line, width, unit, 'sidewalk' FROM streetgen.symbol_rule
-    WHERE layer = 'sidewalk';
+    WHERE layer = 'sidewalk' AND kind = '';

@@ -32,10 +32,15 @@ CREATE OR REPLACE FUNCTION streetgen._surface_drawn(model name, box geometry, la
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT 'section', CASE WHEN method IN ('contested', 'crowded') THEN 'contested' ELSE '' END, level,
-        surface::geometry, edge_id FROM section WHERE 'section' = ANY (layers) AND surface && box;
+    RETURN QUERY SELECT 'section', CASE WHEN method IN ('contested', 'crowded') THEN 'contested'
+            ELSE streetgen._paving_kind(roadway) END, level, surface::geometry, edge_id
+        FROM section JOIN paving USING (edge_id) WHERE 'section' = ANY (layers) AND surface && box;
     RETURN QUERY SELECT 'intersection', CASE WHEN method IN ('contested', 'crowded') THEN 'contested'
-            WHEN method = 'transition' THEN 'transition' ELSE '' END, level, surface::geometry, node_id
+            WHEN method = 'transition' THEN 'transition'
+            -- It looks as its streets do, where all of these are paved alike.
+            ELSE (SELECT CASE WHEN min(k) = max(k) THEN min(k) ELSE '' END FROM (SELECT streetgen._paving_kind(roadway)
+                FROM paving JOIN edge e USING (edge_id) WHERE node_id IN (e.from_node, e.to_node)) p(k)) END, level,
+            surface::geometry, node_id
         FROM intersection WHERE 'intersection' = ANY (layers) AND surface && box;
     RETURN QUERY SELECT 'roadway', importance::text, s.level, s.surface::geometry, edge_id FROM section s
         JOIN edge USING (edge_id) WHERE 'roadway' = ANY (layers) AND surface && box;
@@ -57,6 +62,13 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit) VALUES
     ('street', 'intersection', 5000, 1, '#73777f', '#73777f', 0.7, 'pixel'),
     ('dark', 'intersection', 5000, 1, '#454b54', '#454b54', 0.7, 'pixel');
+-- Stones and unpaved ground show where a source says so.
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)
+    SELECT theme, layer, kind, 5000, 1, colour, colour, 0.7, 'pixel', CASE layer WHEN 'section' THEN meaning END
+    FROM unnest('{section,intersection}'::text[]) layer, (VALUES
+        ('street', 'stone', '#8b8079', 'roadway of stones'), ('street', 'unpaved', '#a8967c', 'unpaved roadway'),
+        ('dark', 'stone', '#57504c', 'roadway of stones'), ('dark', 'unpaved', '#665a48', 'unpaved roadway'))
+        v(theme, kind, colour, meaning);
 INSERT INTO streetgen.symbol_rule (theme, layer, from_scale, to_scale, place, fill, line, width, unit) VALUES
     ('street', 'roadway', 5000, 15000, 1, '#a39d90', '#a39d90', 1.6, 'pixel'),
     ('dark', 'roadway', 5000, 15000, 1, '#3a3f47', '#3a3f47', 1.6, 'pixel');

@@ -6,8 +6,8 @@ CREATE OR REPLACE FUNCTION streetgen._surface_layer()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES
     (1, 'roads', 'MULTIPOLYGON', false,
-        'roadway_id AS id, part, edge_id, node_id, axis_id, name, kind, importance, level, width, lane_count',
-        'surface', 'roadway'),
+        'roadway_id AS id, part, edge_id, node_id, axis_id, name, kind, importance, level, width, lane_count, '
+            '(SELECT p.roadway FROM paving p WHERE p.edge_id = roadway.edge_id) AS paved', 'surface', 'roadway'),
     (9, 'corners', 'LINESTRING', false, 'corner_id AS id, node_id, edge_a, edge_b, radius, method',
         'ST_CurveToLine(arc, 16)', 'corner WHERE arc IS NOT NULL') $$;
 COMMENT ON FUNCTION streetgen._surface_layer() IS 'The layers of the roadway in files.';

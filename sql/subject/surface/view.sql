@@ -51,6 +51,7 @@ BEGIN
         'width of the edge kerb to kerb, metres: of a section at its start, of an intersection at its node';
     COMMENT ON COLUMN roadway.lane_count IS 'general, bus and carpool lanes of the edge';
     COMMENT ON COLUMN roadway.surface IS 'roadway, never empty';
+    PERFORM streetgen._make_paving_view(model);
     COMMENT ON VIEW intersection_group
         IS 'Intersections that touch without a section between, over edges of crossed limits, as groups: the '
         'smallest node of each names it';
@@ -59,4 +60,4 @@ BEGIN
     COMMENT ON COLUMN intersection_group.group_id IS 'the smallest node of the intersection and its neighbours';
 END $$;
 COMMENT ON FUNCTION streetgen._make_surface_views(name) IS
-    'Makes the views roadway and intersection_group of a model, again and again.';
+    'Makes the views roadway, paving and intersection_group of a model, again and again.';

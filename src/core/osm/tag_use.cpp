@@ -124,6 +124,8 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "parallel diagonal perpendicular"},
       {"bus_bay", "Nothing: buses stop in a bay that lanes do not count, and the way is named.",
        "left right both yes no none"},
+      {"cycleway[|:left|:right|:both]:surface",
+       "What cycle lanes are paved with, columns cycle_paved_left and _right."},
       {"minor_lanes[|:forward|:backward]",
        "Nothing: these are none of the lanes that are counted, and the way is named."},
       {"shoulder[|:left|:right|:both]",
@@ -172,6 +174,9 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
        "Whether there are sidewalks; separate: a line of its own is the sidewalk, column "
        "sidewalk_apart."},
       {"sidewalk[:left|:right|:both]:width", "The widths of the sidewalks."},
+      {"surface", "What the roadway is paved with, column paved."},
+      {"sidewalk[|:left|:right|:both]:surface",
+       "What the sidewalks are paved with, columns sidewalk_paved_left and _right."},
   };
   return uses;
 }
