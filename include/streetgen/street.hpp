@@ -179,6 +179,9 @@ struct SectionLimit {
   Line border_line;  // two points, from the left kerb to the right kerb of the edge's direction
   Method method = Method::hypothesis;
   double shared = 0;  // metres from here on that the section shares with a neighbour
+  // Metres along the edge that the border line's left end lies beyond the abscissa, and its right
+  // end before it.
+  double askew = 0;
 };
 
 struct Section {

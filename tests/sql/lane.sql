@@ -158,7 +158,7 @@ DO $$ BEGIN
   PERFORM streetgen.generate('crossed');
 END $$;
 SELECT 'an edge with crossed limits keeps its lanes', (SELECT count(*) = 2 AND bool_and(method = 'crossed_limits' AND ST_IsEmpty(l.surface)) FROM crossed.lane l JOIN crossed.edge USING (edge_id) WHERE axis_id = 2);
-SELECT 'they lie where the limits meet, in the direction of the axis', (SELECT bool_and(abs((ST_X(ST_StartPoint(l.geom)) + ST_X(ST_EndPoint(l.geom))) / 2 - 650100 - a.abscissa) < 1e-6 AND ST_X(ST_EndPoint(l.geom)) > ST_X(ST_StartPoint(l.geom)) AND ST_Length(l.geom) < 0.011
+SELECT 'they lie where the limits meet, in the direction of the axis', (SELECT bool_and(ST_Distance(l.geom, a.border_line) < 1e-6 AND ST_X(ST_EndPoint(l.geom)) > ST_X(ST_StartPoint(l.geom)) AND ST_Length(l.geom) < 0.011
         AND abs(x.start_abscissa - ST_X(ST_StartPoint(l.geom)) + 650100) < 1e-6 AND abs(x.end_abscissa - ST_X(ST_EndPoint(l.geom)) + 650100) < 1e-6)
     FROM crossed.lane l JOIN crossed.edge e USING (edge_id) JOIN crossed.lane_extent x USING (lane_id) JOIN crossed.section_limit a ON a.edge_id = e.edge_id AND a.which = 'start' WHERE e.axis_id = 2);
 SELECT 'they bear no paint', NOT EXISTS (SELECT FROM crossed.marking JOIN crossed.edge USING (edge_id) WHERE axis_id = 2) AND (SELECT bool_and(ST_IsEmpty(p.surface)) FROM crossed.lane_separator p JOIN crossed.edge USING (edge_id) WHERE axis_id = 2);

@@ -11,8 +11,9 @@ BEGIN
         JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
         JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
         -- A lane is a centimetre long where limits crossed.
-        CROSS JOIN LATERAL (SELECT CASE WHEN l.method = 'crossed_limits' THEN greatest(0, least((a.abscissa + b.abscissa
-            - 0.01) / 2, e.end_abscissa - e.start_abscissa - 0.01)) ELSE a.abscissa END AS at) f
+        CROSS JOIN LATERAL (SELECT e.end_abscissa - e.start_abscissa AS size) z
+        CROSS JOIN LATERAL (SELECT CASE WHEN l.method = 'crossed_limits' THEN greatest(0, least(size - 0.01, size
+            * ST_LineLocatePoint(e.geom, ST_StartPoint(l.geom)))) ELSE a.abscissa END AS at) f
         CROSS JOIN LATERAL (
             SELECT CASE WHEN l.method = 'crossed_limits' THEN f.at + 0.01 ELSE b.abscissa END AS at) t;
     EXECUTE streetgen._fill_template(streetgen._part('lane_adjacency'), jsonb_build_object('beside', streetgen._part(

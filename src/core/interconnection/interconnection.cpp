@@ -114,7 +114,10 @@ class InterconnectionBuilder {
   // The place on the axis of its edge where the lane ends.
   double end_abscissa(const Lane& lane, bool at_front) const {
     const LaneExtent reach = lane_extent(streets_, lane.edge);
-    return at_front ? reach.from : reach.to;
+    const Roadway& roadway = streets_.roadways[lane.edge];
+    const double half = (at_front ? roadway.width : roadway.width_end) / 2;
+    const double aside = (lane.axis_offset - roadway.roadway_offset) / half;
+    return (at_front ? reach.from : reach.to) + aside * streets_.limits[2 * lane.edge].askew;
   }
 
   // The direction of the lane in the point order of the axis.  The axis gives it, so that it does

@@ -41,10 +41,14 @@ LaneStrip strip_of(const Streets& streets, int e) {
     strip.merging = roadway.merging;
     return strip;
   }
-  strip.from_border =
-      border_line(strip.axis, strip.from, 2 * strip.half_at(strip.from), strip.roadway_offset);
-  strip.to_border =
-      border_line(strip.axis, strip.to, 2 * strip.half_at(strip.to), strip.roadway_offset);
+  const auto across = [&](double abscissa) {
+    const auto end = [&](int i, double at) {
+      return border_line(strip.axis, at, 2 * strip.half_at(at), strip.roadway_offset)[i];
+    };
+    return Line{end(0, abscissa + start.askew), end(1, abscissa - start.askew)};
+  };
+  strip.from_border = across(strip.from);
+  strip.to_border = across(strip.to);
   return strip;
 }
 

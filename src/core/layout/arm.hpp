@@ -18,12 +18,16 @@ struct Arm {
   Line line;              // starts at the node
   double half_start = 0;  // half widths, metres, linear along the line
   double half_end = 0;
-  double limit = 0;           // abscissa where the intersection ends
-  Line border{};              // at the limit: left and right kerb, seen from the node
+  double limit = 0;  // abscissa where the intersection ends
+  double askew = 0;  // metres that it ends farther out on the left kerb, and nearer on the right
+  double asked_left = 0, asked_right = 0;  // abscissas up to which the corners on each side reach
+  Line border{};                           // at the limit: left and right kerb, seen from the node
   double widest = 0;          // metres, of what a change of width adds within the section
   double roadway_offset = 0;  // metres from the line to the middle of the roadway, left positive
   std::vector<MergingStretch> merging{};  // seen from the node
 
+  // Where the intersection ends on the kerb of a side.
+  double limit_on(int side) const { return limit + side * askew; }
   // From the line to the kerb on one side, metres; +1: left, seen from the node, -1: right.
   double start_to(int side) const {
     return half_start + side * roadway_offset + merging_at(0, side);

@@ -332,8 +332,10 @@ std::optional<SolvedCorner> follow_corner(const Arm& a, const Arm& b, const Cour
 }
 
 void widen_limits(Arm& a, Arm& b, const SolvedCorner& corner) {
-  a.limit = std::max(a.limit, std::min(corner.limit_a, length(a.line)));
-  b.limit = std::max(b.limit, std::min(corner.limit_b, length(b.line)));
+  a.asked_left = std::min(corner.limit_a, length(a.line));
+  b.asked_right = std::min(corner.limit_b, length(b.line));
+  a.limit = std::max(a.limit, a.asked_left);
+  b.limit = std::max(b.limit, b.asked_right);
 }
 
 double kerb_clear_limit(const Arm& arm, double limit) {

@@ -55,9 +55,10 @@ void append_corner(Ring& ring, const CornerArc& corner) {
 // From the foot of an arc to a limit beyond it: the foot may lie on the round outside of a bend.
 KerbLine kerb_beyond(const Arm& arm, double foot_abscissa, const Point& foot, int side) {
   const double from = std::max(0.0, foot_abscissa);
-  const auto [start, end] = halves(arm, from, arm.limit, side);
-  KerbLine kerb = kerb_line(arm.line, from, arm.limit, start, end, side);
-  if (from == 0 || from > arm.limit - least_piece) return kerb;
+  const double limit = arm.limit_on(side);
+  const auto [start, end] = halves(arm, from, limit, side);
+  KerbLine kerb = kerb_line(arm.line, from, limit, start, end, side);
+  if (from == 0 || from > limit - least_piece) return kerb;
   const Point bend = planar(position_at(arm.line, from).point), first = kerb.line.front();
   if (distance(foot, first) <= same_place ||
       std::abs(distance(foot, bend) - distance(first, bend)) > same_place)
@@ -117,7 +118,8 @@ std::vector<Polygon> outside_of_streets(const std::vector<Arm>& arms,
 // From one arm through the node to the other, within their limits; straight where the bend between
 // needs more than that leaves.
 KerbLine tapering_kerb(const Arm& a, const Arm& b, const Taper& taper) {
-  const double start = std::min(taper.reach_a, a.limit), end = std::min(taper.reach_b, b.limit);
+  const double start = std::min(taper.reach_a, a.limit_on(+1)),
+               end = std::min(taper.reach_b, b.limit_on(-1));
   Line line = substring(a.line, start, 0);
   const Line on = substring(b.line, 0, end);
   line.insert(line.end(), on.begin() + 1, on.end());
@@ -129,10 +131,11 @@ KerbLine tapering_kerb(const Arm& a, const Arm& b, const Taper& taper) {
 
 // The kerb that tapers, and up to it those of the arms.
 void append_taper(Outline& outline, const Arm& a, const Arm& b, const Taper& taper) {
-  const bool along_a = taper.reach_a < a.limit, along_b = taper.reach_b < b.limit;
-  if (along_a) outline.follow(a, a.limit, taper.reach_a, +1, false, false);
+  const double limit_a = a.limit_on(+1), limit_b = b.limit_on(-1);
+  const bool along_a = taper.reach_a < limit_a, along_b = taper.reach_b < limit_b;
+  if (along_a) outline.follow(a, limit_a, taper.reach_a, +1, false, false);
   outline.follow(tapering_kerb(a, b, taper), along_a, along_b);
-  if (along_b) outline.follow(b, taper.reach_b, b.limit, -1, false, false);
+  if (along_b) outline.follow(b, taper.reach_b, limit_b, -1, false, false);
 }
 
 void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
@@ -142,10 +145,10 @@ void append_gap(Outline& outline, const Arm& a, const Arm& b, const Gap& gap) {
     return;
   }
   if (!gap.meets) {
-    outline.follow(a, a.limit, 0, +1, false, true);
+    outline.follow(a, a.limit_on(+1), 0, +1, false, true);
     if (rounds(a, b, gap))
       append_arc(outline.ring, node, kerb_at_node(a, +1), kerb_at_node(b, -1), true, join_quarter);
-    outline.follow(b, 0, b.limit, -1, true, false);
+    outline.follow(b, 0, b.limit_on(-1), -1, true, false);
     return;
   }
   const CornerArc& corner = gap.corner;

@@ -14,6 +14,9 @@ namespace streetgen {
 namespace {
 
 constexpr double least_section = 1e-3;  // metres between two limits that did not cross
+constexpr double most_askew = 1;        // metres along the street, for each of half its width
+constexpr double most_of_room = 0.9;    // of the room before a limit, that its border line takes
+constexpr double least_share = 0.1;  // of a kerb: a corner that asks for less asks for none of it
 
 // A limit by hand parts the edges of a straight junction again.
 void part_by_hand(Layout& layout, const LimitsByHand& by_hand) {
@@ -27,6 +30,8 @@ Line border_of(const Layout& layout, int e, bool at_start) {
   const Arm& arm = layout.arm({e, at_start});
   const Edge& edge = layout.streets.network.edges[e];
   const Junction& junction = layout.junctions[at_start ? edge.from_node : edge.to_node];
+  if (arm.askew != 0)
+    return {border_across(arm, arm.limit_on(+1))[0], border_across(arm, arm.limit_on(-1))[1]};
   if (!junction.straight || arm.limit > 0) return border_across(arm, arm.limit);
   const EdgeEnd& first = junction.ends[0];
   const Arm &a = layout.arm(first), &b = layout.arm(junction.ends[1]);
@@ -48,6 +53,26 @@ void settle_borders(Layout& layout, int e, bool crossed) {
     start.border = {end.border[1], end.border[0]};
 }
 
+// Where limits cross between two streets that come from opposite sides, each kerb is asked for by
+// the corner of one of them alone: the border line lies askew, and leaves both room to turn.  As
+// much as the street is wide is enough.
+double askew_between(const Arm& start, const Arm& end) {
+  const auto alone = [](double own, double other) { return own > 0 && other <= least_share * own; };
+  const bool to_left =
+      alone(start.asked_left, end.asked_right) && alone(end.asked_left, start.asked_right);
+  const bool to_right =
+      alone(start.asked_right, end.asked_left) && alone(end.asked_right, start.asked_left);
+  if (to_left == to_right) return 0;
+  const auto short_of = [&](const Arm& arm) {
+    return std::max(arm.asked_left, arm.asked_right) - arm.limit;
+  };
+  const double half = std::min(half_at(start, start.limit, +1), half_at(start, start.limit, -1));
+  const double room = std::min(start.limit, end.limit), enough = 2 * half;
+  const double most = std::max(0.0, std::min({most_askew * half, most_of_room * room, enough - room,
+                                              std::max(short_of(start), short_of(end))}));
+  return to_left ? most : -most;
+}
+
 void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
   Arm &start = layout.arms[2 * e], &end = layout.arms[2 * e + 1];
   const auto &put_start = by_hand[2 * e], &put_end = by_hand[2 * e + 1];
@@ -55,6 +80,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
   if (put_start) start.limit = *put_start;
   if (put_end) end.limit = *put_end;
   const double wanted_start = start.limit, wanted_end = end.limit;
+  start.askew = end.askew = 0;
   const bool crossed = start.limit + end.limit > total - least_section;
   const bool one_yields = crossed && put_start.has_value() != put_end.has_value();
   if (one_yields) {
@@ -63,6 +89,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
     const double sum = start.limit + end.limit;
     start.limit = sum > 0 ? total * (start.limit / sum) : total / 2;  // exact where one is 0
     end.limit = total - start.limit;
+    if (!put_start && !put_end) start.askew = end.askew = askew_between(start, end);
   } else {
     const auto clear = [](const Arm& arm, bool put) {
       return put || arm.limit <= 0 ? arm.limit : kerb_clear_limit(arm, arm.limit);
@@ -81,6 +108,7 @@ void settle_edge(Layout& layout, int e, const LimitsByHand& by_hand) {
     limit.at_start = at_start;
     limit.wanted_abscissa = at_start ? wanted_start : total - wanted_end;
     limit.abscissa = at_start ? start.limit : total - end.limit;
+    limit.askew = start.askew;
     limit.point = position_at(layout.streets.network.edges[e].line, limit.abscissa).point;
     const bool put = (at_start ? put_start : put_end).has_value();
     limit.method = crossed && !(one_yields && put) ? Method::crossed_limits
