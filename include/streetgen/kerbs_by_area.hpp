@@ -17,6 +17,9 @@ struct KerbsByArea {
 // Areas tell of kerbs no farther than this from the axis, metres.
 constexpr double area_reach = 25;
 
+// Areas no farther apart are one, metres.
+constexpr double area_touching = 0.1;
+
 // Metres beyond the kerbs that areas tell in which a street takes what it has of an area.
 constexpr double area_beyond_kerb = 6;
 

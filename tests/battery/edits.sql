@@ -109,7 +109,9 @@ BEGIN
         ST_AsEWKT(ST_Multi(ST_Expand(edits.place_beside(a.geom), edits.between(1, 25), edits.between(1, 25)))),
         edits.one_of('square', 'square', 'parking_area', 'walk', 'roadway'), edits.one_of('0', '0', '1'))];
     WHEN 'area of roadway' THEN
-      RETURN ARRAY[format('INSERT INTO edited.street_area (geom, kind, level) VALUES (%L, ''roadway'', %s)', ST_AsEWKT(
+      -- A width by hand stays.
+      RETURN ARRAY[format('UPDATE edited.axis SET width = NULL, width_end = NULL, roadway_offset = NULL WHERE axis_id = %s', a.axis_id),
+        format('INSERT INTO edited.street_area (geom, kind, level) VALUES (%L, ''roadway'', %s)', ST_AsEWKT(
           ST_Multi(ST_Buffer(ST_Translate(ST_Force2D(ST_LineSubstring(a.geom, edits.between(0, 0.4),
           edits.between(0.5, 1))), edits.between(-3, 3), edits.between(-3, 3)), edits.between(2, 9), 'endcap=flat'))),
         edits.one_of('0', '0', '0', '1'))];

@@ -94,9 +94,14 @@ UPDATE town.axis SET width = 4 WHERE axis_id = 3;
 SELECT 'a street with a width by hand keeps its ground in the junction', (SELECT bool_and(ST_Contains(r.ground, place))
   FROM (SELECT ST_Buffer(ST_Union(surface), 0.001) AS ground FROM town.roadway) r,
   ST_DumpPoints(pg_temp.shape('MULTIPOINT(98 6,102 6,98 7,102 7,98 12,102 12)')) p(path, place)) AND as_generated();
-SELECT 'nothing overlaps', overlap() = 0 AND (SELECT bool_and(ST_IsValid(surface)) FROM town.roadway);
 UPDATE town.axis SET width = NULL WHERE axis_id = 3;
 UPDATE town.street_area SET geom = pg_temp.box(-5, -3, 210, 6) WHERE street_area_id = 1;
+UPDATE town.street_area SET geom = pg_temp.box(96, 9, 104, 100) WHERE street_area_id = 2;
+SELECT 'and one whose area begins behind a walk goes on over it', (SELECT bool_and(ST_Contains(r.ground, place))
+  FROM (SELECT ST_Buffer(ST_Union(surface), 0.001) AS ground FROM town.roadway) r,
+  ST_DumpPoints(pg_temp.shape('MULTIPOINT(96 6,104 6,96 7,104 7,96 12,104 12)')) p(path, place)) AND as_generated();
+UPDATE town.street_area SET geom = pg_temp.box(96, 5, 104, 100) WHERE street_area_id = 2;
+SELECT 'nothing overlaps', overlap() = 0 AND (SELECT bool_and(ST_IsValid(surface)) FROM town.roadway);
 
 -- What is amiss is told.
 INSERT INTO town.street_area (street_area_id, geom, kind) VALUES (4, pg_temp.box(0, 50, 20, 60), 'roadway');

@@ -1,6 +1,7 @@
 #include "roadway/fit_to_area.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -21,11 +22,11 @@ namespace {
 
 constexpr double least_in_area = 0.01;  // metres along an axis in or out of an area
 
-// The ground along stretches of axes: those that have areas somewhat beyond their kerbs.
+// The ground along stretches of axes, of those that have areas also somewhat beyond their kerbs.
 struct Strips {
   std::vector<MultiPolygon> within;   // where axes lie in their areas
   std::vector<MultiPolygon> without;  // where they lie outside
-  std::vector<MultiPolygon> plain;    // of axes that have none
+  std::vector<MultiPolygon> plain;    // outside, between the kerbs; of axes without areas all
 };
 
 bool any_holds(const std::vector<MultiPolygon>& grounds, const Point& place) {
@@ -41,10 +42,15 @@ MultiPolygon strip(Geos& geos, Arm arm, double from, double to, double beyond) {
       .surface;
 }
 
-// The abscissas between two where a line comes into an area or leaves it, and these two.
-std::vector<double> borders_along(const Line& line, const MultiPolygon& area, double from,
-                                  double to) {
-  std::vector<double> borders{from};
+// A stretch of an axis, metres along it.
+struct AreaStretch {
+  double begin = 0, end = 0;
+  bool within = false;  // in the area of the axis
+};
+
+// The abscissas where a line comes into an area or leaves it, and its end.
+std::vector<double> borders_along(const Line& line, const MultiPolygon& area) {
+  std::vector<double> borders;
   double abscissa = 0;
   for (std::size_t k = 1; k < line.size(); ++k) {
     const Box box = box_of(line[k - 1], line[k]);
@@ -57,34 +63,44 @@ std::vector<double> borders_along(const Line& line, const MultiPolygon& area, do
         }
     abscissa += distance(line[k - 1], line[k]);
   }
-  borders.push_back(to);
-  borders.erase(std::remove_if(borders.begin(), borders.end(),
-                               [&](double at) { return at < from || at > to; }),
-                borders.end());
+  borders.push_back(abscissa);
   std::sort(borders.begin(), borders.end());
   return borders;
 }
 
-// Those along an arm, between two abscissas.
+// What lies between areas that touch is no stretch of its own.
+std::vector<AreaStretch> stretches_of(const Line& line, const MultiPolygon& area) {
+  std::vector<AreaStretch> stretches;
+  double begin = 0;
+  for (const double end : borders_along(line, area)) {
+    const bool within = inside(planar(position_at(line, (begin + end) / 2).point), area);
+    if (!stretches.empty() && (end - begin < area_touching || stretches.back().within == within))
+      stretches.back().end = end;
+    else
+      stretches.push_back({begin, end, within});
+    begin = end;
+  }
+  return stretches;
+}
+
+// Those along an arm, between two abscissas. An area may end askew, so what the axis has outside
+// goes on for half of its width.
 void append_strips(Geos& geos, const Arm& arm, const MultiPolygon& area, double from, double to,
                    Strips& strips) {
-  if (to - from < least_in_area) return;
-  if (area.empty()) {
-    strips.plain.push_back(strip(geos, arm, from, to, 0));
-    return;
-  }
-  const std::vector<double> borders = borders_along(arm.line, area, from, to);
-  double begin = from;
-  for (std::size_t i = 1; i < borders.size(); ++i) {
-    const auto within = [&](std::size_t k) {
-      return inside(planar(position_at(arm.line, (borders[k - 1] + borders[k]) / 2).point), area);
-    };
-    const bool last = i + 1 == borders.size();
-    if (!last && within(i) == within(i + 1)) continue;
-    if (borders[i] - begin < least_in_area && !last) continue;
-    (within(i) ? strips.within : strips.without)
-        .push_back(strip(geos, arm, begin, borders[i], area_beyond_kerb));
-    begin = borders[i];
+  const auto add = [&](std::vector<MultiPolygon>& some, double begin, double end, double beyond) {
+    begin = std::max(begin, from);
+    end = std::min(end, to);
+    if (end - begin >= least_in_area) some.push_back(strip(geos, arm, begin, end, beyond));
+  };
+  if (area.empty()) return add(strips.plain, from, to, 0);
+  const double half = std::max(arm.half_start, arm.half_end);
+  for (const auto& [begin, end, within] : stretches_of(arm.line, area)) {
+    if (within) {
+      add(strips.within, begin, end, area_beyond_kerb);
+      continue;
+    }
+    add(strips.without, begin, end, area_beyond_kerb);
+    add(strips.plain, begin - half, end + half, 0);
   }
 }
 
@@ -141,13 +157,25 @@ class Fit {
     const bool beside = any_holds(strips_.within, place);
     if (own && (any_holds(strips_.plain, place) || (!beside && any_holds(strips_.without, place))))
       return true;
-    return inside_area(place) && (own || (beside && !any_holds(others_, place)));
+    if (inside_area(place)) return own || (beside && !any_holds(others_, place));
+    return own && between_areas(place);
   }
 
-  // Areas of one place may overlap.
+  // Axes that meet have parts of their areas in common.
   bool inside_area(const Point& place) const {
     return std::any_of(area_.begin(), area_.end(),
                        [&](const Polygon& polygon) { return inside(place, polygon); });
+  }
+
+  // Whether areas that touch lie on both sides.
+  bool between_areas(const Point& place) const {
+    constexpr int directions = 4;
+    for (int k = 0; k < directions; ++k) {
+      const double angle = M_PI * k / directions;
+      const Point across = Point{std::cos(angle), std::sin(angle)} * (area_touching / 2);
+      if (inside_area(place + across) && inside_area(place - across)) return true;
+    }
+    return false;
   }
 
   const MultiPolygon& ground_;

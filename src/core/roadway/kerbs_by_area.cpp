@@ -13,7 +13,6 @@ namespace streetgen {
 namespace {
 
 constexpr double step = 1;           // metres along the axis from one look to the next
-constexpr double touching = 0.1;     // metres between areas that are one
 constexpr double least_known = 20;   // metres of an axis within areas, or
 constexpr double least_share = 0.3;  // this share of a shorter one
 constexpr double least_width = 1;    // metres
@@ -43,7 +42,7 @@ std::optional<Stretch> about_place(std::vector<Stretch> within) {
   std::sort(within.begin(), within.end());
   for (auto next = within.begin(); next != within.end();) {
     Stretch one = *next;
-    while (++next != within.end() && next->first <= one.second + touching)
+    while (++next != within.end() && next->first <= one.second + area_touching)
       one.second = std::max(one.second, next->second);
     if (one.first < 0 && one.second > 0) return one;
   }

@@ -71,6 +71,24 @@ TEST(FitToArea, WhereAnAreaEndsTheStreetGoesOn) {
   EXPECT_TRUE(holds(town, {-99, -3.5}));
 }
 
+TEST(FitToArea, WhatLiesBetweenAnAreaAndTheNextKeepsTheKerbsOfTheAxis) {
+  // The axis from the north leaves its area before it comes to the other street, askew.
+  const MultiPolygon askew{{{{-3, 9}, {3, 7}, {3, 100}, {-3, 100}, {-3, 9}}}};
+  const Streets town = streets(tee(box(-100, -5, 100, 4), askew), {});
+  for (const double north : {4.1, 6.0, 7.5, 8.9, 12.0}) {
+    EXPECT_TRUE(holds(town, {2.9, north})) << north;
+    EXPECT_TRUE(holds(town, {-2.9, north})) << north;
+  }
+}
+
+TEST(FitToArea, AreasThatTouchLeaveNoSlit) {
+  MultiPolygon areas = box(-100, -5, 30, 7);
+  areas.push_back(box(30.02, -5, 100, 7)[0]);
+  const Streets town = streets(tee(areas, {}), {});
+  EXPECT_TRUE(holds(town, {30.01, 3}));
+  EXPECT_TRUE(holds(town, {30.01, -3}));
+}
+
 TEST(FitToArea, GroundThatLeadsAwayIsTakenForSixMetres) {
   const Streets town = streets(tee(united({box(-100, -4, 100, 4), box(50, -50, 60, -4)}), {}), {});
   EXPECT_TRUE(holds(town, {55, -9.9}));
