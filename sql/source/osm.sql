@@ -196,8 +196,10 @@ BEGIN
         IN ('yes', 'true', '1', '-1', 'reverse', 'no', 'false', '0'), false) AS stated) way,
     LATERAL (SELECT coalesce(tags ->> 'sidewalk:left', tags ->> 'sidewalk:both') AS walk_left,
         coalesce(tags ->> 'sidewalk:right', tags ->> 'sidewalk:both') AS walk_right,
-        coalesce(tags ->> 'sidewalk:left:width', tags ->> 'sidewalk:both:width') AS said_walk_left,
-        coalesce(tags ->> 'sidewalk:right:width', tags ->> 'sidewalk:both:width') AS said_walk_right) walk,
+        coalesce(tags ->> 'sidewalk:left:width', tags ->> 'sidewalk:both:width', tags ->> 'sidewalk:width')
+            AS said_walk_left,
+        coalesce(tags ->> 'sidewalk:right:width', tags ->> 'sidewalk:both:width', tags ->> 'sidewalk:width')
+            AS said_walk_right) walk,
     LATERAL (SELECT coalesce(walk_left, tags ->> 'sidewalk') = 'separate' AS apart_left,
         coalesce(walk_right, tags ->> 'sidewalk') = 'separate' AS apart_right) apart;
 END $$;

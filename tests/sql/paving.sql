@@ -32,10 +32,11 @@ SELECT 'CityJSON says the material', count(*) FILTER (WHERE line ~ '"surfaceMate
 -- Tags of OpenStreetMap.
 CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry(LineString, 2154));
 INSERT INTO osm_line SELECT n, 'residential', 'street ' || n, NULL, tags::jsonb, 2, pg_temp.line(format('LINESTRING(0 %s,100 %1$s)', 1000 + 100 * n)) FROM (VALUES (1, '{"surface": "asphalt", "sidewalk": "both", "sidewalk:both:surface": "paving_stones"}'),
-  (2, '{"surface": "sett", "sidewalk:left:surface": "concrete", "cycleway:right": "lane", "cycleway:right:surface": "asphalt"}'), (3, '{"sidewalk:surface": "sett", "sidewalk:right:surface": "gravel", "cycleway:surface": "paving_stones"}'), (4, '{}')) v(n, tags);
+  (2, '{"surface": "sett", "sidewalk:left:surface": "concrete", "cycleway:right": "lane", "cycleway:right:surface": "asphalt"}'), (3, '{"sidewalk:width": "2.5", "sidewalk:right:width": "4", "sidewalk:surface": "sett", "sidewalk:right:surface": "gravel", "cycleway:surface": "paving_stones"}'), (4, '{}')) v(n, tags);
 CREATE TABLE told AS SELECT * FROM streetgen.import_osm('town');
 SELECT 'tags of surfaces are columns', array_agg(concat_ws(' ', source_ref, paved, '|', sidewalk_paved_left, sidewalk_paved_right, '|', cycle_paved_left, cycle_paved_right) ORDER BY source_ref)
   = '{"1 asphalt | paving_stones paving_stones |","2 sett | concrete | asphalt","3 | sett gravel | paving_stones paving_stones","4 | |"}' FROM town.axis WHERE source IS NOT NULL;
+SELECT 'a width of sidewalks that names no side is that of both', (sidewalk_left, sidewalk_right) = (2.5, 4) FROM town.axis WHERE source_ref = '3';
 SELECT 'none is named as unread', NOT EXISTS (SELECT FROM told WHERE what ~ 'surface|understood') AND NOT EXISTS (SELECT FROM town.unread_tag WHERE tag ~ 'surface');
 UPDATE osm_line SET tags = tags || '{"surface": "concrete"}' WHERE way_id = 4;
 SELECT FROM streetgen.import_osm('town') \g /dev/null

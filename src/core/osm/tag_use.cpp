@@ -173,7 +173,7 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
       {"sidewalk[|:left|:right|:both]",
        "Whether there are sidewalks; separate: a line of its own is the sidewalk, column "
        "sidewalk_apart."},
-      {"sidewalk[:left|:right|:both]:width", "The widths of the sidewalks."},
+      {"sidewalk[|:left|:right|:both]:width", "The widths of the sidewalks."},
       {"surface", "What the roadway is paved with, column paved."},
       {"sidewalk[|:left|:right|:both]:surface",
        "What the sidewalks are paved with, columns sidewalk_paved_left and _right."},
