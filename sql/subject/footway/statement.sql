@@ -88,17 +88,17 @@ mapped_sidewalk AS MATERIALIZED (
                 / sum(p.metres ORDER BY m.footway, m.start_abscissa) AS middle,
                 min(least(m.distance, (SELECT min(d) FROM unnest(m.distances) d))) AS nearest,
                 sum(p.metres ORDER BY m.footway, m.start_abscissa) AS metres
-            FROM (SELECT max(value::float8) FILTER (WHERE name = 'mapped_sidewalk_minimal') AS least_width,
-                    max(value::float8) FILTER (WHERE name = 'mapped_sidewalk_distance') AS distance
-                FROM setting WHERE name IN ('mapped_sidewalk_minimal', 'mapped_sidewalk_distance')) r,
+            -- Each setting is looked up once for all axes.
+            FROM (SELECT (SELECT value::float8 FROM setting WHERE name = 'mapped_sidewalk_minimal') AS least_width,
+                    (SELECT value::float8 FROM setting WHERE name = 'mapped_sidewalk_distance') AS distance) r,
                 LATERAL (SELECT array_agg(ST_Force2D(f.geom)::bytea ORDER BY footway_id) AS lines,
                     array_agg(f.level ORDER BY footway_id) AS levels,
                     array_agg(f.role IS NULL ORDER BY footway_id) AS only_apart,
                     bool_or(ST_DWithin(f.geom, a.geom, width_guess / 2 + abs(coalesce(roadway_offset, 0))
                         + r.least_width / 2)) AS within
-                FROM footway f LEFT JOIN axis_class c ON c.class = f.kind
+                FROM footway f
                 WHERE (f.role = 'sidewalk' OR f.role IS NULL AND sidewalk_apart IS NOT NULL
-                        AND coalesce(c.use = 'walk', true))
+                        AND coalesce((SELECT use = 'walk' FROM axis_class WHERE class = f.kind), true))
                     AND f.geom && ST_Expand(a.geom, width_guess / 2 + abs(coalesce(roadway_offset, 0))
                         + r.least_width / 2)) f,
                 LATERAL streetgen._sidewalk_sources(ARRAY[ST_Force2D(a.geom)::bytea], ARRAY[a.level], f.lines,
