@@ -123,7 +123,7 @@ CREATE OR REPLACE FUNCTION streetgen._ends_off_ground(model name, node bigint) R
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN (SELECT count(DISTINCT streetgen._off_ground(level, geom)) > 1 FROM edge
-        WHERE node IN (from_node, to_node));
+        WHERE from_node = node OR to_node = node);
 END $$;
 COMMENT ON FUNCTION streetgen._ends_off_ground(name, bigint) IS
     'Does a bridge or a tunnel end at a node, since an edge there is none?';

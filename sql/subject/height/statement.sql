@@ -6,11 +6,15 @@ bridge_edge AS MATERIALIZED (
     WHERE streetgen._off_ground(level, geom) <> 0),
 -- Where a bridge meets what is none, it ends.
 bridge_end AS MATERIALIZED (
-    SELECT node_id FROM (SELECT from_node AS node_id FROM bridge_edge UNION SELECT to_node FROM bridge_edge) n,
-        LATERAL (SELECT edge_id, level, geom FROM new_edge WHERE node_id IN (from_node, to_node)
-            UNION ALL SELECT edge_id, level, geom FROM {model}.edge WHERE node_id IN (from_node, to_node)
-                AND edge_id NOT IN (SELECT edge_id FROM new_edge)
-                AND edge_id NOT IN (SELECT edge_id FROM old_edge WHERE written)) e
+    WITH place AS MATERIALIZED (SELECT from_node AS node_id FROM bridge_edge UNION SELECT to_node FROM bridge_edge),
+    beside AS (SELECT p.node_id, e.edge_id, e.level, e.geom FROM place p, LATERAL (
+        SELECT edge_id, level, geom FROM {model}.edge WHERE from_node = p.node_id
+        UNION ALL SELECT edge_id, level, geom FROM {model}.edge WHERE to_node = p.node_id) e)
+    SELECT node_id FROM (
+        SELECT from_node AS node_id, level, geom FROM new_edge JOIN place ON node_id = from_node
+        UNION ALL SELECT to_node, level, geom FROM new_edge JOIN place ON node_id = to_node
+        UNION ALL SELECT node_id, level, geom FROM beside WHERE edge_id NOT IN (SELECT edge_id FROM new_edge)
+            AND edge_id NOT IN (SELECT edge_id FROM old_edge WHERE written)) e
     GROUP BY node_id HAVING count(DISTINCT streetgen._off_ground(level, geom)) > 1),
 profile_edges AS MATERIALIZED (
     SELECT coalesce(array_agg(ROW (e.edge_id, e.from_node, e.to_node,
