@@ -93,6 +93,23 @@ SELECT 'it stays up between the two', pg_temp.over_ground(2, 30, 50) >= 6 - 0.02
 DO $$ BEGIN PERFORM streetgen.set('river', 'plateau', '0'), streetgen.set('river', 'bridge_rise', '0'); PERFORM streetgen.generate('river'); END $$;
 SELECT 'settings take both back', pg_temp.over_ground(2, 30, 50) < 5.9;
 
+-- A bridge that begins with a short piece, without heights, or with heights that nobody knows.
+SELECT streetgen.create_model('pieces', 2154, 3, subjects => '{height}') \g /dev/null
+INSERT INTO pieces.axis (axis_id, geom, width, level, speed)
+    SELECT axis_id, ST_SetSRID(ST_Force3DZ(geom::geometry, CASE axis_id WHEN 3 THEN -9999 ELSE 0 END), 2154), 7,
+    level, 50
+    FROM (VALUES (1, 'LINESTRING(650000 6860000, 650200 6860000)', 0),
+        (2, 'LINESTRING(650200 6860000, 650204 6860000)', 1),
+        (3, 'LINESTRING(650204 6860000, 650264 6860000)', 1), (4, 'LINESTRING(650264 6860000, 650464 6860000)', 0))
+        v(axis_id, geom, level);
+SELECT 'a bridge whose heights nobody knows is clear of the ground',
+    min(pg_temp.height('pieces', edge_id, at)) >= 0.5 - 1e-6 FROM pieces.edge, generate_series(6, 50) at WHERE axis_id = 3;
+SELECT 'nothing is told of its first ten metres, of two pieces', count(*) = 0 FROM streetgen.check_model('pieces')
+    WHERE rule ~ '^(bridge or tunnel|level crossing)';
+DO $$ BEGIN PERFORM streetgen.set('pieces', 'bridge_rise', '0'), streetgen.generate('pieces'); END $$;
+SELECT 'where bridges need not rise none is told', count(*) = 0 FROM streetgen.check_model('pieces')
+    WHERE rule ~ '^(bridge or tunnel|level crossing)';
+
 -- By hand: the road lies at least so high at a place.
 INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650750 6860002)', 4);
 SELECT 'a height drawn lies on the nearest axis', (SELECT array_agg((axis_id, round(abscissa), height)::text) FROM town.height_override) = '{"(6,150,4)"}';

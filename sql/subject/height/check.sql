@@ -32,20 +32,23 @@ BEGIN
             AND o.abscissa BETWEEN e.start_abscissa AND e.end_abscissa)
     UNION ALL
     SELECT 'notice', 'level crossing of water', 'edge', e.edge_id, NULL::float8, p.geom
-        FROM edge e JOIN profile p USING (edge_id)
+        FROM edge e JOIN profile p USING (edge_id), setting s
         WHERE streetgen._off_ground(e.level, e.geom) = 1 AND p.method = 'ground'
+            AND s.name = 'bridge_rise' AND s.value::float8 > 0
     UNION ALL
     SELECT 'warning', 'bridge or tunnel too near to the ground, m', 'edge', b.edge_id, min(rise), b.geom
-        FROM (SELECT e.edge_id, p.geom, off_ground, ST_Length2D(e.geom) AS metres,
+        FROM (SELECT e.edge_id, e.geom AS line, p.geom, off_ground, ST_Length2D(e.geom) AS metres,
                 streetgen._ground_of(model, e.geom, f.geom, t.geom) AS ground,
-                CASE WHEN streetgen._ends_off_ground(model, e.from_node) THEN 10 ELSE 0 END AS free_from,
-                CASE WHEN streetgen._ends_off_ground(model, e.to_node) THEN 10 ELSE 0 END AS free_to
+                -- A bridge of several pieces ends at some of their nodes.
+                (SELECT ST_Collect(ST_Force2D(n.geom)) FROM node n WHERE ST_DWithin(n.geom, e.geom, 10)
+                    AND streetgen._ends_off_ground(model, n.node_id)) AS ends
             FROM edge e JOIN profile p USING (edge_id) JOIN node f ON f.node_id = e.from_node
                 JOIN node t ON t.node_id = e.to_node, streetgen._off_ground(e.level, e.geom) off_ground
             WHERE off_ground <> 0 AND p.method <> 'ground' OFFSET 0) b,
-            generate_series(ceil(free_from)::integer, floor(metres - free_to)::integer) at,
+            generate_series(0, floor(metres)::integer) at,
             LATERAL (SELECT off_ground * (streetgen._height_along(b.geom, at) - coalesce(streetgen._height_along(
                 ST_Force3D(ground), at), 0)) AS rise) r
+        WHERE coalesce(ST_Distance(ends, ST_LineInterpolatePoint(line, least(1, at / metres))) >= 10, true)
         GROUP BY b.edge_id, b.geom
         HAVING min(rise) < (SELECT value::float8 FROM setting WHERE name = 'bridge_rise') - 0.01
     LOOP

@@ -112,7 +112,8 @@ COMMENT ON FUNCTION streetgen._ground_of(name, geometry, geometry, geometry) IS
 
 CREATE OR REPLACE FUNCTION streetgen._off_ground(level integer, line geometry) RETURNS integer
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT CASE WHEN level = 0 OR ST_NDims(line) = 3 AND (ST_ZMin(line) <> 0 OR ST_ZMax(line) <> 0) THEN 0
+    AS $$ SELECT CASE WHEN level = 0 OR ST_NDims(line) = 3 AND (streetgen._known_height(ST_ZMin(line)) <> 0
+            OR streetgen._known_height(ST_ZMax(line)) <> 0) IS TRUE THEN 0
         ELSE sign(level)::integer END $$;
 COMMENT ON FUNCTION streetgen._off_ground(integer, geometry) IS
     'Where an edge lies by its level alone: 1, a bridge without heights of its own, -1, such a tunnel; 0: neither.';
