@@ -104,7 +104,7 @@ BEGIN
     RETURN format('CASE WHEN %s THEN %s - %s ELSE %3$s END', backwards, format(asks, kind, id, 'length'), plain);
   ELSIF col ~ '^(which|end_a|end_b)$' THEN
     RETURN format('CASE WHEN %s THEN test.exchanged(%s, ''start'', ''end'') ELSE %2$s END', backwards, plain);
-  ELSIF col IN ('sidewalk_left', 'sidewalk_right', 'leftwards', 'rightwards') THEN
+  ELSIF col IN ('leftwards', 'rightwards') OR col ~ '_(left|right)$' AND test.exchanged(col, 'left', 'right')::name = ANY (columns) THEN
     RETURN format('CASE WHEN %s THEN t.%s ELSE %s END', flipped, test.exchanged(col, 'left', 'right'), plain);
   ELSIF col = 'side' OR relation = 'transition_override' AND col = 'kind' THEN
     RETURN format('CASE WHEN %s THEN test.exchanged(%s, ''left'', ''right'') ELSE %2$s END', CASE WHEN relation = 'ramp' OR relation = 'placement_rule' THEN m.mirrored::text ELSE flipped END, plain);
