@@ -86,6 +86,10 @@ SELECT 'or an island, whose kerb is one', kerbs() = '-3 3 6' AND beside_area() =
 UPDATE town.street_area SET geom = ST_Multi(ST_Union(pg_temp.box(-5, -3, 210, 6), pg_temp.box(40, 6, 60, 40)))
   WHERE street_area_id = 1;
 SELECT 'and 6 m of ground that leads away', kerbs() = '-3 12' AND as_generated();
+UPDATE town.street_area SET geom = pg_temp.box(-5000, -3, 5210, 6) WHERE street_area_id = 1;
+SELECT 'a street takes no more of an area that leads far away', kerbs() = '-3 6' AND beside_area() = 0
+  AND as_generated() AND (SELECT bool_and(ST_Within(u.area, ST_Expand(a.geom, 32.01)))
+  FROM town.axis_used u JOIN town.axis a USING (axis_id));
 UPDATE town.street_area SET geom = pg_temp.box(30, -3, 210, 6) WHERE street_area_id = 1;
 SELECT 'where the area ends the street goes on', (SELECT ST_Contains(ST_Buffer(surface, 0.001), pg_temp.box(0, -3, 90,
   6)) AND NOT ST_Intersects(surface, pg_temp.box(0, 6.1, 90, 9)) FROM town.section JOIN town.edge USING (edge_id)

@@ -103,7 +103,8 @@ INSERT INTO pieces.axis (axis_id, geom, width, level, speed)
         (3, 'LINESTRING(650204 6860000, 650264 6860000)', 1), (4, 'LINESTRING(650264 6860000, 650464 6860000)', 0))
         v(axis_id, geom, level);
 SELECT 'a bridge whose heights nobody knows is clear of the ground',
-    min(pg_temp.height('pieces', edge_id, at)) >= 0.5 - 1e-6 FROM pieces.edge, generate_series(6, 50) at WHERE axis_id = 3;
+    min(pg_temp.height('pieces', edge_id, at)) >= 0.5 - 1e-6
+    FROM pieces.edge, generate_series(6, 50) at WHERE axis_id = 3;
 SELECT 'nothing is told of its first ten metres, of two pieces', count(*) = 0 FROM streetgen.check_model('pieces')
     WHERE rule ~ '^(bridge or tunnel|level crossing)';
 DO $$ BEGIN PERFORM streetgen.set('pieces', 'bridge_rise', '0'), streetgen.generate('pieces'); END $$;

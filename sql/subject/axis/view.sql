@@ -74,7 +74,7 @@ BEGIN
         'metres that an estimated width is less since its kerbs give way to what is mapped beside the street; 0: they '
         'lie as estimated';
     COMMENT ON COLUMN axis_used.area IS
-        'these areas (MULTIPOLYGON, parts may overlap), at whose border its surfaces end; NULL: there are none';
+        'these areas about it (MULTIPOLYGON, parts may overlap), at whose border its surfaces end; NULL: none';
 END $$;
 COMMENT ON FUNCTION streetgen._make_axis_views(name) IS
     'Makes the views setting_used and axis_used of a model, again and again.';

@@ -10,13 +10,13 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     IF 'footway' = ANY (streetgen._subjects(model)) THEN
-        -- GeoJSON rounds. A kerb that gave way lies half of the least width before a footway.
+        -- GeoJSON rounds, and is read once. A kerb that gave way lies half of the least width before a footway.
         SELECT max(CASE name WHEN 'mapped_sidewalk_minimal' THEN value::float8 / 2 ELSE value::float8 END) + 0.01
             INTO reach FROM setting WHERE name IN ('mapped_sidewalk_distance', 'mapped_sidewalk_minimal');
         SELECT ARRAY(SELECT DISTINCT e.axis_id FROM (SELECT max(greatest(width, width_end) / 2
                     + abs(roadway_offset)) AS half FROM edge) widest, unnest(footways) f,
             LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom FROM streetgen.model m
-                WHERE m.name = model) l,
+                WHERE m.name = model OFFSET 0) l,
             LATERAL (SELECT * FROM edge e WHERE e.geom && ST_Expand(l.geom, reach + widest.half) OFFSET 0) e
             -- One that leads over a street maps no sidewalk, and makes a crossing.
             WHERE (f ->> 'role' IS DISTINCT FROM 'crossing' OR crossed AND ST_DWithin(e.geom, l.geom, 2))
@@ -36,7 +36,7 @@ BEGIN
     IF '{footway,object}' <@ streetgen._subjects(model) THEN
         RETURN ARRAY(SELECT DISTINCT o.axis_id FROM unnest(kerbs) k, LATERAL (
                 SELECT ST_SetSRID(ST_GeomFromGeoJSON(k ->> 'geom'), m.srid) AS geom FROM streetgen.model m
-                WHERE m.name = model) l,
+                WHERE m.name = model OFFSET 0) l,
             LATERAL (SELECT street_object_id FROM pedestrian_crossing c WHERE c.surface && ST_Expand(l.geom, 7)
                 AND ST_DWithin(c.surface, l.geom, 7) OFFSET 0) c JOIN street_object o USING (street_object_id)
         WHERE o.method = 'relative');

@@ -77,9 +77,13 @@ CASE WHEN (SELECT 'roadway' = ANY (string_to_array(value, ',')) FROM setting WHE
         AND NOT ((width_by_hand OR source IS NULL) AND num_nonnulls(width, width_end, roadway_offset) > 0)
     THEN (SELECT streetgen._kerbs_by_area(ST_Force2D(a.geom)::bytea,
             array_agg(s.geom::bytea ORDER BY s.street_area_id))
-        FROM street_area s WHERE s.kind = 'roadway' AND s.level = a.level AND s.geom && ST_Expand(a.geom, 32)) END
+        FROM {areas_beside}) END
 
 --{area_used
 CASE WHEN surveyed IS NOT NULL
     THEN (SELECT ST_Multi(ST_CollectionExtract(ST_Collect(ST_MakeValid(s.geom) ORDER BY s.street_area_id), 3))
-        FROM street_area s WHERE s.kind = 'roadway' AND s.level = a.level AND s.geom && ST_Expand(a.geom, 32)) END
+        FROM {areas_beside}) END
+
+--{areas_beside
+(SELECT street_area_id, streetgen._area_beside(geom, a.geom) AS geom FROM street_area
+    WHERE kind = 'roadway' AND level = a.level AND geom && ST_Expand(a.geom, 32)) s WHERE NOT ST_IsEmpty(s.geom)
