@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "streetgen/lane.hpp"
 
 namespace streetgen {
@@ -62,7 +63,8 @@ std::optional<Stretch> on_way(const MultiPolygon& ground, const Way& way, double
       for (const Line& line : lanes)
         for (std::size_t k = 1; k < line.size(); ++k)
           if (const auto met = crossing(ring[i - 1], ring[i], line[k - 1], line[k])) take(*met);
-      if (comes_within(ring[i], middle, width / 2)) take(ring[i]);
+      // A corner at the kerb lies on the border of the lane.
+      if (comes_within(ring[i], middle, width / 2 + same_place)) take(ring[i]);
     }
   }
   return found;
