@@ -13,8 +13,7 @@ namespace streetgen {
 namespace {
 
 constexpr double step = 1;           // metres along the axis from one look to the next
-constexpr double least_known = 20;   // metres of an axis within areas, or
-constexpr double least_share = 0.3;  // this share of a shorter one
+constexpr double least_share = 0.3;  // of an axis, within areas
 constexpr double least_width = 1;    // metres
 
 using Stretch = std::pair<double, double>;
@@ -73,8 +72,7 @@ std::optional<KerbsByArea> kerbs_by_area(const Line& axis, const std::vector<Mul
     left.push_back(about->second);
     right.push_back(-about->first);
   }
-  if (left.empty() || total * left.size() / looks < std::min(least_known, least_share * total))
-    return std::nullopt;
+  if (left.empty() || left.size() < least_share * looks) return std::nullopt;
   double to_left = middle_of(left), to_right = middle_of(right);
   const double near = std::min(to_left, to_right), far = 2 * near + 2;
   if (near == infinite || 2 * near < least_width) return std::nullopt;

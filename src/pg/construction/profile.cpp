@@ -133,7 +133,8 @@ STREETGEN_FUNCTION(streetgen_profiles) {
   Slot<std::vector<Written>>* slot = make_slot<std::vector<Written>>(CurrentMemoryContext);
   report(compute([&] {
     slot->value = new std::vector<Written>;
-    for (const Profile& profile : profiles(edges_of(call), lifts_of(call), heights_of(call), rules_of(call)).edges)
+    for (const Profile& profile :
+         profiles(edges_of(call), lifts_of(call), heights_of(call), rules_of(call)).edges)
       slot->value->push_back({write_line(profile.line, {call.srid, true}), profile.grade,
                               profile_method_name(profile.method), profile.tied_from,
                               profile.tied_to});

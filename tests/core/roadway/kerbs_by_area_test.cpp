@@ -45,8 +45,8 @@ TEST(KerbsByArea, OneSideTellsBothWhereTheOtherIsTooFar) {
 TEST(KerbsByArea, AreNoneWhereAreasDoNotTell) {
   EXPECT_FALSE(kerbs_by_area(axis, {}));
   EXPECT_FALSE(kerbs_by_area(axis, {box(0, 1, 100, 5)}));  // beside the axis
-  EXPECT_FALSE(kerbs_by_area(axis, {box(0, -3, 19, 3)}));  // along less than 20 m
-  EXPECT_TRUE(kerbs_by_area(axis, {box(0, -3, 21, 3)}));
+  EXPECT_FALSE(kerbs_by_area(axis, {box(0, -3, 29, 3)}));  // along less than 0.3 of it
+  EXPECT_TRUE(kerbs_by_area(axis, {box(0, -3, 31, 3)}));
   EXPECT_FALSE(kerbs_by_area(axis, {box(0, -99, 100, 99)}));    // no border
   EXPECT_FALSE(kerbs_by_area(axis, {box(0, -0.2, 100, 0.2)}));  // no street
   EXPECT_FALSE(kerbs_by_area({{0, 0}, {20, 0}}, {box(0, -3, 5, 3)}));
