@@ -29,6 +29,14 @@ UPDATE town.axis SET paved = 'asphalt' WHERE axis_id = 23;
 SELECT 'else as any other', pg_temp.junction() = '';
 SELECT 'a picture has the colour of stones', streetgen.svg('town') ~ '#8b8079';
 SELECT 'CityJSON says the material', count(*) FILTER (WHERE line ~ '"surfaceMaterial":"sett"') = 2 AND count(*) FILTER (WHERE line ~ '"surfaceMaterial":"paving_stones"') = 0 FROM streetgen.export_cityjson('town');
+-- Files ask from any search path.
+CREATE FUNCTION pg_temp.exported(layer text) RETURNS jsonb LANGUAGE plpgsql SET search_path = public AS $$
+DECLARE rows jsonb; BEGIN
+  EXECUTE format('SELECT coalesce(jsonb_agg(to_jsonb(l)), ''[]'') FROM (%s) l', (SELECT query FROM streetgen.export_layer('town') e WHERE e.layer = $1)) INTO rows;
+  RETURN rows;
+END $$;
+SELECT 'every layer of files can be asked for', bool_and(jsonb_typeof(pg_temp.exported(layer)) = 'array') FROM streetgen.export_layer('town');
+SELECT 'roads and sidewalks say what they are paved with', pg_temp.exported('roads') @? '$[*] ? (@.paved == "sett")' AND pg_temp.exported('sidewalks') @? '$[*] ? (@.paved == "paving_stones")';
 -- Tags of OpenStreetMap.
 CREATE TABLE osm_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry(LineString, 2154));
 INSERT INTO osm_line SELECT n, 'residential', 'street ' || n, NULL, tags::jsonb, 2, pg_temp.line(format('LINESTRING(0 %s,100 %1$s)', 1000 + 100 * n)) FROM (VALUES (1, '{"surface": "asphalt", "sidewalk": "both", "sidewalk:both:surface": "paving_stones"}'),

@@ -66,18 +66,20 @@ CREATE OR REPLACE FUNCTION streetgen._height_summary()
     (SELECT 'profiles, ' || method, count(*), NULL FROM %1$I.profile GROUP BY method ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._height_summary() IS 'What streetgen.summary counts of heights.';
 
-INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
     ('clearance not kept, m', 'roads that pass over each other in turn lie too near, or a height by another rule',
-        'move them apart, raise setting grade_maximal, or lower the clearance in overpass_editing'),
+        'move them apart, raise setting grade_maximal, or lower the clearance in overpass_editing', true),
+    ('bridge or tunnel too near to the ground, m',
+        'but for ten metres at each end it lies nearer to the ground than setting bridge_rise says: a tunnel and a '
+        'bridge follow each other too closely',
+        'type a height in height_editing, raise grade_maximal, or correct levels', true);
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('edges of one node at two heights, m', 'profiles of edges that meet end at different heights',
         'run generate; tell us, it should not happen'),
     ('level crossing of water', 'a bridge shorter than setting bridge_level_length that crosses no street lies as high '
         'as the ground: what flows below is no part of the model',
         'nothing; or type a height in height_editing'),
-    ('bridge or tunnel too near to the ground, m',
-        'but for ten metres at each end it lies nearer to the ground than setting bridge_rise says: a tunnel and a '
-        'bridge follow each other too closely',
-        'type a height in height_editing, raise grade_maximal, or correct levels'),
     ('height by hand below the road, m',
         'the road lies higher there by its ground or by another rule, so the height changes nothing',
         'raise the height, or delete it'),

@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_layer()
     AS $$ VALUES
     (35, 'sidewalks', 'MULTIPOLYGON', false, 'sidewalk_id AS id, edge_id, node_id, side, part, width, method, '
             '(SELECT CASE side WHEN ''left'' THEN p.sidewalk_left WHEN ''right'' THEN p.sidewalk_right END '
-            'FROM paving p WHERE p.edge_id = sidewalk.edge_id) AS paved', 'surface', 'sidewalk'),
+            'FROM %1$I.paving p WHERE p.edge_id = sidewalk.edge_id) AS paved', 'surface', 'sidewalk'),
     (35, 'crossovers', 'MULTIPOLYGON', false, 'crossover_id AS id, edge_id, node_id, level, kerb, width', 'surface',
         'crossover') $$;
 COMMENT ON FUNCTION streetgen._sidewalk_layer() IS 'The layers of sidewalks in files.';
