@@ -113,6 +113,9 @@ SELECT 'half of the least width lies before it, on its side alone', pg_temp.kerb
 SELECT 'a stated width stays, and so do widths of lanes', pg_temp.kerbs(2) = '3.500000 3.500000' AND pg_temp.kerbs(3) = '3.500000 3.500000';
 SELECT 'a narrow street has fewer lanes', pg_temp.kerbs(4) = '1.400000 3.000000' AND (SELECT forward_lanes + backward_lanes + both_lanes = 1 FROM (SELECT lanes_forward AS forward_lanes, lanes_backward AS backward_lanes, lanes_both AS both_lanes FROM within.axis_used WHERE axis_id = 4) u);
 SELECT 'an offset of the roadway counts', pg_temp.kerbs(5) = '4.500000 2.100000';
+UPDATE within.footway SET geom = pg_temp.line('LINESTRING(2 503,98 503)') WHERE footway_id = 6;
+SELECT 'a footway along less than 0.3 of a side moves no kerb', pg_temp.kerbs(6) = '3.500000 3.500000';
+UPDATE within.footway SET geom = pg_temp.line('LINESTRING(2 501.2,398 501.2)') WHERE footway_id = 6;
 SELECT 'what lies nearer to the axis than to the kerb is no sidewalk', pg_temp.kerbs(6) = '3.500000 3.500000';
 SELECT 'the street is told, and counted', (SELECT array_agg(id || ' ' || round(measure::numeric, 3) ORDER BY id) FROM streetgen.check_model('within') WHERE rule ~ '^kerb that gives way') = '{"1 1.500","4 1.600","5 0.400"}'
   AND (SELECT amount = 3 FROM streetgen.summary('within') s WHERE subject ~ 'give way');

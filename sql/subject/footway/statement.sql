@@ -80,7 +80,7 @@ mapped_sidewalk AS MATERIALIZED (
 
 --{kerbs_beside
 -- Half of the least width of a sidewalk lies between a kerb and its footway, and none of the footway before the kerb.
--- One that lies nearer to the axis than to its kerb is no sidewalk.
+-- One that lies nearer to the axis than to its kerb is no sidewalk, and along less than 0.3 of a side none tells.
 (SELECT CASE WHEN num_nonnulls(on_left, on_right) > 0 THEN ARRAY[on_left, on_right] END FROM (
     SELECT min(to_kerb) FILTER (WHERE "left") AS on_left, min(to_kerb) FILTER (WHERE NOT "left") AS on_right FROM (
         SELECT side = 1 AS "left", round(least(middle - least_width / 2, nearest)::numeric, 3)::float8 AS to_kerb
@@ -109,7 +109,7 @@ mapped_sidewalk AS MATERIALIZED (
                 OR sidewalk_apart IN ('both', (ARRAY['left', 'right'])[m.side]))
             GROUP BY m.side, r.least_width) s,
             LATERAL (SELECT (streetgen._kerbs_between(width_guess, roadway_offset, NULL))[side] AS kerb) k
-        WHERE metres >= least(20, 0.3 * ST_Length(a.geom)) AND middle > kerb / 2) s) b)
+        WHERE metres >= 0.3 * ST_Length(a.geom) AND middle > kerb / 2) s) b)
 
 --{footways_near
 SELECT DISTINCT ON (f.footway_id) f.* FROM footway_rule r, beside_footway e, LATERAL (
