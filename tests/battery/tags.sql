@@ -65,6 +65,6 @@ CREATE TABLE every_line AS SELECT row_number() OVER () AS way_id, CASE WHEN walk
 FROM (SELECT key, bool_and(u.becomes LIKE 'Of what%' AND u.becomes NOT LIKE '%left out%') AS walked FROM streetgen.tag_use() u, regexp_split_to_table(u.tag, ',\s*') part, pg_temp.keys_of(btrim(part)) key WHERE u.source ~ '^OpenStreetMap, (lanes|ways)' AND key <> 'surface' GROUP BY key HAVING bool_and(u.becomes NOT LIKE 'Nothing%')) k;
 SELECT streetgen.create_model('every_tag', 32631, subjects => '{lane}') \g /dev/null
 CREATE TEMPORARY TABLE every_told AS SELECT * FROM streetgen.import_osm('every_tag', 'every');
--- Texts of any words, values beside those that say something of a street, and widths of lanes that are not there.
+-- Texts of any words, surfaces among them, values beside those that say something of a street, and widths of lanes that are not there.
 SELECT CASE WHEN count(*) = 0 AND (SELECT count(*) FROM every_line) > 120 THEN 't' ELSE 'f' END, 'a word that means nothing is named, whichever tag has it' || coalesce(', but not ' || string_agg(key, ', '), '')
-FROM every_line l WHERE key !~ '^((source:)?maxspeed(:type)?|name|ref|highway|aeroway|area|junction|bridge|tunnel|bicycle(:forward|:backward)?|cycleway:(est_)?width)$' AND NOT EXISTS (SELECT FROM every_told t WHERE t.what ~ 'not understood' AND l.way_id::text = ANY (t.source_refs));
+FROM every_line l WHERE key !~ '^((source:)?maxspeed(:type)?|name|ref|highway|aeroway|area|junction|bridge|tunnel|bicycle(:forward|:backward)?|cycleway:(est_)?width|.*:surface)$' AND NOT EXISTS (SELECT FROM every_told t WHERE t.what ~ 'not understood' AND l.way_id::text = ANY (t.source_refs));

@@ -121,7 +121,7 @@ CREATE OR REPLACE FUNCTION streetgen._cross_section_view() RETURNS TABLE(name na
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 7 SET search_path = pg_catalog
     AS $$ SELECT 'cross_section'::name, subject
         FROM unnest('{lane,rail,kerb,sidewalk,footway,object}'::text[]) subject
-    -- It reads this one.
+    -- The view of cross-sections reads that of pavings.
     UNION ALL VALUES ('paving', 'footway') $$;
 COMMENT ON FUNCTION streetgen._cross_section_view() IS
     'The view of cross-sections and the one of pavings that it reads, and the subjects whose tables they read.';

@@ -44,7 +44,12 @@ BEGIN
                     AND streetgen._ends_off_ground(model, n.node_id)) AS ends
             FROM edge e JOIN profile p USING (edge_id) JOIN node f ON f.node_id = e.from_node
                 JOIN node t ON t.node_id = e.to_node, streetgen._off_ground(e.level, e.geom) off_ground
-            WHERE off_ground <> 0 AND p.method <> 'ground' OFFSET 0) b,
+            -- A short one may be level with the ground, and hang together with what is not.
+            WHERE off_ground <> 0 AND p.method <> 'ground' AND NOT (ST_Length2D(e.geom) < (SELECT value::float8
+                    FROM setting WHERE name = 'bridge_level_length')
+                AND streetgen._ends_off_ground(model, e.from_node) AND streetgen._ends_off_ground(model, e.to_node)
+                AND NOT EXISTS (SELECT FROM overpass o WHERE e.edge_id IN (o.edge_above, o.edge_below)))
+            OFFSET 0) b,
             generate_series(0, floor(metres)::integer) at,
             LATERAL (SELECT off_ground * (streetgen._height_along(b.geom, at) - coalesce(streetgen._height_along(
                 ST_Force3D(ground), at), 0)) AS rise) r

@@ -25,7 +25,7 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
 
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)
     SELECT theme, 'sidewalk', 'unpaved', 5000, 0, colour, colour, 0.7, 'pixel', 'unpaved sidewalk'
-    FROM (VALUES ('street', '#c2ad88'), ('dark', '#8a7c63')) v(theme, colour);
+    FROM (VALUES ('street', '#c2ad88'), ('dark', '#8a7c63'), ('print', '#d4d4d4')) v(theme, colour);
 
 -- One walks on there, above lines at the end of the drive, which nobody paints on a sidewalk.
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)

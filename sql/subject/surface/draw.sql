@@ -115,6 +115,12 @@ INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, wi
     ('print', 'intersection', 5000, 0.8, '#000000', '#000000', 1.8, 'pixel', NULL),
     ('print', 'section', 5000, 1, '#ffffff', '#ffffff', 0.7, 'pixel', 'roadway'),
     ('print', 'intersection', 5000, 1, '#ffffff', '#ffffff', 0.7, 'pixel', NULL);
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)
+    SELECT 'print', layer, kind, 5000, place, colour, colour, width, 'pixel', CASE WHEN place = 1 AND layer = 'section'
+        THEN meaning END
+    FROM unnest('{section,intersection}'::text[]) layer, (VALUES ('stone', 0.8, '#000000', 1.8, NULL),
+        ('stone', 1, '#f0f0f0', 0.7, 'roadway of stones'), ('unpaved', 0.8, '#000000', 1.8, NULL),
+        ('unpaved', 1, '#e6e6e6', 0.7, 'unpaved roadway')) v(kind, place, colour, width, meaning);
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, from_scale, to_scale, place, fill, line, width, unit, meaning)
     VALUES
     ('print', 'roadway', '', 5000, 15000, 1, '#000000', '#000000', 1.6, 'pixel', NULL),

@@ -106,7 +106,7 @@ class Bridges {
     return all;
   }
 
-  // Evenly between two ends, and of more the nearer ones count for more.
+  // The height lies evenly between two ends; of more ends the nearer ones count for more.
   double between_ends(std::int64_t node, double otherwise) const {
     double sum = 0, weights = 0;
     for (const End& end : ends_.at(node)) {

@@ -96,7 +96,7 @@ class Builder {
   }
 
   std::size_t hand_loss(std::size_t height) const { return lifts_.size() + height; }
-  // At the beginning of a clear stretch; the next one is at its end.
+  // The loss at the beginning of a clear stretch; the next one is that at its end.
   std::size_t clear_loss(std::size_t stretch) const {
     return lifts_.size() + by_hand_.size() + 2 * stretch;
   }

@@ -137,8 +137,8 @@ class Solver {
     });
   }
 
-  // Highest first, each vertex raises those beside and above it.  False where roads were made
-  // steeper, or a lift of a circle was passed over: then all is raised anew.
+  // Each vertex raises those beside and above it, the highest one first.  False where roads were
+  // made steeper, or a lift of a circle was passed over: then all is raised anew.
   bool raise() {
     height_ = ground_;
     before_.assign(ground_.size(), {-1, -1, -1});

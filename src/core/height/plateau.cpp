@@ -54,7 +54,7 @@ void ThroughRoads::find_next() {
 
 void ThroughRoads::follow(int edge) {
   const auto led_on = [&](End end) { return next_[end.edge][end.at_start ? 0 : 1]; };
-  // Back to where the road begins, or once around.
+  // The road is followed back to where it begins, or once around.
   End first{edge, true};
   for (End before = led_on(first); before.edge >= 0 && before.edge != edge; before = led_on(first))
     first = {before.edge, !before.at_start};
