@@ -26,8 +26,8 @@ constexpr double area_beyond_kerb = 6;
 // The middle one of all places along the axis that lie within areas tells each kerb; areas that
 // touch are one. None where less than 0.3 of the axis is within, as where a junction alone was
 // surveyed, or where areas have no border beside the axis within area_reach. A side without a
-// border, or one over twice as far as the other and 2 m, as where both carriageways of a street are
-// one area, has its kerb as far away as the other.
+// border, or one over 10 m away and over twice as far as the other and 2 m, as where both
+// carriageways of a street are one area, has its kerb as far away as the other.
 std::optional<KerbsByArea> kerbs_by_area(const Line& axis, const std::vector<MultiPolygon>& areas);
 
 }  // namespace streetgen

@@ -15,6 +15,7 @@ namespace {
 constexpr double step = 1;           // metres along the axis from one look to the next
 constexpr double least_share = 0.3;  // of an axis, within areas
 constexpr double least_width = 1;    // metres
+constexpr double usual_side = 10;    // metres from an axis to a kerb of its street
 
 using Stretch = std::pair<double, double>;
 
@@ -74,7 +75,7 @@ std::optional<KerbsByArea> kerbs_by_area(const Line& axis, const std::vector<Mul
   }
   if (left.empty() || left.size() < least_share * looks) return std::nullopt;
   double to_left = middle_of(left), to_right = middle_of(right);
-  const double near = std::min(to_left, to_right), far = 2 * near + 2;
+  const double near = std::min(to_left, to_right), far = std::max(2 * near + 2, usual_side);
   if (near == infinite || 2 * near < least_width) return std::nullopt;
   if (to_left > far) to_left = near;
   if (to_right > far) to_right = near;

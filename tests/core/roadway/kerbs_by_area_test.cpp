@@ -42,6 +42,12 @@ TEST(KerbsByArea, OneSideTellsBothWhereTheOtherIsTooFar) {
   EXPECT_NEAR(kerbs_by_area(axis, {box(0, -3, 100, 300)})->width, 6, 1e-9);
 }
 
+TEST(KerbsByArea, AnAxisMayLieNearOneKerbOfItsStreet) {
+  const auto kerbs = kerbs_by_area(axis, {box(-10, -5, 110, 1)});
+  EXPECT_NEAR(kerbs->width, 6, 1e-9);
+  EXPECT_NEAR(kerbs->roadway_offset, -2, 1e-9);
+}
+
 TEST(KerbsByArea, AreNoneWhereAreasDoNotTell) {
   EXPECT_FALSE(kerbs_by_area(axis, {}));
   EXPECT_FALSE(kerbs_by_area(axis, {box(0, 1, 100, 5)}));  // beside the axis
