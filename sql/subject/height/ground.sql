@@ -118,14 +118,21 @@ CREATE OR REPLACE FUNCTION streetgen._off_ground(level integer, line geometry) R
 COMMENT ON FUNCTION streetgen._off_ground(integer, geometry) IS
     'Where an edge lies by its level alone: 1, a bridge without heights of its own, -1, such a tunnel; 0: neither.';
 
-CREATE OR REPLACE FUNCTION streetgen._ends_off_ground(model name, node bigint) RETURNS boolean
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._bridge_ends(model name, nodes bigint[]) RETURNS SETOF bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN (SELECT count(DISTINCT streetgen._off_ground(level, geom)) > 1 FROM edge
-        WHERE from_node = node OR to_node = node);
+    RETURN QUERY SELECT e.node_id FROM (SELECT from_node AS node_id, level, geom FROM edge WHERE from_node = ANY (nodes)
+            UNION ALL SELECT to_node, level, geom FROM edge WHERE to_node = ANY (nodes)) e
+        GROUP BY e.node_id HAVING count(DISTINCT streetgen._off_ground(level, geom)) > 1;
 END $$;
+COMMENT ON FUNCTION streetgen._bridge_ends(name, bigint[]) IS
+    'The nodes, of these, at which a bridge or a tunnel ends, since an edge there is none.';
+
+CREATE OR REPLACE FUNCTION streetgen._ends_off_ground(model name, node bigint) RETURNS boolean
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$ SELECT EXISTS (SELECT FROM streetgen._bridge_ends(model, ARRAY[node])) $$;
 COMMENT ON FUNCTION streetgen._ends_off_ground(name, bigint) IS
     'Does a bridge or a tunnel end at a node, since an edge there is none?';
 

@@ -80,8 +80,10 @@ DECLARE
     by_hand streetgen.profile_height[] := heights;
     known bigint[] := ARRAY(SELECT e.edge_id FROM unnest(edges) e) || gone;
     rules record;
+    asked bigint[];
     solved streetgen.solved_profile[];
     tied bigint[] := '{}';
+    ends bigint[];
     more bigint[] := '{}';
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -109,12 +111,13 @@ BEGIN
     -- have the heights that they have among all, and the others keep theirs (include/streetgen/profile.hpp).
     LOOP
         IF more <> '{}' THEN
+            ends := ARRAY(SELECT streetgen._bridge_ends(model, ARRAY(SELECT unnest(ARRAY[from_node, to_node]) FROM edge
+                WHERE edge_id = ANY (more) AND streetgen._off_ground(level, geom) <> 0)));
             SELECT region || ARRAY(SELECT ROW (e.edge_id, e.from_node, e.to_node,
                     streetgen._ground_of(model, e.geom, f.geom, t.geom)::bytea,
                     streetgen._by_speed(rules.usual, e.speed) / 100,
                     streetgen._by_speed(rules.greatest, e.speed) / 100, e.speed, rules.bridge_rise * off_ground,
-                    off_ground <> 0 AND streetgen._ends_off_ground(model, e.from_node),
-                    off_ground <> 0 AND streetgen._ends_off_ground(model, e.to_node))::streetgen.profile_edge
+                    e.from_node = ANY (ends), e.to_node = ANY (ends))::streetgen.profile_edge
                 FROM edge e JOIN node f ON f.node_id = e.from_node JOIN node t ON t.node_id = e.to_node,
                     LATERAL (SELECT streetgen._off_ground(e.level, e.geom) AS off_ground) o
                 WHERE e.edge_id = ANY (more)),
@@ -128,15 +131,18 @@ BEGIN
                     e.start_abscissa, e.end_abscissa, ST_Length2D(e.geom)) h WHERE e.edge_id = ANY (more))
                         INTO region, crossings, by_hand;
             known := known || more;
+            -- What was known before was asked for its neighbours before.
+            asked := CASE WHEN asked IS NULL THEN known ELSE more END;
             solved := NULL;
         END IF;
+        asked := coalesce(asked, known);
         WITH near AS MATERIALIZED (SELECT array_agg(from_node) || array_agg(to_node) AS nodes FROM (
-            SELECT from_node, to_node FROM unnest(region)
-            UNION ALL SELECT from_node, to_node FROM edge WHERE edge_id = ANY (known)) e)
+            SELECT from_node, to_node FROM unnest(region) WHERE asked = known
+            UNION ALL SELECT from_node, to_node FROM edge WHERE edge_id = ANY (asked)) e)
         SELECT ARRAY(
             SELECT unnest(ARRAY[edge_above, edge_below]) FROM unnest(crossings)
-            UNION SELECT edge_above FROM overpass WHERE edge_below = ANY (known)
-            UNION SELECT edge_below FROM overpass WHERE edge_above = ANY (known)
+            UNION SELECT edge_above FROM overpass WHERE edge_below = ANY (asked)
+            UNION SELECT edge_below FROM overpass WHERE edge_above = ANY (asked)
             UNION SELECT edge_id FROM edge e JOIN profile p USING (edge_id)
                 WHERE from_node = ANY ((SELECT nodes FROM near)::bigint[]) AND (tied_from OR from_node = ANY (tied))
             UNION SELECT edge_id FROM edge e JOIN profile p USING (edge_id)
@@ -149,6 +155,7 @@ BEGIN
             tied := ARRAY(SELECT v.node FROM unnest(solved) s JOIN unnest(region) e USING (edge_id),
                 LATERAL (VALUES (e.from_node, s.tied_from), (e.to_node, s.tied_to)) v(node, is_tied) WHERE v.is_tied);
             EXIT WHEN tied = '{}';
+            asked := known;
         END IF;
     END LOOP;
     RETURN QUERY SELECT * FROM unnest(solved);
