@@ -89,21 +89,20 @@ mapped_sidewalk AS MATERIALIZED (
                 min(least(m.distance, (SELECT min(d) FROM unnest(m.distances) d))) AS nearest,
                 sum(p.metres ORDER BY m.footway, m.start_abscissa) AS metres
             -- Each setting is looked up once for all axes.
-            FROM (SELECT (SELECT value::float8 FROM setting WHERE name = 'mapped_sidewalk_minimal') AS least_width,
-                    (SELECT value::float8 FROM setting WHERE name = 'mapped_sidewalk_distance') AS distance) r,
+            FROM (SELECT least_width, distance,
+                    width_guess / 2 + abs(coalesce(roadway_offset, 0)) + least_width / 2 AS farthest
+                FROM (SELECT (SELECT value::float8 FROM setting WHERE name = 'mapped_sidewalk_minimal') AS least_width,
+                    (SELECT value::float8 FROM setting WHERE name = 'mapped_sidewalk_distance') AS distance) v) r,
                 LATERAL (SELECT array_agg(ST_Force2D(f.geom)::bytea ORDER BY footway_id) AS lines,
                     array_agg(f.level ORDER BY footway_id) AS levels,
                     array_agg(f.role IS NULL ORDER BY footway_id) AS only_apart,
-                    bool_or(ST_DWithin(f.geom, a.geom, width_guess / 2 + abs(coalesce(roadway_offset, 0))
-                        + r.least_width / 2)) AS within
+                    bool_or(ST_DWithin(f.geom, a.geom, r.farthest)) AS within
                 FROM footway f
                 WHERE (f.role = 'sidewalk' OR f.role IS NULL AND sidewalk_apart IS NOT NULL
                         AND coalesce((SELECT use = 'walk' FROM axis_class WHERE class = f.kind), true))
-                    AND f.geom && ST_Expand(a.geom, width_guess / 2 + abs(coalesce(roadway_offset, 0))
-                        + r.least_width / 2)) f,
+                    AND f.geom && ST_Expand(a.geom, r.farthest)) f,
                 LATERAL streetgen._sidewalk_sources(ARRAY[ST_Force2D(a.geom)::bytea], ARRAY[a.level], f.lines,
-                    f.levels, '{1,1}', '{true,false}', '{0,0}', '{0,0}', least(50, width_guess / 2
-                        + abs(coalesce(roadway_offset, 0)) + r.least_width / 2 + r.distance)) m,
+                    f.levels, '{1,1}', '{true,false}', '{0,0}', '{0,0}', least(50, r.farthest + r.distance)) m,
                 LATERAL (SELECT m.end_abscissa - m.start_abscissa AS metres) p
             WHERE f.within AND (NOT f.only_apart[m.footway]
                 OR sidewalk_apart IN ('both', (ARRAY['left', 'right'])[m.side]))
