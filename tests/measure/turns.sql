@@ -1,7 +1,8 @@
 -- Turns and merges of the model of variable model: psql -v model=NAME -f tests/measure/turns.sql prints a row. Table place keeps where.
 --   same         nodes where two paths of cars from one edge to one next edge cross
 --   merge        nodes where two nearly straight paths into one edge cross; diverge: out of one edge
---   weave        chains of three edges, the middle one under 25 m, whose two movements no lane of it has both of; of those under 7.5 m.
+--   weave        chains of three edges, the middle one under 25 m, of which no lane has both movements; of those under
+--                7.5 m.
 --                An edge is as long as the shortest of its lanes.
 --   trapped      edges that cars cannot leave, though another edge for cars goes on; unreached: that cars cannot come to, though others come
 --   lost         movements of two-way streets without restriction, no lanes of which are joined

@@ -131,7 +131,7 @@ BEGIN
                     e.start_abscissa, e.end_abscissa, ST_Length2D(e.geom)) h WHERE e.edge_id = ANY (more))
                         INTO region, crossings, by_hand;
             known := known || more;
-            -- What was known before was asked for its neighbours before.
+            -- Edges that were known before were asked for their neighbours before.
             asked := CASE WHEN asked IS NULL THEN known ELSE more END;
             solved := NULL;
         END IF;

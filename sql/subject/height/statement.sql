@@ -4,7 +4,7 @@
 bridge_edge AS MATERIALIZED (
     SELECT edge_id, from_node, to_node, streetgen._off_ground(level, geom) AS off_ground FROM new_edge
     WHERE streetgen._off_ground(level, geom) <> 0),
--- Where a bridge meets what is none, it ends.
+-- A bridge ends where it meets an edge that is none.
 bridge_end AS MATERIALIZED (
     WITH place AS MATERIALIZED (SELECT from_node AS node_id FROM bridge_edge UNION SELECT to_node FROM bridge_edge),
     beside AS (SELECT p.node_id, e.edge_id, e.level, e.geom FROM place p, LATERAL (

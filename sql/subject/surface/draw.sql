@@ -37,7 +37,7 @@ BEGIN
         FROM section JOIN paving USING (edge_id) WHERE 'section' = ANY (layers) AND surface && box;
     RETURN QUERY SELECT 'intersection', CASE WHEN method IN ('contested', 'crowded') THEN 'contested'
             WHEN method = 'transition' THEN 'transition'
-            -- It looks as its streets do, where all of these are paved alike.
+            -- An intersection looks as its streets do, where all of these are paved alike.
             ELSE (SELECT CASE WHEN min(k) = max(k) THEN min(k) ELSE '' END FROM (SELECT streetgen._paving_kind(roadway)
                 FROM paving JOIN edge e USING (edge_id) WHERE node_id IN (e.from_node, e.to_node)) p(k)) END, level,
             surface::geometry, node_id

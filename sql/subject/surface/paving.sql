@@ -1,4 +1,4 @@
--- What the strips of each street are paved with.
+-- The paving of the strips of each street.
 
 CREATE OR REPLACE FUNCTION streetgen._make_paving_view(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -1,4 +1,4 @@
-// Where bridges and tunnels lead that have no heights of their own.
+// Bridges and tunnels without heights of their own lead from end to end.
 #pragma once
 
 #include <vector>

@@ -110,27 +110,7 @@ class Rounding {
   const KinkBounds& bounds_;
 };
 
-}  // namespace
-
-HeightLine heights_of(const Line& line) {
-  HeightLine heights;
-  double at = 0;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (i > 0) at += distance(line[i - 1], line[i]);
-    heights.push_back({at, line[i].z});
-  }
-  return heights;
-}
-
-double height_at(const HeightLine& heights, double at) {
-  if (at <= heights.front().at) return heights.front().z;
-  if (at >= heights.back().at) return heights.back().z;
-  const auto after = std::upper_bound(heights.begin(), heights.end(), at,
-                                      [](double a, const HeightPoint& p) { return a < p.at; });
-  const HeightPoint &from = *(after - 1), &to = *after;
-  return from.z + (to.z - from.z) * ((at - from.at) / (to.at - from.at));
-}
-
+// The higher of two lines at each place; both begin and end at the same abscissas.
 HeightLine higher_of(const HeightLine& a, const HeightLine& b) {
   std::vector<double> places;
   for (const HeightLine* line : {&a, &b})
@@ -151,6 +131,27 @@ HeightLine higher_of(const HeightLine& a, const HeightLine& b) {
     before = over;
   }
   return higher;
+}
+
+}  // namespace
+
+HeightLine heights_of(const Line& line) {
+  HeightLine heights;
+  double at = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (i > 0) at += distance(line[i - 1], line[i]);
+    heights.push_back({at, line[i].z});
+  }
+  return heights;
+}
+
+double height_at(const HeightLine& heights, double at) {
+  if (at <= heights.front().at) return heights.front().z;
+  if (at >= heights.back().at) return heights.back().z;
+  const auto after = std::upper_bound(heights.begin(), heights.end(), at,
+                                      [](double a, const HeightPoint& p) { return a < p.at; });
+  const HeightPoint &from = *(after - 1), &to = *after;
+  return from.z + (to.z - from.z) * ((at - from.at) / (to.at - from.at));
 }
 
 HeightLine raised_to(const HeightLine& heights, const HeightLine& bound, double grade) {

@@ -16,9 +16,6 @@ using HeightLine = std::vector<HeightPoint>;  // ascending
 HeightLine heights_of(const Line& line);
 double height_at(const HeightLine& heights, double at);
 
-// The higher of two lines at each place; both begin and end at the same abscissas.
-HeightLine higher_of(const HeightLine& a, const HeightLine& b);
-
 // The line, and where the bound is higher the bound, which falls by the grade beyond its ends.
 HeightLine raised_to(const HeightLine& heights, const HeightLine& bound, double grade);
 

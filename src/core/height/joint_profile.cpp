@@ -273,7 +273,7 @@ class Builder {
 
   // Each round leaves a quarter of what is too high on flat ground.
   static constexpr int most_rounds = 20;
-  // What is left of a bend at the end of a plateau is small from the beginning.
+  // The bend at the end of a plateau is small from the beginning.
   static constexpr int most_rounds_up = 2;
   static constexpr int most_plateau_rounds = 2;
   static constexpr double rounding_of_losses = 1e-6;  // metres
