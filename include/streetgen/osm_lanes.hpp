@@ -32,6 +32,15 @@ struct OsmSideParking {
   std::optional<int> capacity{};  // cars
 };
 
+// What lies between the kerb and the sidewalk of one side of a way.
+enum class SideStripKind { verge, buffer, cycle_track, two_way_cycle_track };
+struct SideStrip {
+  SideStripKind kind = SideStripKind::verge;
+  std::optional<double> width{};  // metres; none: nothing is said
+};
+// The word of columns strips_left and strips_right of an axis.
+const char* side_strip_name(SideStripKind kind);
+
 // What the reader takes from elsewhere.
 struct OsmLaneUse {
   DrivingSide driving_side = DrivingSide::right;
@@ -62,7 +71,8 @@ struct OsmLanes {
   std::optional<int> lane_count{};  // stated lanes for motor traffic, of all directions
   // Metres from the way to the middle of all lanes, left positive.
   std::optional<double> roadway_offset{};
-  OsmSideParking parking_left{}, parking_right{};  // of the way as it is drawn
+  OsmSideParking parking_left{}, parking_right{};        // of the way as it is drawn
+  std::vector<SideStrip> strips_left{}, strips_right{};  // likewise, each from the kerb outwards
   std::vector<UnreadTag> unread{};
 };
 

@@ -132,7 +132,7 @@ BEGIN
                 i.change_backward, i.sidewalk_left, i.sidewalk_right, i.flow,
                 i.roundabout_tag, i.ref, i.access, i.parking_left, i.parking_right, i.lane_markings,
                 i.sidewalk_apart, i.paved, i.sidewalk_paved_left, i.sidewalk_paved_right, i.cycle_paved_left,
-                i.cycle_paved_right) AS hash
+                i.cycle_paved_right, i.strips_left, i.strips_right) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
             ELSE streetgen._transformed('source row ' || i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
@@ -180,14 +180,15 @@ BEGIN
             lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, sidewalk_left,
             sidewalk_right, flow, roundabout_tag, ref, access, parking_left, parking_right,
             lane_markings, sidewalk_apart, paved, sidewalk_paved_left, sidewalk_paved_right, cycle_paved_left,
-            cycle_paved_right, source, source_ref, source_geom, source_hash)
+            cycle_paved_right, strips_left, strips_right, source, source_ref, source_geom, source_hash)
         SELECT coalesce(p.cleaned, p.source_geom), p.width, p.width_end, p.roadway_offset, p.lane_count,
             coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius,
             p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward,
             p.lane_width_backward, p.turn_forward, p.turn_backward, p.change_forward, p.change_backward,
             p.sidewalk_left, p.sidewalk_right, p.flow, p.roundabout_tag, p.ref, p.access, p.parking_left,
             p.parking_right, p.lane_markings, p.sidewalk_apart, p.paved, p.sidewalk_paved_left,
-            p.sidewalk_paved_right, p.cycle_paved_left, p.cycle_paved_right, origin, p.source_ref, p.source_geom, p.hash
+            p.sidewalk_paved_right, p.cycle_paved_left, p.cycle_paved_right, p.strips_left, p.strips_right, origin,
+            p.source_ref, p.source_geom, p.hash
         FROM pg_temp._import_part p WHERE NOT EXISTS (SELECT FROM delivered d
             WHERE (d.relation, d.source, d.source_ref) = ('axis', origin, p.source_ref))
         ORDER BY p.source_ref RETURNING axis_id, source_ref)

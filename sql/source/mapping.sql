@@ -18,6 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input()
         ('flow', 'float8', 'number', 0, 1000000), ('roundabout_tag', 'text', 'text', NULL, NULL),
         ('ref', 'text', 'text', NULL, NULL), ('access', 'text', 'text', NULL, NULL),
         ('parking_left', 'text', 'parking', NULL, NULL), ('parking_right', 'text', 'parking', NULL, NULL),
+        ('strips_left', 'text', 'strips', NULL, NULL), ('strips_right', 'text', 'strips', NULL, NULL),
         ('lane_markings', 'text', 'yes_or_no', NULL, NULL), ('sidewalk_apart', 'text', 'sides', NULL, NULL),
         ('paved', 'text', 'text', NULL, NULL), ('sidewalk_paved_left', 'text', 'text', NULL, NULL),
         ('sidewalk_paved_right', 'text', 'text', NULL, NULL), ('cycle_paved_left', 'text', 'text', NULL, NULL),
@@ -50,6 +51,7 @@ CREATE OR REPLACE FUNCTION streetgen._read_word(said text, read_as text, unit te
         WHEN read_as = 'text' THEN said
         WHEN read_as = 'width' THEN streetgen._metres_by_lane(said, coalesce(unit, 'm'))
         WHEN read_as = 'parking' THEN substring(btrim(said) FROM streetgen._parking_pattern())
+        WHEN read_as = 'strips' THEN substring(btrim(said) FROM streetgen._strips_pattern())
         WHEN read_as = 'yes_or_no' THEN CASE WHEN lower(btrim(said)) IN ('yes', 'true', 't', '1') THEN 'yes'
             WHEN lower(btrim(said)) IN ('no', 'false', 'f', '0') THEN 'no' END
         WHEN read_as = 'sides' THEN CASE WHEN lower(btrim(said)) IN ('left', 'right', 'both')
@@ -59,7 +61,7 @@ CREATE OR REPLACE FUNCTION streetgen._read_word(said text, read_as text, unit te
         WHEN lower(btrim(said)) IN ('direct', '1') THEN 'direct'
         WHEN lower(btrim(said)) IN ('reverse', '-1') THEN 'reverse' END;
 COMMENT ON FUNCTION streetgen._read_word(text, text, text) IS
-    'A text of a source as a column of axis holds it, read as text, direction, parking, yes_or_no, sides or a '
+    'A text of a source as a column of axis holds it, read as text, direction, parking, strips, yes_or_no, sides or a '
     'list of lanes; NULL where it is none.';
 
 CREATE OR REPLACE FUNCTION streetgen._expected(read_as text, low float8, high float8) RETURNS text
@@ -72,6 +74,7 @@ CREATE OR REPLACE FUNCTION streetgen._expected(read_as text, low float8, high fl
         WHEN 'yes_or_no' THEN 'yes or no (true or false, 1 or 0)'
         WHEN 'sides' THEN 'left, right or both'
         WHEN 'parking' THEN 'no, or a place such as on_kerb|parallel|2.2|8'
+        WHEN 'strips' THEN 'strips such as verge 1.5|cycle_track 2'
         WHEN 'kind' THEN 'a list such as general|bus, an entry a lane'
         WHEN 'width' THEN 'a list such as 3.5|3, an entry a lane'
         WHEN 'turn' THEN 'a list such as left;through|right, an entry a lane'

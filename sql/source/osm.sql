@@ -158,6 +158,7 @@ BEGIN
         lanes.lanes_forward, lanes.lanes_backward, lanes.lanes_both, lanes.kind_forward, lanes.kind_backward,
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
         lanes.change_forward, lanes.change_backward, lanes.access, lanes.parking_left, lanes.parking_right,
+        lanes.strips_left, lanes.strips_right,
         CASE WHEN tags ->> 'lane_markings' IN ('yes', 'no') THEN tags ->> 'lane_markings' END AS lane_markings,
         CASE WHEN apart_left AND apart_right THEN 'both' WHEN apart_left THEN 'left' WHEN apart_right THEN 'right' END
             AS sidewalk_apart,
@@ -236,7 +237,7 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text,
         surface text, incline float8, climb text, wheelchair text, tactile_paving text, foot text, gauge integer,
         tracks integer, rails text, rails_embedded boolean, paved text, sidewalk_paved_left text,
-        sidewalk_paved_right text, cycle_paved_left text, cycle_paved_right text)
+        sidewalk_paved_right text, cycle_paved_left text, cycle_paved_right text, strips_left text, strips_right text)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -257,7 +258,7 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     coalesce(l.tags ->> 'sidewalk:left:surface', s.sidewalks),
     coalesce(l.tags ->> 'sidewalk:right:surface', s.sidewalks),
     coalesce(l.tags ->> 'cycleway:left:surface', s.cycle_lanes),
-    coalesce(l.tags ->> 'cycleway:right:surface', s.cycle_lanes)
+    coalesce(l.tags ->> 'cycleway:right:surface', s.cycle_lanes), m.strips_left, m.strips_right
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class,
     LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w,

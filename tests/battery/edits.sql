@@ -60,11 +60,12 @@ CREATE FUNCTION edits.value_of(attribute text) RETURNS text LANGUAGE sql VOLATIL
     WHEN 'sidewalk_left' THEN edits.one_of('NULL', '0', '1.5', '4')
     WHEN 'sidewalk_right' THEN edits.one_of('NULL', '0', '1.5', '4')
     WHEN 'sidewalk_apart' THEN edits.one_of('NULL', $q$'left'$q$, $q$'both'$q$)
+    WHEN 'strips_right' THEN edits.one_of('NULL', $q$'verge 1.5|cycle_track 2'$q$, $q$'two_way_cycle_track'$q$)
     WHEN 'paved' THEN edits.one_of('NULL', $q$'sett'$q$)
     WHEN 'name' THEN quote_literal(edits.between(0, 9)) END $$;
 
 CREATE FUNCTION edits.attribute() RETURNS text LANGUAGE sql VOLATILE
-  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'parking_right', 'lane_markings', 'sidewalk_apart', 'paved', 'turn_forward', 'change_forward', 'change_backward', 'name');
+  RETURN edits.one_of('width', 'width', 'width', 'width_end', 'roadway_offset', 'roadway_offset', 'level', 'direction', 'importance', 'speed', 'lane_count', 'lanes_both', 'radius', 'roundabout_tag', 'sidewalk_left', 'sidewalk_right', 'kind', 'kind_forward', 'access', 'parking_right', 'lane_markings', 'sidewalk_apart', 'strips_right', 'paved', 'turn_forward', 'change_forward', 'change_backward', 'name');
 
 CREATE FUNCTION edits.drawn_row(axis_id bigint, geom geometry) RETURNS text LANGUAGE sql VOLATILE AS $$
   SELECT format('(%s, %L, %s, %s, %s, %s)', axis_id, ST_AsEWKT(geom), edits.value_of('width'), edits.value_of('level'), edits.value_of('direction'), edits.value_of('importance')) $$;

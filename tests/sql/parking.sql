@@ -162,3 +162,5 @@ SELECT 'a rule that was deleted stays away', NOT EXISTS (SELECT FROM streetgen.i
 SET streetgen_test.subjects = 'asked';
 SELECT streetgen.create_model('streets', 2154, subjects => '{lane}') \g /dev/null
 SELECT 'a model without objects gets no rule', NOT EXISTS (SELECT FROM streetgen.import_osm('streets', 'osm') WHERE what LIKE 'rule %');
+SELECT FROM streetgen.switch_subject('town', 'object', false) \g /dev/null
+SELECT 'sidewalks have their ground again when objects are switched off', NOT EXISTS (SELECT FROM town.sidewalk WHERE strip IS NOT NULL) AND (SELECT (sidewalk_left, sidewalk_right) = (3, 3) FROM town.edge WHERE axis_id = 1);

@@ -16,12 +16,16 @@ COMMENT ON FUNCTION streetgen._parking_depth(text, jsonb) IS
     'so, along the street where it says nothing.';
 
 -- Not inlined: few axes say that, and each edit plans what the view of axes names.
-CREATE OR REPLACE FUNCTION streetgen._with_parking(sidewalk float8, said text, settings jsonb) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._with_strips(sidewalk float8, parking text, strips text, settings jsonb)
+    RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN said NOT LIKE 'street\_side%' OR sidewalk = 0 THEN sidewalk
-        ELSE sidewalk + streetgen._parking_depth(said, settings) END $$;
-COMMENT ON FUNCTION streetgen._with_parking(float8, text, jsonb) IS
-    'Width of a sidewalk and of the bays between it and the roadway, metres.';
+    AS $$ SELECT behind + CASE WHEN parking LIKE 'street\_side%' AND behind > 0
+        THEN streetgen._parking_depth(parking, settings) ELSE 0 END
+    FROM (SELECT sidewalk + CASE WHEN strips IS NULL THEN 0 ELSE streetgen._strips_width(strips, settings)
+        -- The width of a sidewalk counts the stones of the kerb.
+        + CASE sidewalk WHEN 0 THEN (settings ->> 'kerb_stone_width')::float8 ELSE 0 END END AS behind) b $$;
+COMMENT ON FUNCTION streetgen._with_strips(float8, text, text, jsonb) IS
+    'Width of a sidewalk with the strips and the bays between it and the roadway, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._bays_stand(subjects text[], of_model text) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

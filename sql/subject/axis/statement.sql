@@ -47,6 +47,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
            # CASE WHEN coalesce(parking_left, parking_right) IS NULL THEN 0
                ELSE hash_record_extended(ROW(parking_left, parking_right), CASE WHEN bays_beside THEN 9 ELSE 10 END) END
+           # CASE WHEN coalesce(strips_left, strips_right) IS NULL THEN 0
+               ELSE hash_record_extended(ROW(strips_left, strips_right), 14) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END
            # CASE WHEN coalesce(roadway_offset, 0) = 0 THEN 0 ELSE hashfloat8extended(roadway_offset, 2) END
            # CASE WHEN surveyed IS NULL THEN 0 ELSE hashfloat8extended(surveyed[2], 12) END
@@ -59,12 +61,14 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
                    class_parking_right), 7) END)
            AS input_hash,
        setting_hash,
-       CASE WHEN NOT bays_beside OR parking_left IS NULL THEN coalesce(sidewalk_left, sidewalk_usual)
-           ELSE streetgen._with_parking(coalesce(sidewalk_left, sidewalk_usual), parking_left, settings) END
-           AS sidewalk_left,
-       CASE WHEN NOT bays_beside OR parking_right IS NULL THEN coalesce(sidewalk_right, sidewalk_usual)
-           ELSE streetgen._with_parking(coalesce(sidewalk_right, sidewalk_usual), parking_right, settings) END
-           AS sidewalk_right,
+       CASE WHEN (NOT bays_beside OR parking_left IS NULL) AND strips_left IS NULL
+           THEN coalesce(sidewalk_left, sidewalk_usual)
+           ELSE streetgen._with_strips(coalesce(sidewalk_left, sidewalk_usual), CASE WHEN bays_beside
+               THEN parking_left END, strips_left, settings) END AS sidewalk_left,
+       CASE WHEN (NOT bays_beside OR parking_right IS NULL) AND strips_right IS NULL
+           THEN coalesce(sidewalk_right, sidewalk_usual)
+           ELSE streetgen._with_strips(coalesce(sidewalk_right, sidewalk_usual), CASE WHEN bays_beside
+               THEN parking_right END, strips_right, settings) END AS sidewalk_right,
        streetgen.believed_roadway_offset(CASE WHEN kerbs_beside IS NULL THEN coalesce(surveyed[2], roadway_offset)
            ELSE (kerbs_used[1] - kerbs_used[2]) / 2 END, width_used, CASE WHEN kerb_width IS NULL THEN believed_end END)
            AS roadway_offset,

@@ -151,6 +151,22 @@ COMMENT ON CONSTRAINT axis_parking_left_check ON :"model".axis IS
 COMMENT ON COLUMN :"model".axis.parking_right IS 'the same on the right of geom';
 COMMENT ON CONSTRAINT axis_parking_right_check ON :"model".axis IS
     'as parking_left. Leave it empty where nothing is said.';
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS strips_left text CONSTRAINT axis_strips_left_check
+        CHECK (strips_left ~ '^((verge|buffer|(two_way_)?cycle_track)( (0\.[1-9]\d{0,5}|([1-9]|1\d)(\.\d{1,6})?))?'
+            '(\|(verge|buffer|(two_way_)?cycle_track)( (0\.[1-9]\d{0,5}|([1-9]|1\d)(\.\d{1,6})?))?){0,4})$'),
+    ADD COLUMN IF NOT EXISTS strips_right text CONSTRAINT axis_strips_right_check
+        CHECK (strips_right ~ '^((verge|buffer|(two_way_)?cycle_track)( (0\.[1-9]\d{0,5}|([1-9]|1\d)(\.\d{1,6})?))?'
+            '(\|(verge|buffer|(two_way_)?cycle_track)( (0\.[1-9]\d{0,5}|([1-9]|1\d)(\.\d{1,6})?))?){0,4})$');
+COMMENT ON COLUMN :"model".axis.strips_left IS
+    'what lies between kerb and sidewalk on the left of geom, from the kerb outwards, parted by |: verge, buffer, '
+    'cycle_track or two_way_cycle_track, each with its width in metres or without one, such as '
+    'verge 1.5|cycle_track 2; sidewalk_left does not count it; NULL: nothing is said';
+COMMENT ON CONSTRAINT axis_strips_left_check ON :"model".axis IS
+    'up to five strips parted by |, such as verge 1.5|cycle_track: verge, buffer, cycle_track or two_way_cycle_track, '
+    'each alone or with a width below 20 m. Leave it empty where nothing is said.';
+COMMENT ON COLUMN :"model".axis.strips_right IS 'the same on the right of geom';
+COMMENT ON CONSTRAINT axis_strips_right_check ON :"model".axis IS
+    'as strips_left. Leave it empty where nothing is said.';
 ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS lane_markings text CONSTRAINT axis_lane_markings_check
     CHECK (lane_markings IN ('yes', 'no'));
 COMMENT ON COLUMN :"model".axis.lane_markings IS

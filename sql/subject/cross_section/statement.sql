@@ -8,14 +8,16 @@ SELECT e.edge_id, e.axis_id, e.first + s.low AS start_abscissa, e.first + s.high
     CASE WHEN p.kind IN ('sidewalk', 'furnishing')
             THEN CASE p.side WHEN 'left' THEN g.sidewalk_left ELSE g.sidewalk_right END
         WHEN p.kind = 'cycle' THEN CASE p.side WHEN 'left' THEN g.cycle_left ELSE g.cycle_right END
+        WHEN p.kind = 'cycle_track' THEN CASE p.side WHEN 'left' THEN e.track_left ELSE e.track_right END
         WHEN p.lane_id IS NOT NULL OR p.kind IN ('roadway', 'rail', 'shoulder', 'gutter') AND p."order" > 0
             AND r.offset_to < 'Infinity' THEN g.roadway END AS paved
 FROM (
     SELECT e.edge_id, e.axis_id, e.start_abscissa AS first, ST_Force2D(e.geom) AS line, e.beside_left, e.beside_right,
-        e.median_left, e.median_right,
+        e.median_left, e.median_right, x.strips_left, x.strips_right, x.cycle_paved_left AS track_left,
+        x.cycle_paved_right AS track_right,
         a.abscissa AS low, b.abscissa AS high, coalesce(s.borders, streetgen._even_borders(e.width, e.width_end,
             e.end_abscissa - e.start_abscissa, e.roadway_offset)) AS borders
-    FROM edge e JOIN section s USING (edge_id)
+    FROM edge e JOIN section s USING (edge_id) JOIN axis x USING (axis_id)
         JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
         JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
     WHERE a.abscissa < b.abscissa) e
@@ -35,13 +37,15 @@ CROSS JOIN LATERAL (
             coalesce(y.bay_from, b.border) AS inner_border, coalesce(y.bay_from_end, b.border_end) AS inner_border_end,
             -- Cars drive over the kerb before a bay behind it.
             CASE WHEN f.behind > 0 AND k.kerb = 'standing' THEN 'flush' ELSE k.kerb END AS kerb, f.behind, f.front,
-            k.sidewalk, k.sidewalk_end, k.beside, CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN 'verge'
-                ELSE 'furnishing' END AS before_walk,
-            CASE WHEN k.sidewalk - k.paved > f.front + 0.05 THEN k.sidewalk - k.paved - f.front
+            k.sidewalk, k.sidewalk_end, k.beside, CASE WHEN k.sidewalk - k.paved > f.front + t.strips + 0.05
+                THEN 'verge' ELSE 'furnishing' END AS before_walk,
+            CASE WHEN k.sidewalk - k.paved > f.front + t.strips + 0.05
+                    THEN k.sidewalk - k.paved - f.front - t.strips
                 WHEN y.bay_behind IS NULL AND k.sidewalk > y.parking_strip
                     AND y.parking_strip > k.stone THEN y.parking_strip - k.stone
+                WHEN t.strips > 0 THEN 0
                 WHEN k.sidewalk - f.front - g.furnishing >= streetgen._walking_width() THEN g.furnishing
-                ELSE 0 END AS furnishing, g.gutter, k.sidewalk_end - k.sidewalk AS change
+                ELSE 0 END AS furnishing, g.gutter, k.sidewalk_end - k.sidewalk AS change, t.said, t.strips
         FROM (VALUES ('left', 1, e.beside_left), ('right', -1, e.beside_right)) v(side, outwards, beside)
             CROSS JOIN LATERAL (SELECT streetgen._border_at(e.borders, s.low, v.side) AS border,
                 streetgen._border_at(e.borders, s.high, v.side) AS border_end, (s.low + s.high) / 2 AS middle) b
@@ -50,7 +54,10 @@ CROSS JOIN LATERAL (
             CROSS JOIN LATERAL (SELECT coalesce(y.bay_behind, 0) AS behind, coalesce(y.bay_behind, 0)
                 + CASE WHEN y.bay_behind IS NULL OR y.parking_strip > 0 THEN k.stone ELSE 0 END AS front) f
             CROSS JOIN (SELECT (SELECT value::float8 FROM setting WHERE name = 'gutter_width') AS gutter,
-                (SELECT value::float8 FROM setting WHERE name = 'furnishing_width') AS furnishing) g),
+                (SELECT value::float8 FROM setting WHERE name = 'furnishing_width') AS furnishing) g
+            CROSS JOIN LATERAL (SELECT said, CASE WHEN said IS NULL THEN 0 ELSE streetgen._strips_width(said,
+                (SELECT settings FROM setting_used)) END AS strips
+                FROM (SELECT CASE v.side WHEN 'left' THEN e.strips_left ELSE e.strips_right END AS said) a) t),
     beside_lanes AS (
         SELECT r.*, greatest(filled, border - gutter) AS gutter_from,
             greatest(filled_end, border_end - gutter) AS gutter_from_end
@@ -86,6 +93,10 @@ CROSS JOIN LATERAL (
         FROM beside_lanes b CROSS JOIN LATERAL (
             -- The verge before a sidewalk of one width changes with the ground.
             SELECT CASE before_walk WHEN 'verge' THEN greatest(change, -furnishing) ELSE 0 END AS verge_change) h
+            CROSS JOIN LATERAL (SELECT border + front + furnishing AS strips_from,
+                border_end + front + furnishing + verge_change AS strips_from_end) c
+            CROSS JOIN LATERAL (SELECT strips_from + strips AS walk_from, strips_from_end + strips
+                AS walk_from_end) w
             CROSS JOIN LATERAL (VALUES
             ('shoulder', room, coalesce(bay_from, gutter_from), room_end, coalesce(bay_from_end, gutter_from_end)),
             ('bay', bay_from, bay_to, bay_from_end, bay_to_end),
@@ -98,10 +109,15 @@ CROSS JOIN LATERAL (
                 border_end + behind, border_end + front),
             (before_walk, border + front, border + front + furnishing, border_end + front,
                 border_end + front + furnishing + verge_change),
-            ('sidewalk', border + front + furnishing, border + sidewalk,
-                border_end + front + furnishing + verge_change, border_end + sidewalk_end),
+            ('sidewalk', least(walk_from, border + sidewalk), border + sidewalk,
+                least(walk_from_end, border_end + sidewalk_end), border_end + sidewalk_end),
             (beside, border + greatest(front, sidewalk), 'Infinity', border_end + greatest(front, sidewalk_end),
-                'Infinity')) x(kind, inner_border, outer_border, inner_border_end, outer_border_end)
+                'Infinity')
+            UNION ALL SELECT t.kind, least(strips_from + near, border + sidewalk), least(strips_from + far,
+                    border + sidewalk), least(strips_from_end + near, border_end + sidewalk_end),
+                least(strips_from_end + far, border_end + sidewalk_end)
+            FROM streetgen._side_strips(b.said, (SELECT settings FROM setting_used)) t WHERE b.strips > 0)
+            x(kind, inner_border, outer_border, inner_border_end, outer_border_end)
         WHERE x.inner_border IS NOT NULL AND (x.kind <> 'kerb' OR b.kerb IS NOT NULL))
     SELECT f.side, row_number() OVER (PARTITION BY f.side ORDER BY f.offset_from + f.offset_from_end,
             f.offset_to + f.offset_to_end)::integer AS "order", t.kind, t.kerb, t.lane_id, f.offset_from, f.offset_to,

@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._traffic_outline(kind text) RETURNS text
             'H-1.1V.35ZM-1.1 1.3V2.6H1.1V1.3Z'
         WHEN kind = 'rail' THEN 'M-1.2.3V3Q-1.15 3.4-.9 3.4H.9Q1.15 3.4 1.2 3V.3H.8V.03H.67V.3H-.67V.03H-.8V.3Z'
             'M-1 1.5V2.9H1V1.5Z'
-        WHEN kind = 'cycle' THEN 'M-.04 0H.04V.72H.2Q.32 1.4.17 1.5H-.17Q-.32 1.4-.2.72H-.04Z'
+        WHEN kind IN ('cycle', 'cycle_track') THEN 'M-.04 0H.04V.72H.2Q.32 1.4.17 1.5H-.17Q-.32 1.4-.2.72H-.04Z'
             'M-.13 1.66a.13.13 0 1 1 .26 0a.13.13 0 1 1-.26 0Z'
         WHEN kind = 'sidewalk' THEN 'M-.16 0H-.03L0 .8L.03 0H.16L.2.85L.28 1.35Q.26 1.5.15 1.5'
             'H-.15Q-.26 1.5-.28 1.35L-.2.85ZM-.12 1.65a.12.12 0 1 1 .24 0a.12.12 0 1 1-.24 0Z'
@@ -20,8 +20,8 @@ COMMENT ON FUNCTION streetgen._traffic_outline(text) IS
 
 CREATE OR REPLACE FUNCTION streetgen._traffic_room(kind text, OUT width float8, OUT height float8)
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE kind WHEN 'bus' THEN 2.55 WHEN 'rail' THEN 2.4 WHEN 'cycle' THEN 0.8 WHEN 'sidewalk' THEN 0.8
-            ELSE 1.8 END,
+    AS $$ SELECT CASE WHEN kind = 'bus' THEN 2.55 WHEN kind = 'rail' THEN 2.4
+            WHEN kind IN ('cycle', 'cycle_track', 'sidewalk') THEN 0.8 ELSE 1.8 END,
         CASE kind WHEN 'bus' THEN 3.1 WHEN 'rail' THEN 3.4 ELSE 1.8 END $$;
 COMMENT ON FUNCTION streetgen._traffic_room(text) IS 'Width and height (m) that such an outline takes.';
 
@@ -58,15 +58,17 @@ BEGIN
             WHERE lane_id IS NOT NULL OR kind IN ('roadway', 'shoulder', 'gutter', 'bay')) AS first FROM whole) w)
     SELECT row_number() OVER (ORDER BY low, high)::integer, kind, lane_id, CASE kind WHEN 'general' THEN 'lane'
             WHEN 'bus' THEN 'bus lane' WHEN 'carpool' THEN 'carpool lane' WHEN 'cycle' THEN 'cycle lane'
-            WHEN 'rail' THEN 'track' WHEN 'merging' THEN 'merging lane' WHEN 'closed' THEN 'closed lane'
+            WHEN 'cycle_track' THEN 'cycle track' WHEN 'rail' THEN 'track' WHEN 'merging' THEN 'merging lane'
+            WHEN 'closed' THEN 'closed lane'
             WHEN 'kerb' THEN concat_ws(' ', nullif(kerb, 'standing'), 'kerb') WHEN 'outer' THEN '' ELSE kind END
             || coalesce(' ' || (lanes ->> lane_id::text), ''),
-        CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN 'lane' WHEN kind IN ('kerb', 'gutter') THEN 'kerb'
-            WHEN kind = 'sidewalk' THEN 'sidewalk'
-            WHEN kind IN ('outer', 'median', 'splitter', 'island', 'furnishing', 'verge') THEN 'block'
+        CASE WHEN kind IN ('bus', 'carpool', 'cycle', 'cycle_track') THEN 'lane'
+            WHEN kind IN ('kerb', 'gutter') THEN 'kerb' WHEN kind = 'sidewalk' THEN 'sidewalk'
+            WHEN kind IN ('outer', 'median', 'splitter', 'island', 'furnishing', 'verge', 'buffer') THEN 'block'
             ELSE 'section' END,
-        CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN kind WHEN kind = 'median' THEN 'strip'
-            WHEN kind IN ('splitter', 'island', 'furnishing', 'verge') THEN 'island' ELSE '' END,
+        CASE WHEN kind IN ('bus', 'carpool', 'cycle') THEN kind WHEN kind = 'cycle_track' THEN 'cycle'
+            WHEN kind = 'median' THEN 'strip'
+            WHEN kind IN ('splitter', 'island', 'furnishing', 'verge', 'buffer') THEN 'island' ELSE '' END,
         row_number() OVER (ORDER BY low, high) > 1 AND lead(1) OVER (ORDER BY low, high) IS NOT NULL,
         lane_id IS NOT NULL OR kind IN ('roadway', 'shoulder', 'gutter', 'bay'), low, high,
         CASE WHEN low < on_left OR high > on_right THEN 0.12 ELSE 0 END::float8

@@ -97,7 +97,8 @@ BEGIN
     COMMENT ON COLUMN cross_section.kind IS
         'kind of a lane, as lane.kind; rail: what a track takes of a lane; shoulder: roadway that lanes leave; bay, '
         'gutter, kerb, furnishing, verge '
-        '(before a mapped sidewalk that lies farther from the kerb than it is wide), sidewalk; behind '
+        '(before a mapped sidewalk that lies farther from the kerb than it is wide, or as axis.strips_left says), '
+        'buffer, cycle_track, sidewalk; behind '
         'these outer, median, splitter or island, as kerb.beside, or roadway of another street. roadway alone: '
         'the model computes no lanes';
     COMMENT ON COLUMN cross_section.kerb IS
@@ -111,8 +112,8 @@ BEGIN
     COMMENT ON COLUMN cross_section.offset_from_end IS 'metres to where it begins, at the end of the stretch';
     COMMENT ON COLUMN cross_section.offset_to_end IS 'metres to where it ends there; NULL: it goes on';
     COMMENT ON COLUMN cross_section.paved IS
-        'what a lane, shoulder, gutter, sidewalk or the furnishing strip before it is paved with, as in view paving; '
-        'NULL: unknown, or another piece';
+        'what a lane, shoulder, gutter, cycle track, sidewalk or the furnishing strip before it is paved with, as in '
+        'view paving; NULL: unknown, or another piece';
 END $$;
 COMMENT ON FUNCTION streetgen._make_cross_section_views(name) IS
     'Makes the view cross_section of a model, again and again.';

@@ -13,11 +13,12 @@ beside_footway AS MATERIALIZED (
     SELECT e.number, e.geom, e.level, e.beside_left, e.beside_right, row_number() OVER (ORDER BY e.number)::integer
             AS place, roadway_offset, (width + (width_end - width) * start_abscissa / length) / 2 AS half_at_start,
         (width + (width_end - width) * end_abscissa / length) / 2 AS half_at_end,
-        greatest(width, width_end) / 2 + abs(roadway_offset) AS half, sidewalk_apart, parking_left, parking_right
+        greatest(width, width_end) / 2 + abs(roadway_offset) AS half, sidewalk_apart, parking_left, parking_right,
+        strips_left, strips_right
     FROM (SELECT e.number, e.geom, e.level, e.beside_left, e.beside_right, e.start_abscissa, e.end_abscissa, u.width,
             u.width_end, u.roadway_offset, ST_Length2D(u.geom) AS length, a.*
         FROM written_edge e JOIN used u USING (axis_id), LATERAL (
-            SELECT kind, sidewalk_apart, parking_left, parking_right FROM {model}.axis a
+            SELECT kind, sidewalk_apart, parking_left, parking_right, strips_left, strips_right FROM {model}.axis a
             WHERE a.axis_id = e.axis_id {by_key}) a) e LEFT JOIN (
         SELECT class, walked_along FROM {model}.axis_class) c ON c.class = e.kind
     WHERE c.walked_along IS NOT FALSE),
@@ -26,17 +27,21 @@ near_footway AS MATERIALIZED (
     SELECT f.*, row_number() OVER (ORDER BY footway_id)::integer AS place
     FROM ({footways}) f LEFT JOIN {model}.axis_class c ON c.class = f.kind
     WHERE role = 'sidewalk' OR role IS NULL AND coalesce(c.use = 'walk', true)),
--- On medians, splitters and islands nobody walks along the street. bay: how deep bays lie before the kerb.
+-- On medians, splitters and islands nobody walks along the street. before_walk: how deep strips and bays lie before the
+-- walk.
 walked_side AS MATERIALIZED (
     SELECT row_number() OVER (ORDER BY place, "left")::integer AS number, place, "left", at_start, at_end, apart,
-        CASE WHEN parking LIKE 'street\_side%' AND {bays_stand}
-            THEN streetgen._parking_depth(parking, (SELECT v FROM setting)) ELSE 0 END AS bay
+        strips, strips_width + CASE WHEN parking LIKE 'street\_side%' AND {bays_stand}
+            THEN streetgen._parking_depth(parking, (SELECT v FROM setting)) ELSE 0 END AS before_walk
     FROM (SELECT place, true AS "left", half_at_start + roadway_offset AS at_start,
             half_at_end + roadway_offset AS at_end, sidewalk_apart IN ('left', 'both') AS apart,
-            parking_left AS parking
+            parking_left AS parking, strips_left AS strips
         FROM beside_footway WHERE beside_left = 'outer'
         UNION ALL SELECT place, false, half_at_start - roadway_offset, half_at_end - roadway_offset,
-            sidewalk_apart IN ('right', 'both'), parking_right FROM beside_footway WHERE beside_right = 'outer') s),
+            sidewalk_apart IN ('right', 'both'), parking_right, strips_right
+        FROM beside_footway WHERE beside_right = 'outer') s,
+        LATERAL (SELECT CASE WHEN strips IS NULL THEN 0 ELSE streetgen._strips_width(strips, (SELECT v FROM setting))
+            END AS strips_width) w),
 along_side AS MATERIALIZED (
     SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, f.footway_id, m.start_abscissa,
         m.end_abscissa, d.distance, f.role IS NULL AS only_apart, c.width, c.places, c.widths,
@@ -51,11 +56,11 @@ along_side AS MATERIALIZED (
             FROM walked_side) t,
         LATERAL streetgen._sidewalk_sources(g.lines, g.levels, w.lines, w.levels, t.edges, t.lefts, t.at_start,
             t.at_end, r.distance) m, walked_side s, beside_footway e, near_footway f,
-        LATERAL (SELECT m.distance - s.bay AS distance) d,
-        LATERAL (SELECT s.bay + least(50 - s.bay, streetgen._mapped_width(d.distance, f.width, r.minimal, r.maximal))
-                AS width, m.places,
-            ARRAY(SELECT s.bay + least(50 - s.bay, streetgen._mapped_width(away - s.bay, f.width, r.minimal,
-                    r.maximal))
+        LATERAL (SELECT m.distance - s.before_walk AS distance) d,
+        LATERAL (SELECT s.before_walk + least(50 - s.before_walk, streetgen._mapped_width(d.distance, f.width,
+                r.minimal, r.maximal)) AS width, m.places,
+            ARRAY(SELECT s.before_walk + least(50 - s.before_walk, streetgen._mapped_width(away - s.before_walk,
+                    f.width, r.minimal, r.maximal))
                 FROM unnest(m.distances) WITH ORDINALITY a(away, n) ORDER BY n) AS widths) c
     WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway AND (f.role = 'sidewalk' OR s.apart)),
 -- One of two footways beside each other counts: that of role sidewalk, else the nearer one.
@@ -69,7 +74,9 @@ found_source AS MATERIALIZED (
 mapped_sidewalk AS MATERIALIZED (
     SELECT number AS mapped_number, max(width) FILTER (WHERE side = 'left') AS mapped_left,
         max(width) FILTER (WHERE side = 'right') AS mapped_right
-    FROM (SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, 0 AS width, true AS enough
+    FROM (SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, CASE WHEN s.strips IS NULL
+                THEN 0 ELSE streetgen._with_strips(0, NULL, s.strips, (SELECT v FROM setting)) END AS width,
+            true AS enough
         FROM walked_side s JOIN beside_footway e USING (place)
         WHERE s.apart AND (SELECT value = 'none' FROM {model}.setting WHERE name = 'mapped_sidewalk_missing')
         UNION ALL SELECT s.number, s.side, sum(s.width * (s.end_abscissa - s.start_abscissa) ORDER BY s.footway_id,

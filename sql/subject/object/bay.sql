@@ -162,3 +162,17 @@ END $$;
 COMMENT ON FUNCTION streetgen._edit_parking_bay() IS
     'Trigger of parking_bay_editing: writes the object and its bay; a size or angle that is left empty is as usual. '
     'One without a street, a size or an angle out of its range: 22023. RETURNING gives the row as it is then.';
+
+CREATE OR REPLACE FUNCTION streetgen._object_told_others(model name, computed text[]) RETURNS boolean
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'sidewalk' <> ALL (computed) THEN
+        RETURN false;
+    END IF;
+    RETURN EXISTS (SELECT FROM sidewalk WHERE strip IS NOT NULL)
+        OR EXISTS (SELECT FROM axis WHERE parking_left LIKE 'street\_side%' OR parking_right LIKE 'street\_side%');
+END $$;
+COMMENT ON FUNCTION streetgen._object_told_others(name, text[]) IS
+    'Did bays cut or widen sidewalks of a model before objects were switched off? Then it is computed anew.';

@@ -59,7 +59,7 @@ END
     street AS MATERIALIZED (
         SELECT e.axis_id, e.level, e.edge_id, e.from_node, e.to_node, e.start_abscissa, e.end_abscissa,
             e.importance, a.kind, coalesce(c.crossed_on_foot, true) AS crossed, a.turn_forward, a.turn_backward,
-            a.direction, a.parking_left, a.parking_right,
+            a.direction, a.parking_left, a.parking_right, a.strips_left, a.strips_right,
             e.edge_id IN (SELECT unnest(rings)) AS on_ring,
             ST_Force2D(u.geom) AS line, u.width, u.width_end, u.roadway_offset, b.borders,
             e.start_abscissa + l.abscissa AS low, e.start_abscissa + h.abscissa AS high,
@@ -106,8 +106,10 @@ END
     place AS (
         SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
             (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
-            r.axis_offset AS aside, NULL::float8 AS corner_offset,
-            NULL::float8 AS bay_length, NULL::float8 AS bay_width
+            CASE WHEN r.along = 'border' AND num_nonnulls(r.strips_left, r.strips_right) > 0
+                THEN streetgen._behind_strips(r.axis_offset, CASE v.side WHEN 'left' THEN r.strips_left
+                    ELSE r.strips_right END, (SELECT settings FROM setting_used)) ELSE r.axis_offset END AS aside,
+            NULL::float8 AS corner_offset, NULL::float8 AS bay_length, NULL::float8 AS bay_width
         FROM ruled r, LATERAL generate_series(
                 greatest(0, ceil((low + distance_from_limit - phase) / every))::bigint,
                 floor((high - distance_from_limit - phase) / every)::bigint) k,

@@ -17,6 +17,10 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_setting()
         NULL),
     ('sidewalk_width_maximal', '8', 'm', 'import_sidewalk_widths reports a wider sidewalk and leaves it out', 1, 50,
         NULL),
+    ('verge_width', '1.5', 'm', 'width of a verge between kerb and sidewalk that says none', 0.1, 20, NULL),
+    ('buffer_width', '0.75', 'm', 'the same of a strip between kerb and cycle track', 0.1, 20, NULL),
+    ('cycle_track_width', '2', 'm', 'the same of a cycle track for one direction', 0.5, 20, NULL),
+    ('two_way_cycle_track_width', '3', 'm', 'the same of one for both directions', 0.5, 20, NULL),
     ('sidewalk_transition', '5', 'm', 'metres of kerb over which the width of sidewalks changes at a corner', 0, 100,
         NULL) $$;
 COMMENT ON FUNCTION streetgen._sidewalk_setting() IS 'The settings of sidewalks, with their defaults and ranges.';

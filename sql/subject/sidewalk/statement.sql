@@ -180,3 +180,23 @@ WHERE b.arc IS NOT NULL AND c.arc IS NOT NULL AND w.before > 0 AND w.behind > 0 
         WHERE (e.from_node = n.node_id OR e.to_node = n.node_id) AND e.edge_id NOT IN (x.edge_id, y.edge_id)
             AND crossed_on_foot IS NOT FALSE)
     AND ST_Area(g.surface) > 0.5
+
+--{side_strip
+CREATE OR REPLACE VIEW side_strip WITH (security_invoker = true) AS
+SELECT 10 * w.sidewalk_id + t."order" AS side_strip_id, w.sidewalk_id, w.edge_id, k.side, t."order", t.kind, k.level,
+    CASE t.kind WHEN 'cycle_track' THEN v.paved END AS paved,
+    ST_Multi(c.surface)::geometry(MultiPolygon, {srid}) AS surface
+FROM axis a CROSS JOIN LATERAL (VALUES
+        ('left', a.strips_left, a.parking_left, a.cycle_paved_left),
+        ('right', a.strips_right, a.parking_right, a.cycle_paved_right)) v(side, said, parking, paved)
+    JOIN edge e USING (axis_id) JOIN sidewalk w ON w.edge_id = e.edge_id AND w.side = v.side
+    JOIN kerb k ON (k.edge_id, k.side, k.part) = (w.edge_id, w.side, w.part)
+    CROSS JOIN setting_used u
+    -- Stones and bays lie before the strips.
+    CROSS JOIN LATERAL (SELECT (u.settings ->> 'kerb_stone_width')::float8 + CASE WHEN v.parking LIKE 'street\_side%'
+        AND {bays} THEN streetgen._parking_depth(v.parking, u.settings) ELSE 0 END AS before) b
+    CROSS JOIN LATERAL streetgen._side_strips(v.said, u.settings) t
+    CROSS JOIN LATERAL (SELECT ST_CollectionExtract(ST_Intersection(w.surface, ST_Difference(
+        ST_Buffer(ST_Force2D(k.geom), b.before + t.far, 'endcap=flat join=mitre mitre_limit=2'),
+        ST_Buffer(ST_Force2D(k.geom), b.before + t.near, 'endcap=flat join=mitre mitre_limit=2'))), 3) AS surface) c
+WHERE v.said IS NOT NULL AND k.node_id IS NULL AND NOT ST_IsEmpty(c.surface)

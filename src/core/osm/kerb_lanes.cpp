@@ -1,6 +1,7 @@
 #include "osm/kerb_lanes.hpp"
 
 #include "osm/lane_list.hpp"
+#include "osm/side_strips.hpp"
 
 namespace streetgen {
 
@@ -31,7 +32,12 @@ CycleWish cycle_lanes_at(RoadSide kerb, WayTags& tags) {
   wish.key = tags.said_of("cycleway", kerb);
   std::string word = word_among(tags.value(wish.key), cycle_words);
   const bool near = kerb == RoadSide::near, sided = !word.empty();
-  if (!sided) {
+  // A track on the roadway is a lane of it.
+  if (const std::string track = cycle_track_key(kerb, tags);
+      !track.empty() && track_is_on_roadway(kerb, tags)) {
+    wish.key = track;
+    word = tags.one_way() && !near && !sided ? "opposite_lane" : "lane";
+  } else if (!sided) {
     wish.key = "cycleway";
     // Without a side it speaks of the near kerb of each direction.
     word = word_among(tags.value(wish.key), !tags.one_way() ? cycle_words
@@ -72,11 +78,11 @@ std::optional<double> width_at(RoadSide kerb, WayTags& tags) {
 
 void put_cycle_lane(RoadSide kerb, DrivingSide side, std::optional<double> width,
                     HeadingLanes& lanes) {
-  const bool last = (kerb == RoadSide::near) == (side == DrivingSide::right);
   if (kerb == RoadSide::near
           ? lanes.has(LaneKind::cycle)
           : !lanes.lanes.empty() &&
-                (last ? lanes.lanes.back() : lanes.lanes.front()).kind == LaneKind::cycle) {
+                (lies_last(kerb, side) ? lanes.lanes.back() : lanes.lanes.front()).kind ==
+                    LaneKind::cycle) {
     for (OsmLane& lane : lanes.lanes)
       if (lane.kind == LaneKind::cycle && !lane.width) lane.width = width;
     return;
@@ -196,8 +202,14 @@ void lay_parking_lanes(WayLanes& lanes, const OsmLaneUse& use, WayTags& tags) {
     }
     const bool beyond = kerb == RoadSide::far &&
                         (!tags.one_way() || tags.takes_turns() || !lanes.against.lanes.empty());
-    put_at(beyond ? RoadSide::near : kerb, lanes.side, parking_lane_at(kerb, stands, use, tags),
-           beyond ? lanes.against.lanes : lanes.along.lanes);
+    std::vector<OsmLane>& beside = beyond ? lanes.against.lanes : lanes.along.lanes;
+    const RoadSide seen = beyond ? RoadSide::near : kerb;
+    OsmLane parked = parking_lane_at(kerb, stands, use, tags);
+    if (!beside.empty() && cars_stand_before_track(kerb, tags)) {
+      OsmLane& at_kerb = lies_last(seen, lanes.side) ? beside.back() : beside.front();
+      if (at_kerb.kind == LaneKind::cycle) std::swap(at_kerb, parked);
+    }
+    put_at(seen, lanes.side, parked, beside);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "osm/lane_list.hpp"
 #include "osm/placement.hpp"
 #include "osm/side_parking.hpp"
+#include "osm/side_strips.hpp"
 #include "osm/way_access.hpp"
 #include "osm/way_tags.hpp"
 
@@ -271,6 +272,9 @@ OsmLanes read_osm_lanes(const OsmTags& said, const OsmLaneUse& use) {
   read.direction = tags.direction();
   read.parking_left = side_parking("left", tags);
   read.parking_right = side_parking("right", tags);
+  for (const RoadSide kerb : {RoadSide::near, RoadSide::far})
+    (tags.key_of("", kerb) == ":left" ? read.strips_left : read.strips_right) =
+        side_strips(kerb, tags);
   const Access along_access = way_access(Heading::along, tags),
                against_access = tags.one_way() && lanes.against.lanes.empty()
                                     ? along_access

@@ -84,16 +84,33 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
        "lane opposite_lane opposite separate no none"},
       {"cycleway[|:left|:right|:both]",
        "Value lane or soft_lane: a cycle lane at the kerb, beside the lanes that are counted; "
-       "opposite_lane: one against the traffic. Tracks and shared lanes are no lanes of the "
-       "roadway. share_busway and opposite_share_busway without a bus lane are named.",
+       "opposite_lane: one against the traffic. track: a strip between kerb and sidewalk, columns "
+       "strips_left and _right, or a lane where its separation stands on the roadway. Shared lanes "
+       "are no lanes of the roadway. share_busway and opposite_share_busway without a bus lane are "
+       "named.",
        cycleways},
       {"cycleway[:left|:right|:both]:oneway",
        "The direction of the cycle lane. One for both directions is made at the far kerb of a "
        "one-way street alone.",
        yes_or_no},
       {"cycleway[|:left|:right|:both]:[width|est_width]",
-       "The width of the cycle lane, 0.5 to 4 m; est_width where width is none. Without a cycle "
-       "lane it is named."},
+       "The width of the cycle lane, 0.5 to 4 m, or of the track; est_width where width is none. "
+       "Without a cycle lane or track it is named."},
+      {"cycleway[|:left|:right|:both]:separation[|:left|:right|:both]",
+       "What parts a track from the lanes. Paint, posts, planters and parked cars stand on the "
+       "roadway, and the track is a lane of it: behind a parking lane where parking_lane is said. "
+       "Grass, trees, hedges, ditches and greenery are a verge between the kerb and the track.",
+       "solid_line dashed_line double_solid_line barred_area surface bump studs flex_post "
+       "vertical_panel cone bollard planter jersey_barrier parking_lane separation_kerb "
+       "grass_verge "
+       "tree_row hedge ditch greenery kerb fence railing guard_rail structure yes no none"},
+      {"cycleway[|:left|:right|:both]:buffer",
+       "The strip between the kerb and the track, yes or metres. Without a track behind a kerb it "
+       "is named."},
+      {"verge[|:left|:right|:both]",
+       "A verge between kerb and sidewalk, or kerb and track: columns strips_left and _right.",
+       "left right both yes no none separate grass"},
+      {"verge[|:left|:right|:both]:width", "The width of the verge in metres, up to 19.5."},
       {"cycleway[|:left|:right|:both]:lane",
        "Nothing: an advisory lane is a cycle lane as an exclusive one is. Without a cycle lane "
        "the way is named.",

@@ -35,10 +35,14 @@ struct WayLanes {
   DrivingSide side = DrivingSide::right;
 };
 
+// Is the lane at this kerb of its direction the last from left to right?
+inline bool lies_last(RoadSide kerb, DrivingSide side) {
+  return (kerb == RoadSide::near) == (side == DrivingSide::right);
+}
+
 // Puts a lane at the near or far kerb of its direction.
 inline void put_at(RoadSide kerb, DrivingSide side, OsmLane lane, std::vector<OsmLane>& lanes) {
-  const bool last = (kerb == RoadSide::near) == (side == DrivingSide::right);
-  lanes.insert(last ? lanes.end() : lanes.begin(), std::move(lane));
+  lanes.insert(lies_last(kerb, side) ? lanes.end() : lanes.begin(), std::move(lane));
 }
 
 }  // namespace streetgen

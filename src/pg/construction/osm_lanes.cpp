@@ -105,6 +105,19 @@ std::string parking_text(const OsmSideParking& parking) {
   return text;
 }
 
+// As columns strips_left and strips_right of axis.
+std::string strips_text(const std::vector<SideStrip>& strips) {
+  std::string text;
+  for (const SideStrip& strip : strips) {
+    if (!text.empty()) text += "|";
+    text += side_strip_name(strip.kind);
+    if (!strip.width) continue;
+    text += " ";
+    append_short_decimal(text, *strip.width, 3);
+  }
+  return text;
+}
+
 struct FoundOsmLanes {
   OsmLanes lanes;
   int driving[2] = {0, 0};
@@ -143,7 +156,7 @@ void put_into_words(FoundOsmLanes& found) {
 
 void give(const FoundOsmLanes& found, ReturnSetInfo* result) {
   const OsmLanes& lanes = found.lanes;
-  constexpr int count = 19;
+  constexpr int count = 21;
   Datum values[count];
   bool nulls[count] = {false};
   int next = 0;
@@ -170,6 +183,8 @@ void give(const FoundOsmLanes& found, ReturnSetInfo* result) {
   text(access_text(lanes));
   text(parking_text(lanes.parking_left));
   text(parking_text(lanes.parking_right));
+  text(strips_text(lanes.strips_left));
+  text(strips_text(lanes.strips_right));
   values[next++] = texts_datum(found.keys);
   values[next++] = texts_datum(found.reasons);
   tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);

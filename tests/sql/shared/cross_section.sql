@@ -46,7 +46,7 @@ BEGIN
         AND NOT EXISTS (SELECT FROM @.corner c WHERE p.edge_id IN (c.edge_a, c.edge_b) AND ST_DWithin(c.arc, streetgen._place_on(line::bytea, middle, outwards * low)::geometry, 0.5))
     UNION ALL SELECT 'sidewalks lie on theirs', bool_and(EXISTS (SELECT FROM @.sidewalk s WHERE (s.edge_id, s.side) = (p.edge_id, p.side)
         AND ST_DWithin(coalesce(s.strip, s.surface), streetgen._place_on(line::bytea, middle, outwards * (low + high) / 2)::geometry, 1e-3))) FROM place p WHERE kind = 'sidewalk' AND end_abscissa - start_abscissa > 1
-    UNION ALL SELECT 'and none is left out', bool_and(EXISTS (SELECT FROM piece p WHERE (p.edge_id, p.side, p.kind) = (s.edge_id, s.side, 'sidewalk')))
+    UNION ALL SELECT 'and none is left out', bool_and(EXISTS (SELECT FROM piece p WHERE (p.edge_id, p.side) = (s.edge_id, s.side) AND p.kind IN ('sidewalk', 'verge', 'buffer', 'cycle_track')))
       FROM @.sidewalk s JOIN course USING (edge_id) WHERE node_id IS NULL AND side IN ('left', 'right') AND s.width > 0.31 AND s.method <> 'contested' AND high - low > 1e-6$q$, '@', quote_ident(model));
   DROP TABLE piece, stretch, course, place;
 END $$;

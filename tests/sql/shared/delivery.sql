@@ -11,7 +11,7 @@ END $$;
 CREATE FUNCTION test.edit_by_hand(model name, edits integer) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   columns constant text[] := ARRAY['width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-    'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'access', 'ref', 'parking_left', 'parking_right', 'lane_markings', 'sidewalk_apart', 'paved', 'sidewalk_paved_left', 'sidewalk_paved_right', 'cycle_paved_left', 'cycle_paved_right', 'geom'];
+    'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'access', 'ref', 'parking_left', 'parking_right', 'lane_markings', 'sidewalk_apart', 'paved', 'sidewalk_paved_left', 'sidewalk_paved_right', 'cycle_paved_left', 'cycle_paved_right', 'strips_left', 'strips_right', 'geom'];
   axis record;
   name text;
   value text;
@@ -32,7 +32,7 @@ BEGIN
         WHEN name IN ('level', 'lanes_both') THEN floor(2 * random())::text
         WHEN name = 'direction' THEN (ARRAY['both', 'direct', 'reverse'])[1 + floor(3 * random())::integer]
         WHEN name = 'geom' THEN ST_SetPoint(axis.geom, ST_NPoints(axis.geom) / 2, ST_Translate(ST_PointN(axis.geom, ST_NPoints(axis.geom) / 2 + 1), 1 + random(), 2))::text
-        WHEN name = 'name' THEN 'by hand ' || nth WHEN name = 'kind' THEN 'secondary' WHEN name = 'roundabout_tag' THEN 'circular' WHEN name = 'ref' THEN 'D ' || nth WHEN name = 'access' THEN 'bus' WHEN name = 'lane_markings' THEN (ARRAY['no', 'yes'])[1 + floor(2 * random())::integer] WHEN name = 'sidewalk_apart' THEN (ARRAY['left', 'right', 'both'])[1 + floor(3 * random())::integer] WHEN name ~ 'paved' THEN (ARRAY['sett', 'asphalt'])[1 + floor(2 * random())::integer] WHEN name LIKE 'parking%' THEN (ARRAY['no', 'on_kerb', 'street_side|diagonal'])[1 + floor(3 * random())::integer]
+        WHEN name = 'name' THEN 'by hand ' || nth WHEN name = 'kind' THEN 'secondary' WHEN name = 'roundabout_tag' THEN 'circular' WHEN name = 'ref' THEN 'D ' || nth WHEN name = 'access' THEN 'bus' WHEN name = 'lane_markings' THEN (ARRAY['no', 'yes'])[1 + floor(2 * random())::integer] WHEN name = 'sidewalk_apart' THEN (ARRAY['left', 'right', 'both'])[1 + floor(3 * random())::integer] WHEN name LIKE 'strips%' THEN (ARRAY['verge', 'cycle_track 2.2'])[1 + floor(2 * random())::integer] WHEN name ~ 'paved' THEN (ARRAY['sett', 'asphalt'])[1 + floor(2 * random())::integer] WHEN name LIKE 'parking%' THEN (ARRAY['no', 'on_kerb', 'street_side|diagonal'])[1 + floor(3 * random())::integer]
         WHEN name LIKE 'kind%' THEN 'general|bus' WHEN name LIKE 'turn%' THEN 'left|through' WHEN name LIKE 'change%' THEN 'yes|no'
         WHEN name LIKE 'lane_width%' THEN '3.25|3' ELSE round((2 + 5 * random())::numeric, 2)::text END;
       EXECUTE format('UPDATE %I.axis SET %I = %L WHERE axis_id = $1', model, name, value) USING axis.axis_id;
