@@ -14,7 +14,7 @@ seen AS (
     SELECT EXISTS (SELECT FROM :"model".section s JOIN :"model".edge e USING (edge_id)
             WHERE e.level = p.level AND s.surface && p.geom AND ST_Covers(s.surface, p.geom)) AS driven,
         EXISTS (SELECT FROM :"model".sidewalk w WHERE w.surface && p.geom
-            AND ST_Covers(coalesce(w.strip, w.surface), p.geom)) AS walked,
+            AND ST_Covers(w.surface, p.geom)) AS walked,
         EXISTS (SELECT FROM :"model".lane l WHERE l.kind = 'cycle' AND l.surface && ST_Expand(p.geom, 6)
             AND ST_DWithin(l.surface, p.geom, 6) AND abs(sin(p.heading
                 - ST_Azimuth(ST_StartPoint(l.geom), ST_EndPoint(l.geom)))) < 0.5) AS laned

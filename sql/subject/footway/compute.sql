@@ -36,14 +36,18 @@ COMMENT ON FUNCTION streetgen._mapped_width(float8, float8, float8, float8) IS
 CREATE OR REPLACE FUNCTION streetgen._footway_places(places jsonb) RETURNS jsonb
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT CASE WHEN places -> 'subjects' ? 'footway'
-        THEN jsonb_build_object('sidewalks_mapped', 'LEFT JOIN mapped_sidewalk p ON p.mapped_number = e.number',
+        THEN jsonb_build_object('sidewalks_mapped', 'LEFT JOIN mapped_sidewalk p ON p.mapped_number = e.number '
+                'LEFT JOIN beside_track track ON track_number = e.number',
             'mapped_left', 'p.mapped_left', 'mapped_right', 'p.mapped_right',
+            'usual_left', streetgen._fill_template(streetgen._part('sidewalk_before_track'), '{"side": "left"}'),
+            'usual_right', streetgen._fill_template(streetgen._part('sidewalk_before_track'), '{"side": "right"}'),
             'sidewalk_course', streetgen._fill_template(streetgen._part('sidewalk_course'),
                 places || jsonb_build_object('sources', streetgen._fill_template(streetgen._part(
                     CASE places ->> 'run' WHEN 'part' THEN 'standing_sources' ELSE 'new_sources' END), places))),
             'widest_course', format(', (SELECT max(widest) FROM %s.sidewalk_source), (SELECT max(widest) '
                 'FROM found_source)', places ->> 'model'))
         ELSE jsonb_build_object('sidewalks_mapped', '', 'mapped_left', 'NULL::float8', 'mapped_right', 'NULL::float8',
+            'usual_left', 'u.sidewalk_left', 'usual_right', 'u.sidewalk_right',
             'sidewalk_course', 'SELECT ARRAY[]::integer[] AS course_kerbs, ARRAY[]::float8[] AS shares, '
                 'ARRAY[]::float8[] AS course_widths', 'widest_course', '') END $$;
 COMMENT ON FUNCTION streetgen._footway_places(jsonb) IS

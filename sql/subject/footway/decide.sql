@@ -22,6 +22,18 @@ BEGIN
             WHERE (f ->> 'role' IS DISTINCT FROM 'crossing' OR crossed AND ST_DWithin(e.geom, l.geom, 2))
                 AND ST_DWithin(e.geom, l.geom, reach + greatest(e.width, e.width_end) / 2 + abs(e.roadway_offset)))
             INTO axes;
+        -- Cycle tracks take the ground of sidewalks.
+        axes := axes || ARRAY(SELECT DISTINCT e.axis_id FROM unnest(footways) f
+                JOIN axis_class c ON c.class = f ->> 'kind' AND c.use = 'cycle',
+            LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom,
+                    coalesce((f ->> 'width')::float8, c.width, s.value::float8) / 2 + 0.01 AS half
+                FROM streetgen.model m, setting s WHERE (m.name, s.name) = (model, 'mapped_sidewalk_minimal')
+                OFFSET 0) l,
+            LATERAL (SELECT edge_id FROM sidewalk w WHERE w.surface && ST_Expand(l.geom, half)
+                    AND ST_DWithin(w.surface, l.geom, half)
+                UNION SELECT edge_id FROM sidewalk w WHERE w.strip && ST_Expand(l.geom, half)
+                    AND ST_DWithin(w.strip, l.geom, half) OFFSET 0) w JOIN edge e USING (edge_id)
+            WHERE e.axis_id <> ALL (axes));
     END IF;
     RETURN axes;
 END $$;

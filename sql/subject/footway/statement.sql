@@ -22,11 +22,13 @@ beside_footway AS MATERIALIZED (
             WHERE a.axis_id = e.axis_id {by_key}) a) e LEFT JOIN (
         SELECT class, walked_along FROM {model}.axis_class) c ON c.class = e.kind
     WHERE c.walked_along IS NOT FALSE),
--- A walk of no role may be the sidewalk of a side that says that it has one apart.
+-- A walk of no role may be the sidewalk of a side that says that it has one apart. track: half the width of a cycle
+-- track, which may lie where a sidewalk is estimated.
 near_footway AS MATERIALIZED (
-    SELECT f.*, row_number() OVER (ORDER BY footway_id)::integer AS place
-    FROM ({footways}) f LEFT JOIN {model}.axis_class c ON c.class = f.kind
-    WHERE role = 'sidewalk' OR role IS NULL AND coalesce(c.use = 'walk', true)),
+    SELECT f.*, row_number() OVER (ORDER BY footway_id)::integer AS place,
+        CASE WHEN c.use = 'cycle' THEN coalesce(f.width, c.width, r.minimal) / 2 END AS track
+    FROM ({footways}) f LEFT JOIN {model}.axis_class c ON c.class = f.kind, footway_rule r
+    WHERE role = 'sidewalk' OR role IS NULL AND coalesce(c.use IN ('walk', 'cycle'), true)),
 -- On medians, splitters and islands nobody walks along the street. before_walk: how deep strips and bays lie before the
 -- walk.
 walked_side AS MATERIALIZED (
@@ -44,7 +46,7 @@ walked_side AS MATERIALIZED (
             END AS strips_width) w),
 along_side AS MATERIALIZED (
     SELECT e.number, CASE WHEN s."left" THEN 'left' ELSE 'right' END AS side, f.footway_id, m.start_abscissa,
-        m.end_abscissa, d.distance, f.role IS NULL AS only_apart, c.width, c.places, c.widths,
+        m.end_abscissa, d.distance, f.track, f.role IS NULL AS only_apart, c.width, c.places, c.widths,
         greatest(c.width, (SELECT max(w) FROM unnest(c.widths) w)) AS widest
     FROM footway_rule r,
         (SELECT array_agg(ST_Force2D(geom)::bytea ORDER BY place) AS lines, array_agg(level ORDER BY place) AS levels
@@ -62,14 +64,30 @@ along_side AS MATERIALIZED (
             ARRAY(SELECT s.before_walk + least(50 - s.before_walk, streetgen._mapped_width(away - s.before_walk,
                     f.width, r.minimal, r.maximal))
                 FROM unnest(m.distances) WITH ORDINALITY a(away, n) ORDER BY n) AS widths) c
-    WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway AND (f.role = 'sidewalk' OR s.apart)),
+    WHERE s.number = m.side AND e.place = s.place AND f.place = m.footway
+        AND (f.role = 'sidewalk' OR s.apart OR f.track IS NOT NULL)),
 -- One of two footways beside each other counts: that of role sidewalk, else the nearer one.
 found_source AS MATERIALIZED (
-    SELECT * FROM along_side s WHERE NOT EXISTS (SELECT FROM along_side o WHERE (o.number, o.side) = (s.number, s.side)
-        AND (o.only_apart, o.distance, o.footway_id, o.start_abscissa)
+    SELECT * FROM along_side s WHERE track IS NULL AND NOT EXISTS (SELECT FROM along_side o
+        WHERE (o.number, o.side) = (s.number, s.side) AND o.track IS NULL
+            AND (o.only_apart, o.distance, o.footway_id, o.start_abscissa)
             < (s.only_apart, s.distance, s.footway_id, s.start_abscissa)
         AND least(o.end_abscissa, s.end_abscissa) - greatest(o.start_abscissa, s.start_abscissa)
             > (s.end_abscissa - s.start_abscissa) / 2)),
+-- Where tracks begin and end behind the kerb of a side along which they run.
+beside_track AS MATERIALIZED (
+    SELECT number AS track_number, max(near) FILTER (WHERE side = 'left') AS near_left,
+        max(far) FILTER (WHERE side = 'left') AS far_left, max(near) FILTER (WHERE side = 'right') AS near_right,
+        max(far) FILTER (WHERE side = 'right') AS far_right
+    FROM (SELECT s.number, s.side, sum((s.distance - s.track) * metres ORDER BY s.footway_id, s.start_abscissa)
+                / sum(metres ORDER BY s.footway_id, s.start_abscissa) AS near,
+            sum((s.distance + s.track) * metres ORDER BY s.footway_id, s.start_abscissa)
+                / sum(metres ORDER BY s.footway_id, s.start_abscissa) AS far,
+            sum(metres) >= least(20, 0.3 * min(ST_Length2D(e.geom))) AS enough
+        FROM along_side s JOIN beside_footway e USING (number),
+            LATERAL (SELECT s.end_abscissa - s.start_abscissa AS metres) m
+        WHERE s.track IS NOT NULL GROUP BY s.number, s.side) t
+    WHERE enough GROUP BY number),
 -- A side of which a footway runs along a part is as wide as its footways are on the whole.
 mapped_sidewalk AS MATERIALIZED (
     SELECT number AS mapped_number, max(width) FILTER (WHERE side = 'left') AS mapped_left,
@@ -84,6 +102,12 @@ mapped_sidewalk AS MATERIALIZED (
             sum(s.end_abscissa - s.start_abscissa) >= least(20, 0.3 * min(ST_Length2D(e.geom)))
         FROM found_source s JOIN beside_footway e USING (number) GROUP BY s.number, s.side) m
     WHERE enough GROUP BY number)
+
+--{sidewalk_before_track
+-- An estimated sidewalk on whose ground a track lies goes on behind the track.
+CASE WHEN u.sidewalk_{side} > 0 AND track.near_{side} BETWEEN -0.5 AND u.sidewalk_{side}
+        AND 'sidewalk_{side}' = ANY (u.estimated)
+    THEN u.sidewalk_{side} + greatest(0, track.far_{side}) ELSE u.sidewalk_{side} END
 
 --{kerbs_beside
 -- Half of the least width of a sidewalk lies between a kerb and its footway, and none of the footway before the kerb.

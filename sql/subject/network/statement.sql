@@ -67,7 +67,7 @@ SELECT coalesce(edge_id, {next_id}) AS edge_id, number, lanes_affected AS affect
            CASE WHEN num_nonnulls(sidewalk_right_by_hand, mapped_right) > 0 THEN 'sidewalk_right' END) AS estimated,
        input_hash, setting_hash
 FROM (SELECT e.*, k.edge_id, u.width, u.width_end, u.roadway_offset, u.lane_count, {lanes_of_edge},
-    u.sidewalk_left, u.sidewalk_right, h.sidewalk_left_by_hand, h.sidewalk_right_by_hand,
+    {usual_left} AS sidewalk_left, {usual_right} AS sidewalk_right, h.sidewalk_left_by_hand, h.sidewalk_right_by_hand,
              {mapped_left} AS mapped_left, {mapped_right} AS mapped_right, u.speed, u.importance,
              u.estimated, CASE WHEN e.spreads_to THEN 0 ELSE u.input_hash END AS input_hash, u.setting_hash
       FROM written_edge e JOIN used u USING (axis_id) {sidewalks_by_hand} {sidewalks_mapped} {edge_circulation}

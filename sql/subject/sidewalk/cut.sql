@@ -1,4 +1,4 @@
--- Parking bays and tracks take the ground of the sidewalks on which they lie.
+-- Parking bays, tracks and cycle tracks take the ground of the sidewalks on which they lie.
 
 CREATE OR REPLACE FUNCTION streetgen._strip_without(strip geometry, holes geometry[]) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
@@ -23,14 +23,17 @@ CREATE OR REPLACE FUNCTION streetgen._sidewalk_holes(of_model text, subjects tex
                 'THEN w.surface END' ELSE 'CASE WHEN b.cut IS NOT NULL THEN w.surface END' END,
             'holes', streetgen._fill_template(CASE WHEN standing THEN streetgen._part('sidewalk_stands') ELSE '' END
                 || replace(streetgen._part('sidewalk_holes'), '{takers}', takers), jsonb_build_object(
-                'of_model', of_model, 'cut_anew', CASE WHEN standing THEN 's.surface IS NULL AND ' ELSE '' END)))
+                'of_model', of_model, 'stays', CASE WHEN 'footway' = ANY (subjects)
+                    THEN streetgen._part('sidewalk_stays') ELSE '' END,
+                'cut_anew', CASE WHEN standing THEN 's.surface IS NULL AND ' ELSE '' END)))
         ELSE jsonb_build_object('surface', 'w.surface', 'strip', 'NULL::geometry', 'holes', '') END
     FROM concat_ws(E'\n        UNION ALL ',
         CASE WHEN 'object' = ANY (subjects) THEN streetgen._part('sidewalk_bays') END,
-        CASE WHEN 'rail' = ANY (subjects) THEN streetgen._part('sidewalk_tracks') END) takers $$;
+        CASE WHEN 'rail' = ANY (subjects) THEN streetgen._part('sidewalk_tracks') END,
+        CASE WHEN 'footway' = ANY (subjects) THEN streetgen._part('sidewalk_cycle_tracks') END) takers $$;
 COMMENT ON FUNCTION streetgen._sidewalk_holes(text, text[], boolean) IS
-    'What the queries of sidewalks say of bays and tracks, by the subjects of a model: of_model stands before the '
-    'names of tables, with its point. standing: a sidewalk whose strip stays is not cut anew.';
+    'What the queries of sidewalks say of bays, tracks and cycle tracks, by the subjects of a model: of_model stands '
+    'before the names of tables, with its point. standing: a sidewalk whose strip stays is not cut anew.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_sidewalk_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
@@ -38,10 +41,10 @@ CREATE OR REPLACE FUNCTION streetgen._make_sidewalk_functions(model name) RETURN
 DECLARE
     subjects constant text[] := streetgen._subjects(model);
 BEGIN
-    IF '{object,rail}' && subjects THEN
+    IF '{object,rail,footway}' && subjects THEN
         PERFORM streetgen._compose_function(model, '_cut_sidewalks(sidewalks bigint[])', 'void',
             streetgen._fill_template(streetgen._part('cut_sidewalks'), streetgen._sidewalk_holes('', subjects, false)),
-            '_cut_sidewalks(bigint[])', 'Takes from sidewalks (NULL: all) what bays and tracks lie on',
+            '_cut_sidewalks(bigint[])', 'Takes from sidewalks (NULL: all) what bays, tracks and cycle tracks lie on',
             'VOLATILE SET jit = off SET streetgen.computes = ''on'''),
             streetgen._compose_function(model, '_sidewalks_on(ground geometry[])', 'bigint[]',
             streetgen._part('sidewalks_on'), '_sidewalks_on(geometry[])', 'The sidewalks on ground where bays came, '
@@ -51,4 +54,5 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_sidewalk_functions(name) IS
-    'Makes the functions of a model by which sidewalks follow parking bays and tracks; none where it computes neither.';
+    'Makes the functions of a model by which sidewalks follow parking bays, tracks and cycle tracks; none where it '
+    'computes none of them.';

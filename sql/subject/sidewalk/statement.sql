@@ -27,12 +27,23 @@ SELECT t.surface FROM (SELECT t.surface FROM {of_model}track_strip t
             WHERE {cut_anew}t.geom && ST_Expand(w.surface, 8) AND t.level = k.level
                 AND ST_DWithin(t.geom, w.surface, t.width / 2) OFFSET 0) t
 
+--{sidewalk_cycle_tracks
+SELECT t.surface FROM (SELECT ST_Buffer(ST_Force2D(f.geom), x.width / 2, 'endcap=flat quad_segs=4') AS surface
+            FROM {of_model}footway f JOIN {of_model}axis_class c ON c.class = f.kind AND c.use = 'cycle',
+                LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM {of_model}setting
+                    WHERE name = 'mapped_sidewalk_minimal') x
+            WHERE {cut_anew}f.geom && ST_Expand(w.surface, 25) AND f.level = k.level
+                AND ST_DWithin(f.geom, w.surface, x.width / 2) OFFSET 0) t
+
 --{sidewalk_stands
 
     -- Sidewalks of bays and tracks that changed are cut after this statement.
     LEFT JOIN LATERAL (SELECT s.surface, s.strip FROM {of_model}sidewalk s
         WHERE (s.edge_id, s.side, s.part) = (k.edge_id, k.side, k.part) AND coalesce(s.strip, s.surface) = w.surface
-        OFFSET 0) s ON true
+            {stays}OFFSET 0) s ON true
+
+--{sidewalk_stays
+AND k.edge_id NOT IN (SELECT edge_id FROM new_edge WHERE axis_id IN (SELECT unnest($3)))
 
 --{cut_sidewalks
 #variable_conflict use_column
