@@ -29,10 +29,12 @@ SELECT t.surface FROM (SELECT t.surface FROM {of_model}track_strip t
 
 --{sidewalk_cycle_tracks
 SELECT t.surface FROM (SELECT ST_Buffer(ST_Force2D(f.geom), x.width / 2, 'endcap=flat quad_segs=4') AS surface
-            FROM {of_model}footway f JOIN {of_model}axis_class c ON c.class = f.kind AND c.use = 'cycle',
-                LATERAL (SELECT coalesce(f.width, c.width, value::float8) AS width FROM {of_model}setting
-                    WHERE name = 'mapped_sidewalk_minimal') x
+            FROM {of_model}footway f, LATERAL (SELECT coalesce(f.width, (SELECT width FROM {of_model}axis_class
+                    WHERE class = f.kind), (SELECT value::float8 FROM {of_model}setting
+                    WHERE name = 'mapped_sidewalk_minimal')) AS width OFFSET 0) x
             WHERE {cut_anew}f.geom && ST_Expand(w.surface, 25) AND f.level = k.level
+                -- Most footways are no tracks, and none of these is looked at twice.
+                AND f.kind = ANY (ARRAY(SELECT class FROM {of_model}axis_class WHERE use = 'cycle'))
                 AND ST_DWithin(f.geom, w.surface, x.width / 2) OFFSET 0) t
 
 --{sidewalk_stands
