@@ -8,6 +8,7 @@ BEGIN
     IF 'signal' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
+    PERFORM streetgen._use_model(model);
     RETURN QUERY WITH crossed AS MATERIALIZED (SELECT * FROM streetgen._sumo_crossings(model, options)),
     state AS MATERIALIZED (SELECT * FROM streetgen._signal_states(model)),
     link AS MATERIALIZED (
@@ -29,34 +30,51 @@ BEGIN
     driven AS MATERIALIZED (
         SELECT DISTINCT o.controller_id, o.number, v.ordinality FROM driven_over o JOIN served v
             ON (v.controller_id, v.number) = (o.controller_id, o.link) WHERE stops),
-    walked AS (
-        SELECT c.controller_id, c.number, s.ordinality, CASE s.kind
-            WHEN 'all_red' THEN s.duration >= 4 + c.across / 1.2
-            WHEN 'green' THEN d.number IS NULL
-            ELSE false END AS goes
-        FROM crossed c JOIN state s USING (controller_id) LEFT JOIN driven d
-            ON (d.controller_id, d.number, d.ordinality) = (c.controller_id, c.number, s.ordinality)),
+    timed AS MATERIALIZED (
+        SELECT *, sum(duration) OVER w - duration AS starts, sum(duration) OVER w AS ends,
+            sum(duration) OVER (PARTITION BY controller_id) AS cycle
+        FROM state WINDOW w AS (PARTITION BY controller_id ORDER BY ordinality)),
+    -- Who steps on last is across before somebody drives there.
+    walked AS MATERIALIZED (
+        SELECT controller_id, number, starts, until
+        FROM (SELECT c.controller_id, c.number, s.starts, least(s.ends, min(t.starts
+                    + CASE WHEN t.starts < s.starts THEN t.cycle ELSE 0 END)
+                    - ceil(c.across / (SELECT value::float8 FROM setting WHERE name = 'walking_speed'))) AS until
+            FROM crossed c JOIN timed s USING (controller_id) LEFT JOIN driven d ON (d.controller_id, d.number)
+                = (c.controller_id, c.number) LEFT JOIN timed t ON (t.controller_id, t.ordinality) = (d.controller_id,
+                d.ordinality)
+            WHERE s.kind = 'walk' OR s.kind = 'green' AND NOT EXISTS (SELECT FROM driven o
+                WHERE (o.controller_id, o.number, o.ordinality) = (c.controller_id, c.number, s.ordinality))
+            GROUP BY c.controller_id, c.number, c.across, s.ordinality, s.starts, s.ends) w
+        WHERE until - starts >= (SELECT value::float8 FROM setting WHERE name = 'walk_shortest')),
+    -- A state is cut where a walk ends within it.
+    part AS MATERIALIZED (
+        SELECT s.controller_id, s.ordinality, s.kind, s.green, p.starts,
+            lead(p.starts, 1, s.ends) OVER (PARTITION BY s.controller_id, s.ordinality ORDER BY p.starts) AS ends
+        FROM timed s CROSS JOIN LATERAL (SELECT s.starts UNION SELECT w.until FROM walked w
+            WHERE w.controller_id = s.controller_id AND w.until > s.starts + 0.005 AND w.until < s.ends - 0.005) p),
     yielding AS MATERIALIZED (SELECT controller_id, link FROM driven_over GROUP BY 1, 2 HAVING NOT bool_or(stops)),
     sign AS (
         -- Who has green in no state looks for a gap.
-        SELECT controller_id, ordinality, 0 AS turn, number, CASE WHEN goes THEN 'G'
-            WHEN bool_or(goes) OVER (PARTITION BY controller_id, number) THEN 'r' ELSE 'g' END AS sign
-        FROM walked
+        SELECT p.controller_id, p.starts, 0 AS turn, c.number, CASE WHEN bool_or(w.starts <= p.starts
+                AND w.until >= p.ends - 0.005) THEN 'G' WHEN count(w.starts) > 0 THEN 'r' ELSE 'g' END AS sign
+        FROM part p JOIN crossed c USING (controller_id) LEFT JOIN walked w USING (controller_id, number)
+        GROUP BY p.controller_id, p.starts, c.number
         UNION ALL
-        SELECT s.controller_id, s.ordinality, 1, k.number, CASE WHEN k.open THEN 'g'
-                WHEN v.number IS NULL OR s.kind = 'all_red' THEN 'r' WHEN s.kind = 'amber' THEN 'y'
+        SELECT s.controller_id, s.starts, 1, k.number, CASE WHEN k.open THEN 'g'
+                WHEN v.number IS NULL OR s.kind IN ('all_red', 'walk') THEN 'r' WHEN s.kind = 'amber' THEN 'y'
                 WHEN v.protected AND y.link IS NULL THEN 'G' ELSE 'g' END
-        FROM state s JOIN link k USING (controller_id) LEFT JOIN served v ON (v.controller_id, v.number, v.ordinality)
+        FROM part s JOIN link k USING (controller_id) LEFT JOIN served v ON (v.controller_id, v.number, v.ordinality)
             = (s.controller_id, k.number, s.green)
             LEFT JOIN yielding y ON (y.controller_id, y.link) = (s.controller_id, k.number)),
     shown AS (
-        SELECT controller_id, ordinality, string_agg(sign, '' ORDER BY turn, number) AS signs
-        FROM sign WHERE controller_id IN (SELECT controller_id FROM link) GROUP BY controller_id, ordinality)
+        SELECT controller_id, starts, string_agg(sign, '' ORDER BY turn, number) AS signs
+        FROM sign WHERE controller_id IN (SELECT controller_id FROM link) GROUP BY controller_id, starts)
     SELECT 1, controller_id, xmlelement(name "tlLogic", xmlattributes(controller_id AS id, 'static'
             AS type, 'streetgen' AS "programID", round(min(c.start_offset)::numeric, 2) AS "offset"),
-        xmlagg(xmlelement(name phase, xmlattributes(round(s.duration::numeric, 2) AS duration, signs AS state))
-            ORDER BY s.ordinality))::text
-    FROM shown JOIN state s USING (controller_id, ordinality)
+        xmlagg(xmlelement(name phase, xmlattributes(round((s.ends - s.starts)::numeric, 2) AS duration,
+            signs AS state)) ORDER BY s.starts))::text
+    FROM shown JOIN part s USING (controller_id, starts)
         JOIN streetgen._signal_controllers(model) c USING (controller_id)
     GROUP BY controller_id
     UNION ALL SELECT 2, controller_id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",

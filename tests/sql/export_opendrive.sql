@@ -61,6 +61,7 @@ INSERT INTO busy.axis (axis_id, geom, width, importance, roundabout_tag, directi
   (3, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 8, 2, NULL, 'both'), (4, 'SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 8, 2, NULL, 'both'), (5, 'SRID=2154;LINESTRING(650050 6860080,650050 6860000)', 6, 6, NULL, 'both'),
   (6, ST_SetSRID(ST_MakeLine(ARRAY(SELECT ST_MakePoint(650220 + 20 * cos(pi() + i * pi() / 6), 6860000 + 20 * sin(pi() + i * pi() / 6)) FROM generate_series(0, 12) i)), 2154), 6, 2, 'roundabout', 'direct'), (7, 'SRID=2154;LINESTRING(650240 6860000,650300 6860000)', 8, 2, NULL, 'both');
 INSERT INTO busy.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6860000)', 'signals');
+UPDATE busy.axis SET speed = 50;
 INSERT INTO busy.street_object (type, geom, axis_id, abscissa, axis_offset) VALUES ('lamp', 'SRID=2154;POINT(650020 6860006)', 1, 20, 6), ('crossing', 'SRID=2154;POINT(650150 6860000)', 2, 50, 0);
 INSERT INTO busy.object_type (type, parent) VALUES ('oak', 'tree');
 INSERT INTO busy.street_object (type, geom, placement) VALUES ('oak', 'SRID=2154;POINT(650102 6860003)', 'absolute'), ('bench', 'SRID=2154;POINT(650330 6860001)', 'absolute');

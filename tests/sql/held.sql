@@ -65,7 +65,7 @@ BEGIN
 END $$;
 SELECT format('CREATE TRIGGER held_note AFTER INSERT OR UPDATE OR DELETE ON town.%I FOR EACH ROW EXECUTE FUNCTION held.note(%L)', r,
   (SELECT format('SELECT jsonb_build_object(%s)', string_agg(format('%L, ($1).%I', attname, attname), ', ')) FROM pg_attribute WHERE attrelid = format('town.%I', r)::regclass AND attnum > 0 AND atttypid = 'int8'::regtype))
-FROM unnest(streetgen._computed_tables('town')) r WHERE r NOT IN ('block_edge', 'controller', 'signal_state', 'signal_movement', 'signal_head') \gexec
+FROM unnest(streetgen._computed_tables('town')) r WHERE r NOT IN ('block_edge', 'controller', 'signal_state', 'signal_movement', 'signal_group', 'intergreen', 'signal_head') \gexec
 
 -- A random edit; kind 3 takes an axis away.
 CREATE FUNCTION held.edit(kind integer) RETURNS void LANGUAGE plpgsql VOLATILE AS $$

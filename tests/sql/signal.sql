@@ -20,6 +20,12 @@ SELECT 'protected movements neither cross nor merge', NOT EXISTS (SELECT FROM to
   JOIN town.signal_movement p ON (p.lane_in, p.lane_out) = (a.lane_in, a.lane_out) JOIN town.signal_movement q ON (q.lane_in, q.lane_out) = (b.lane_in, b.lane_out)
   WHERE (p.controller_id, p.ordinality) = (q.controller_id, q.ordinality) AND p.right_of_way = 'protected' AND q.right_of_way = 'protected');
 SELECT 'left turns give way, nothing else does', bool_and((turn = 'left') = (right_of_way = 'permitted')) FROM town.signal_movement JOIN town.movement USING (lane_in, lane_out);
+SELECT 'of two permitted movements that meet one goes first', count(*) > 40 AND count(DISTINCT (controller_id, precedence, lane_in, lane_out)) = count(DISTINCT (controller_id, precedence)) AND count(precedence) = count(*) FROM town.signal_movement;
+SELECT 'states last whole seconds', bool_and(duration = round(duration)) FROM town.signal_state;
+SELECT 'a signal group is what comes by a street with the same green', count(*) = 40 AND bool_and(kind = 'traffic') FROM town.signal_group;
+SELECT 'who meets has time between greens, both ways', count(*) = 80 AND bool_and(i.seconds BETWEEN 3 AND 7 AND o.seconds > 0) FROM town.intergreen i JOIN town.intergreen o ON (o.controller_id, o.ends, o.begins) = (i.controller_id, i.begins, i.ends)
+  JOIN (SELECT DISTINCT controller_id, signal_group, ordinality FROM town.signal_movement) a ON (a.controller_id, a.signal_group) = (i.controller_id, i.ends) JOIN (SELECT DISTINCT controller_id, signal_group, ordinality FROM town.signal_movement) b
+  ON (b.controller_id, b.signal_group) = (i.controller_id, i.begins) WHERE a.ordinality <> b.ordinality;
 SELECT 'heads stand at the stop lines', count(*) = 40 AND bool_and(ST_DWithin(h.geom, ST_LineInterpolatePoint(m.geom, 0.5), 1e-9))
   FROM town.signal_head h JOIN town.lane l USING (lane_id) JOIN town.marking m ON (m.edge_id, m.lane_position, m.along_axis, m.kind) = (l.edge_id, l.lane_position, h.along_axis, 'stop');
 SELECT 'they say whether somebody mapped the signals', bool_and(method = 'hypothesis') FROM town.controller;
@@ -33,7 +39,7 @@ SELECT 'over a cycle each movement has green as long as its states', bool_and(ab
   generate_series(0, ceil(c.cycle)::integer - 1) t, LATERAL streetgen.signals('town', t) s WHERE s.controller_id = c.id GROUP BY 1, 2) a
   JOIN (SELECT lane_in, lane_out, sum(duration) AS known FROM town.signal_movement JOIN town.signal_state USING (controller_id, ordinality) GROUP BY 1, 2) b USING (lane_in, lane_out);
 SELECT 'a plan ends with the cycle', max(ends) = max(cycle) FROM town.controller c, LATERAL streetgen.signal_plan('town', c.controller_id) WHERE c.controller_id = (SELECT min(controller_id) FROM town.controller);
-SELECT 'its picture has a line for each movement', (xpath('count(//*[local-name() = "text" and contains(., "lane")])', streetgen.signal_svg('town', min(controller_id))::xml))[1]::text = '12' FROM town.controller;
+SELECT 'its picture has a line for each signal group, and a phase for each green', (xpath('count(//*[local-name() = "text" and contains(., " from ")])', svg))[1]::text = '4' AND (xpath('count(//*[local-name() = "text" and contains(., "phase ")])', svg))[1]::text = '2' FROM (SELECT streetgen.signal_svg('town', min(controller_id))::xml AS svg FROM town.controller) s;
 
 -- On foot: a crossing of each street of the second place.
 SELECT controller_id AS node_id FROM town.controller ORDER BY controller_id OFFSET 1 LIMIT 1 \gset
@@ -93,10 +99,12 @@ UPDATE town.axis SET flow = CASE name WHEN 'high' THEN 1400 ELSE 300 END;
 SELECT 'who has more traffic has more green', bool_and(high > 2 * side) FROM (SELECT s.controller_id, max(duration) FILTER (WHERE a.name = 'high') AS high, max(duration) FILTER (WHERE a.name = 'side') AS side FROM town.signal_state s
   JOIN town.signal_movement m USING (controller_id, ordinality) JOIN town.lane ON lane_id = lane_in JOIN town.edge USING (edge_id) JOIN town.axis a USING (axis_id) GROUP BY 1) g;
 INSERT INTO town.control_point (geom, kind) SELECT ST_LineInterpolatePoint(geom, 0.95), 'pedestrian_crossing' FROM town.axis WHERE name = 'high';
-SELECT 'green of the side streets lasts as long as people cross the high street', bool_and(duration >= 4 + 8 / 1.2) FROM (SELECT s.controller_id, max(duration) AS duration FROM town.signal_state s
-  JOIN town.signal_movement m USING (controller_id, ordinality) JOIN town.lane ON lane_id = lane_in JOIN town.edge USING (edge_id) JOIN town.axis a USING (axis_id) WHERE a.name = 'side' GROUP BY 1) g;
+SELECT 'people cross the high street before it has green again', count(*) = 10 AND bool_and(walk_until - walk_from >= 4 AND clear_until - walk_until >= 8 / 1.2 AND clear_until <= starts) FROM town.signal_crossing c
+  JOIN (SELECT controller_id, cycle FROM town.controller) k USING (controller_id) CROSS JOIN LATERAL (SELECT min(g.green_from + CASE WHEN g.green_from < c.walk_from THEN cycle ELSE 0 END) AS starts FROM town.signal_green g
+    JOIN town.intergreen i ON (i.controller_id, i.ends) = (g.controller_id, g.signal_group) JOIN town.signal_group w ON (w.controller_id, w.signal_group) = (i.controller_id, i.begins)
+    WHERE (w.controller_id, w.control_point_id, w.edge_id) = (c.controller_id, c.control_point_id, c.edge_id)) s;
 CREATE FUNCTION one_by_one(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE sql AS $$
-  SELECT n::integer, 9::float8, 'green', lane_in, lane_out, along_in, along_out, 'protected' FROM unnest(movements) WITH ORDINALITY m(lane_in, lane_out, along_in, along_out, a, b, c, d, e, f, g, h, i, j, k, n) $$;
+  SELECT n::integer, 9::float8, 'green', lane_in, lane_out, along_in, along_out, 'protected' FROM unnest(movements) WITH ORDINALITY m(lane_in, lane_out, along_in, along_out, a, b, c, d, e, f, g, h, i, j, k, l, o, p, n) $$;
 CREATE FUNCTION all_at_once(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE sql AS $$
   SELECT 1, 9::float8, 'green', lane_in, lane_out, along_in, along_out, 'protected' FROM unnest(movements) $$;
 CREATE FUNCTION forgets(movements streetgen.signal_request[]) RETURNS SETOF streetgen.signal_answer LANGUAGE sql AS $$ SELECT 1, 9::float8, 'green', NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL $$;
@@ -121,3 +129,37 @@ SELECT FROM streetgen.switch_subject('town', 'signal', false);
 SELECT 'switched off, the tables go', to_regclass('town.controller') IS NULL AND to_regclass('town.controller_editing') IS NULL AND to_regprocedure('town._update_signals(bigint[], bigint[])') IS NULL;
 UPDATE town.axis SET width = 8.2 WHERE axis_id = 2;
 SELECT 'and a model without signals says so', test.state($$SELECT streetgen.signals('town', 0)$$) = '55000';
+
+-- What signals make of odd junctions: fourteen arms, a street of 60 m to walk over, a drive, no traffic and too much.
+DO $$ BEGIN PERFORM streetgen.create_model('odd', 2154, subjects => '{signal}', driving_side => 'right'); END $$;
+INSERT INTO odd.axis (geom, width, lane_count, importance, speed, name) SELECT line(0, 0, 150 * cos(radians(360 * k / 14.0)), 150 * sin(radians(360 * k / 14.0))), 6, 2, 3, 50, 'ray' FROM generate_series(0, 13) k;
+INSERT INTO odd.axis (geom, width, lane_count, importance, speed, name) VALUES (line(1000, 0, 1200, 0), 60, 4, 2, 50, 'wide'), (line(1200, 0, 1400, 0), 60, 4, 2, 50, 'wide'), (line(1200, 0, 1200, 150), 6, 2, 4, 50, 'narrow'), (line(1200, -150, 1200, 0), 6, 2, 4, 50, 'narrow'),
+  (line(2000, 0, 2200, 0), 8, 2, 3, 50, 'street'), (line(2200, 0, 2400, 0), 8, 2, 3, 50, 'street'), (line(2200, 0, 2200, 100), 5, 2, 6, 20, 'drive');
+INSERT INTO odd.control_point (geom, kind) SELECT ST_SetSRID(ST_MakePoint(650000 + x, 6860000), 2154), 'signals' FROM unnest(ARRAY[0, 1200, 2200]) x;
+INSERT INTO odd.control_point (geom, kind) VALUES (ST_SetSRID(ST_MakePoint(651170, 6860000), 2154), 'pedestrian_crossing');
+CREATE VIEW odd_state AS SELECT controller_id, CASE round(ST_X(geom)) WHEN 650000 THEN 'star' WHEN 651200 THEN 'wide' ELSE 'drive' END AS place, cycle, s.ordinality, s.kind, s.duration FROM odd.controller JOIN odd.signal_state s USING (controller_id);
+SELECT 'no cycle is longer than signal_cycle', count(*) = 3 AND max(cycle) <= 120 FROM odd.controller;
+SELECT 'all that connects has green, also of fourteen arms', count(*) > 150 AND bool_and(s.lane_in IS NOT NULL) FROM odd.movement m LEFT JOIN odd.signal_movement s USING (lane_in, lane_out) WHERE m.connecting AND m.junction_id IN (SELECT controller_id FROM odd.controller);
+SELECT 'all red lasts no longer than signal_all_red', max(duration) <= 6 FROM odd_state WHERE kind = 'all_red';
+SELECT 'people cross 60 m within a cycle', count(*) = 1 AND bool_and(clear_until - walk_until = 50) FROM odd.signal_crossing;
+SELECT 'a drive has no phase of its own, and gives way', count(DISTINCT signal_movement.ordinality) = 1 AND bool_or(right_of_way = 'permitted') FROM odd.signal_movement JOIN odd_state USING (controller_id, ordinality) JOIN odd.lane ON lane_id = lane_in JOIN odd.edge USING (edge_id) WHERE place = 'drive' AND importance = 6;
+SELECT 'and one phase serves all of it', count(*) = 1 FROM odd_state WHERE place = 'drive' AND kind = 'green';
+UPDATE odd.axis SET flow = 0;
+SELECT 'no traffic is a cycle', min(cycle) >= 15 AND max(cycle) <= 120 FROM odd.controller;
+UPDATE odd.axis SET flow = 20000;
+SELECT 'too much traffic is a cycle', min(cycle) >= 30 AND max(cycle) <= 120 FROM odd.controller;
+UPDATE odd.axis SET flow = NULL;
+SELECT 'nothing is told of them as an error', NOT EXISTS (SELECT FROM streetgen.check_model('odd') WHERE severity = 'error' AND relation = 'controller');
+SELECT streetgen.set('odd', 'signal_cycle', '60'), streetgen.generate('odd') \g /dev/null
+SELECT 'a cycle that is too short makes phases one, and says so', max(cycle) <= 60 AND (SELECT count(*) = 1 FROM streetgen.check_model('odd') WHERE rule = 'through traffic that gives way at signals') FROM odd.controller;
+SELECT 'a walk that is too long for it goes, and check_model says so', NOT EXISTS (SELECT FROM odd.signal_crossing) AND (SELECT count(*) = 1 FROM streetgen.check_model('odd') WHERE rule = 'crossing at signals where people never have green');
+SELECT 'what goes first is known then too', NOT EXISTS (SELECT FROM odd.signal_movement a JOIN odd.signal_movement b USING (controller_id, ordinality) WHERE a.precedence = b.precedence AND (a.lane_in, a.lane_out) <> (b.lane_in, b.lane_out));
+SELECT streetgen.set('odd', 'signal_cycle', '120'), streetgen.generate('odd') \g /dev/null
+SELECT 'a setting beyond its range is refused', test.state($$SELECT streetgen.set('odd', 'signal_cycle', '5')$$) = '22023';
+UPDATE odd.controller_editing SET turn_phases = true WHERE controller_id = (SELECT min(controller_id) FROM odd_state WHERE place = 'wide');
+SELECT 'by hand turns have a phase of their own', count(*) FILTER (WHERE kind = 'green') > 2 AND bool_or(c.turn_phases) AND bool_and(c.cycle <= 120) FROM odd_state JOIN odd.controller c USING (controller_id) WHERE place = 'wide';
+SELECT 'and no turn gives way to what goes straight on', count(*) > 0 AND bool_and(right_of_way = 'protected') FROM odd.signal_movement JOIN odd_state USING (controller_id, ordinality) JOIN odd.movement USING (lane_in, lane_out) WHERE place = 'wide' AND turn = 'left';
+UPDATE odd.controller_editing SET durations = array_fill(1::float8, ARRAY[cardinality(durations)]) WHERE turn_phases;
+SELECT 'durations by hand that leave nobody time are told', count(*) = 1 FROM streetgen.check_model('odd') WHERE rule = 'green that begins before others have left, s';
+DELETE FROM odd.controller_editing WHERE by_hand;
+SELECT 'taken back, turns are by rule again', count(*) FILTER (WHERE kind = 'green') = 2 FROM odd_state WHERE place = 'wide';

@@ -2,10 +2,12 @@
 
 CREATE OR REPLACE FUNCTION streetgen._junction_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
     AS $$ VALUES
     ('junction_gap', '35', 'm', 'longest edge that makes one junction of the two carriageways which it links', 0, 200,
         NULL::text[]),
+    ('walking_speed', '1.2', 'm/s', 'people on foot cross streets at junctions so fast', 0.3, 3, NULL),
+    ('walk_shortest', '4', 's', 'people on foot who wait at signals step on within this time', 1, 60, NULL),
     ('junction_extent', '80', 'm', 'a junction by such links and slip lanes is no wider', 0, 500, NULL),
     ('classifier', 'streetgen.junction_kind', NULL,
         'the kind of a junction from its arms: streetgen.junction_kind, paper (a ramp where a highway takes part, else '

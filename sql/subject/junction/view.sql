@@ -66,7 +66,9 @@ BEGIN
     COMMENT ON COLUMN movement.traffic IS
         'who alone may take it, by kinds of lanes such as bus|cycle; NULL: all';
     CREATE OR REPLACE VIEW junction_crossing WITH (security_invoker = true) AS
-    SELECT junction_id, control_point_id, node_id, edge_id, inside, width, 4 + width / 1.2 AS seconds, geom
+    SELECT junction_id, control_point_id, node_id, edge_id, inside, width,
+        (SELECT value::float8 FROM setting WHERE name = 'walk_shortest')
+            + width / (SELECT value::float8 FROM setting WHERE name = 'walking_speed') AS seconds, geom
     FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,
             EXISTS (SELECT FROM junction_edge i WHERE i.edge_id = e.edge_id) AS inside,
             CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END AS width, p.geom,
@@ -87,7 +89,8 @@ BEGIN
         'the street that is crossed; two rows where the point lies on a node';
     COMMENT ON COLUMN junction_crossing.inside IS 'does the street lie within the junction?';
     COMMENT ON COLUMN junction_crossing.width IS 'of the roadway there, metres';
-    COMMENT ON COLUMN junction_crossing.seconds IS 'to cross: 4 s to begin with, and the width at 1.2 m/s';
+    COMMENT ON COLUMN junction_crossing.seconds IS
+        'to cross: setting walk_shortest to step on, and the width at walking_speed';
     COMMENT ON COLUMN junction_crossing.geom IS 'the place of the control point';
     CREATE OR REPLACE VIEW right_of_way WITH (security_invoker = true) AS
     SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,

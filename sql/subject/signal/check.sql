@@ -27,6 +27,34 @@ BEGIN
     SELECT 'notice', 'signals that the classifier alone says', 'controller', c.controller_id, c.cycle, c.geom
         FROM controller c WHERE c.method = 'classified'
     UNION ALL
+    SELECT 'warning', 'green that begins before others have left, s', 'controller', c.controller_id,
+        max(i.seconds - between), c.geom
+    FROM controller c JOIN intergreen i USING (controller_id)
+        JOIN signal_green a ON (a.controller_id, a.signal_group) = (c.controller_id, i.ends)
+        JOIN signal_green b ON (b.controller_id, b.signal_group) = (c.controller_id, i.begins)
+            AND b.ordinality <> a.ordinality,
+        LATERAL (SELECT b.green_from - a.green_until
+            + CASE WHEN b.green_from < a.green_until - 1e-6 THEN c.cycle ELSE 0 END AS between) t
+    WHERE i.seconds > between + 1e-6 GROUP BY c.controller_id, c.geom
+    UNION ALL
+    SELECT 'warning', 'cycle longer than signal_cycle, s', 'controller', c.controller_id, c.cycle, c.geom
+        FROM controller c CROSS JOIN setting s WHERE s.name = 'signal_cycle' AND c.program = 'phases'
+            AND c.method <> 'by_hand' AND c.cycle > s.value::float8 + 1e-6
+    UNION ALL
+    SELECT 'notice', 'through traffic that gives way at signals', 'controller', c.controller_id, count(*), c.geom
+    FROM controller c JOIN signal_movement a USING (controller_id) JOIN lane i ON i.lane_id = a.lane_in
+        JOIN edge e USING (edge_id) CROSS JOIN setting s
+        CROSS JOIN LATERAL (SELECT w.turn, w.geom FROM movement w WHERE (w.lane_in, w.lane_out, w.along_in,
+            w.along_out) = (a.lane_in, a.lane_out, a.along_in, a.along_out) OFFSET 0) w
+    WHERE c.program = 'phases' AND a.right_of_way = 'permitted' AND w.turn = 'through'
+        AND s.name = 'signal_importance' AND e.importance <= s.value::integer AND EXISTS (
+            SELECT FROM signal_movement b JOIN lane o ON o.lane_id = b.lane_in CROSS JOIN LATERAL (
+                SELECT v.turn, v.geom FROM movement v WHERE (v.lane_in, v.lane_out, v.along_in, v.along_out)
+                    = (b.lane_in, b.lane_out, b.along_in, b.along_out) OFFSET 0) v
+            WHERE (b.controller_id, b.ordinality, b.right_of_way) = (a.controller_id, a.ordinality, 'protected')
+                AND o.edge_id <> i.edge_id AND v.turn = 'through' AND ST_Intersects(v.geom, w.geom))
+    GROUP BY c.controller_id, c.geom
+    UNION ALL
     SELECT 'warning', 'cycle longer than decided, since its states last longer, s', 'controller', c.controller_id,
         c.cycle, c.geom FROM controller c JOIN controller_override o ON o.controller_override_id
             = (streetgen._overrides_at_junction(model, 'controller_override', c.controller_id))[1]
@@ -63,11 +91,13 @@ CREATE OR REPLACE FUNCTION streetgen._signal_summary()
 COMMENT ON FUNCTION streetgen._signal_summary() IS 'What streetgen.summary counts of signals.';
 
 CREATE OR REPLACE FUNCTION streetgen._signal_marked_by_hand() RETURNS TABLE(relation name, edges text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
     AS $$ VALUES
     ('controller'::name, 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
     ('signal_state', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
     ('signal_movement', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
+    ('signal_group', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
+    ('intergreen', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id'),
     ('signal_head', 'e.from_node = ($1).controller_id OR e.to_node = ($1).controller_id') $$;
 COMMENT ON FUNCTION streetgen._signal_marked_by_hand() IS
     'The edges that a change of signals by hand leaves stale.';
@@ -85,5 +115,12 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'type the durations anew, or delete the decision'),
     ('controller override without its axis', 'the axis is gone, or ends before the place',
         'delete the row, or draw the axis'),
+    ('green that begins before others have left, s', 'the junction is too long for signal_all_red, or durations by '
+        'hand are too short: who begins has to let others out',
+        'give signals more all red, or make two junctions of it'),
+    ('cycle longer than signal_cycle, s', 'the shortest greens, walks and changes need more',
+        'set signal_cycle to more seconds, or type durations'),
+    ('through traffic that gives way at signals', 'a phase for each street makes a longer cycle than signal_cycle',
+        'set signal_cycle to more seconds'),
     ('crossing at signals where people never have green', 'each state of the controller lets somebody drive over it',
         'give the controller another program, or move the control point to the street that people cross');

@@ -9,23 +9,23 @@ BEGIN
     PERFORM streetgen._use_model(model);
     DELETE FROM controller_override WHERE controller_override_id = ANY (known[2:]);
     IF known = '{}' AND jsonb_strip_nulls(decided) <> '{}' THEN
-        INSERT INTO controller_override (axis_id, geom, program, cycle, start_offset, durations)
-        SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations
+        INSERT INTO controller_override (axis_id, geom, program, cycle, start_offset, durations, turn_phases)
+        SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations, d.turn_phases
         FROM junction_node m JOIN node n USING (node_id) JOIN edge e ON n.node_id IN (e.from_node, e.to_node),
             jsonb_populate_record(NULL::controller_override, decided) d
         WHERE m.junction_id = controller ORDER BY e.edge_id LIMIT 1;
     ELSE
-        UPDATE controller_override o SET (program, cycle, start_offset, durations)
-            = ROW (d.program, d.cycle, d.start_offset, d.durations)
+        UPDATE controller_override o SET (program, cycle, start_offset, durations, turn_phases)
+            = ROW (d.program, d.cycle, d.start_offset, d.durations, d.turn_phases)
         FROM controller_override k, jsonb_populate_record(k, decided) d
         WHERE o.controller_override_id = known[1] AND k.controller_override_id = known[1];
         DELETE FROM controller_override WHERE controller_override_id = known[1]
-            AND num_nonnulls(program, cycle, start_offset, durations) = 0;
+            AND num_nonnulls(program, cycle, start_offset, durations, turn_phases) = 0;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._decide_controller(name, bigint, jsonb) IS
-    'Writes what is decided of a controller (program, cycle, start_offset, durations; others stay as decided before; '
-    'NULL takes back).';
+    'Writes what is decided of a controller (program, cycle, start_offset, durations, turn_phases; others stay as '
+    'decided before; NULL takes back).';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_controller() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -41,7 +41,7 @@ BEGIN
         PERFORM streetgen._refuse('0A000', 'a controller cannot be drawn',
             hint => 'Put a row of kind signals into control_point, or give the junction that kind.');
     ELSIF TG_OP = 'UPDATE' THEN
-        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{program,cycle,start_offset,durations,by_hand}',
+        NEW := streetgen._edited_row(TG_RELID, OLD, NEW, '{program,cycle,start_offset,durations,turn_phases,by_hand}',
             'A controller moves with its junction.');
         IF NEW IS NOT DISTINCT FROM OLD THEN
             RETURN NEW;
@@ -64,6 +64,9 @@ BEGIN
                     'was decided by hand.');
         END IF;
         decided := decided || jsonb_build_object('program', NEW.program, 'durations', NULL);
+    END IF;
+    IF NEW.turn_phases IS DISTINCT FROM OLD.turn_phases THEN
+        decided := decided || jsonb_build_object('turn_phases', NEW.turn_phases, 'durations', NULL);
     END IF;
     IF NEW.cycle IS DISTINCT FROM OLD.cycle THEN
         PERFORM streetgen._check_edit_number('the cycle of ' || subject, NEW.cycle, 10, 3600, 's',
@@ -89,7 +92,7 @@ BEGIN
         PERFORM streetgen._decide_controller(TG_TABLE_SCHEMA, OLD.controller_id, decided);
     ELSIF NOT OLD.by_hand THEN
         PERFORM streetgen._refuse('22023', format('nothing is decided by hand of %s', subject),
-            hint => 'Type program, cycle, start_offset or durations, and by_hand follows.');
+            hint => 'Type program, cycle, start_offset, durations or turn_phases, and by_hand follows.');
     END IF;
     NEW.by_hand := streetgen._overrides_at_junction(TG_TABLE_SCHEMA, 'controller_override', OLD.controller_id) <> '{}';
     RETURN NEW;
@@ -142,6 +145,7 @@ CREATE OR REPLACE FUNCTION streetgen.coordinate(model name, axes bigint[], speed
 DECLARE
     passed bigint[];
     common float8;
+    step float8;
     missing bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -159,16 +163,16 @@ BEGIN
     END IF;
     passed := ARRAY(SELECT DISTINCT r.controller_id FROM streetgen._route_controllers(model, axes) r ORDER BY 1);
     PERFORM streetgen._lock_junctions(model, passed);
+    SELECT value::float8 FROM setting WHERE name = 'signal_step' INTO step;
     SELECT max(c.cycle) FROM controller c WHERE c.controller_id = ANY (passed) INTO common;
     -- One cycle for all; then the starts of green are known.
     PERFORM streetgen._decide_controller(model, c, jsonb_build_object('cycle', common)) FROM unnest(passed) c;
     -- A car at that speed comes two seconds after the start of each green.
     PERFORM streetgen._decide_controller(model, r.controller_id, jsonb_build_object('start_offset',
-            mod((r.metres / (speed / 3.6) - r.start - 2)::numeric, common::numeric)
-            + CASE WHEN mod((r.metres / (speed / 3.6) - r.start - 2)::numeric, common::numeric) < 0
-                THEN common::numeric ELSE 0 END))
+            mod(mod(o.seconds, common::numeric) + common::numeric, common::numeric)))
         FROM (SELECT DISTINCT ON (p.controller_id) p.* FROM streetgen._route_controllers(model, axes) p
-            ORDER BY p.controller_id, p.metres) r;
+            ORDER BY p.controller_id, p.metres) r,
+            LATERAL (SELECT (round((r.metres / (speed / 3.6) - r.start - 2) / step) * step)::numeric AS seconds) o;
     RETURN QUERY SELECT c.controller_id, r.metres, c.cycle, c.start_offset FROM controller c
         JOIN streetgen._route_controllers(model, axes) r USING (controller_id) ORDER BY r.metres;
 END $$;
@@ -182,14 +186,15 @@ CREATE OR REPLACE FUNCTION streetgen._signal_edit_view()
     RETURNS TABLE(name text, description text, columns text[], query text, subject text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('controller_editing', 'Edit layer: type program, cycle, offset or durations of signals; DELETE takes back what '
-        'was decided by hand',
+    ('controller_editing', 'Edit layer: type program, cycle, offset, durations or phases of turns; DELETE takes back '
+        'what was decided by hand',
         ARRAY['key', 'phases, paper, or a function; NULL takes it back', 'seconds; NULL takes it back',
             'seconds after which a cycle begins; NULL takes it back', 'seconds of each state; NULL takes them back',
+            'do turns across others have a phase of their own? NULL: as lanes and speed say',
             'decided by hand; false takes it back', 'the junction'],
         $sql$SELECT c.controller_id, c.program, c.cycle, c.start_offset,
             ARRAY(SELECT s.duration FROM {model}.signal_state s WHERE s.controller_id = c.controller_id
-                ORDER BY s.ordinality) AS durations, c.method = 'by_hand' AS by_hand, c.geom
+                ORDER BY s.ordinality) AS durations, c.turn_phases, c.method = 'by_hand' AS by_hand, c.geom
         FROM {model}.controller c$sql$, 'signal') $$;
 COMMENT ON FUNCTION streetgen._signal_edit_view() IS 'The views in which signals are edited.';
 
@@ -199,6 +204,6 @@ CREATE OR REPLACE FUNCTION streetgen._signal_decision()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     ('controller_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true, 9,
-        'ROW(o.geom::bytea, o.program, o.cycle, o.start_offset, o.durations)') $$;
+        'ROW(o.geom::bytea, o.program, o.cycle, o.start_offset, o.durations, o.turn_phases)') $$;
 COMMENT ON FUNCTION streetgen._signal_decision() IS
     'The anchors of decisions about signals, and which of their columns follow the axes.';

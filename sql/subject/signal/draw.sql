@@ -21,6 +21,11 @@ INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill) VALUES
     ('construction', 'signal_plan', 'red', 0, '#b42318'),
     ('construction', 'signal_plan', 'amber', 1, '#f59e0b'),
     ('construction', 'signal_plan', 'protected', 1, '#2f9e44'),
-    ('construction', 'signal_plan', 'permitted', 1, '#86d19a');
+    ('construction', 'signal_plan', 'permitted', 1, '#86d19a'),
+    ('construction', 'signal_plan', 'walk', 1, '#74a9e8'),
+    ('construction', 'signal_plan', 'clear', 1, '#cfe0f6'),
+    ('construction', 'signal_plan', 'same', 1, '#c9ccd1');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, place, fill, line, width, unit) VALUES
+    ('construction', 'signal_plan', 'grid', 1, NULL, '#c9ccd1', 1, 'pixel');
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning) VALUES
     ('print', 'signal_head', 1500, 905, '#ffffff', '#000000', 1.2, 'pixel', 'signal');

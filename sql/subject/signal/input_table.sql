@@ -13,9 +13,9 @@ CREATE TABLE :"model".controller_override (
 CREATE INDEX controller_override_axis ON :"model".controller_override (axis_id);
 CREATE INDEX controller_override_geom ON :"model".controller_override USING gist (geom);
 COMMENT ON TABLE :"model".controller_override IS
-    'By hand: program, cycle, offset or durations of the controller whose junction has the node of the axis that is '
-    'nearest to the place. generate never changes it; one without its place stays and is a row of check_model; of '
-    'two for one controller the younger holds';
+    'By hand: program, cycle, offset, durations or phases of turns of the controller whose junction has the node of '
+    'the axis that is nearest to the place. generate never changes it; one without its place stays and is a row of '
+    'check_model; of two for one controller the younger holds';
 COMMENT ON COLUMN :"model".controller_override.controller_override_id IS 'key';
 COMMENT ON COLUMN :"model".controller_override.axis_id IS 'an axis of the junction';
 COMMENT ON COLUMN :"model".controller_override.geom IS 'a place near the node of that axis';
@@ -30,5 +30,8 @@ COMMENT ON COLUMN :"model".controller_override.start_offset IS 'seconds; NULL: 0
 COMMENT ON CONSTRAINT controller_override_start_offset_check ON :"model".controller_override IS
     '0 to 3600 s. Leave it empty for 0.';
 COMMENT ON COLUMN :"model".controller_override.durations IS 'seconds of the states in order; NULL in it: computed';
+ALTER TABLE :"model".controller_override ADD COLUMN IF NOT EXISTS turn_phases boolean;
+COMMENT ON COLUMN :"model".controller_override.turn_phases IS
+    'do turns across others have a phase of their own? NULL: as lanes and speed say';
 COMMENT ON CONSTRAINT durations_are_seconds ON :"model".controller_override IS
     '0.1 to 3600 s for each state. Leave it empty to have them computed.';

@@ -19,7 +19,11 @@ BEGIN
         ALTER TABLE controller_override ADD CONSTRAINT controller_override_program_check
             CHECK (program IN ('phases', 'paper'));
     END IF;
+    IF to_regclass('signal_state') IS NOT NULL THEN
+        ALTER TABLE signal_state DROP CONSTRAINT signal_state_kind_check,
+            ADD CONSTRAINT signal_state_kind_check CHECK (kind IN ('green', 'amber', 'all_red', 'walk'));
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._mend_signal_tables(name) IS
     'Takes from the editors of an older model what names a function, which runs with the rights of the owner: '
-    'controller_override.program.';
+    'controller_override.program. States may be walks.';

@@ -1,4 +1,4 @@
--- The aspects of signals: at a time, as a plan, and drawn.
+-- The aspects of signals: at a time, and as a plan.
 
 CREATE OR REPLACE FUNCTION streetgen._require_signals(model name) RETURNS void
     LANGUAGE plpgsql STABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -37,8 +37,8 @@ BEGIN
         ORDER BY c.controller_id, s.ordinality),
     movement AS (SELECT DISTINCT controller_id, lane_in, lane_out, along_in, along_out FROM signal_movement)
     SELECT m.controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out,
-        CASE WHEN o.lane_in IS NULL OR n.kind = 'all_red' THEN 'red' ELSE n.kind END,
-        CASE WHEN n.kind <> 'all_red' THEN o.right_of_way END
+        CASE WHEN o.lane_in IS NULL OR n.kind IN ('all_red', 'walk') THEN 'red' ELSE n.kind END,
+        CASE WHEN n.kind IN ('green', 'amber') THEN o.right_of_way END
     FROM movement m JOIN now n USING (controller_id) LEFT JOIN signal_movement o
         ON (o.controller_id, o.ordinality, o.lane_in, o.lane_out, o.along_in, o.along_out)
             = (m.controller_id, n.green, m.lane_in, m.lane_out, m.along_in, m.along_out)
@@ -79,54 +79,3 @@ COMMENT ON FUNCTION streetgen.signal_plan(name, bigint) IS
     'The cycle of a controller: a row for each movement that has green in a state, and one for each state without. '
     'starts and ends are seconds from the start of the cycle. No such controller: 22023; NULL: 22004; a model without '
     'signals: 55000.';
-
-CREATE OR REPLACE FUNCTION streetgen.signal_svg(model name, controller bigint) RETURNS text
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    styles jsonb;
-    svg text;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_reader(model), streetgen._check_given('controller', controller::text),
-        streetgen._require_signals(model);
-    styles := streetgen._plan_styles(model, 1);
-    WITH plan AS MATERIALIZED (SELECT * FROM streetgen.signal_plan(model, controller)),
-    whole AS (SELECT greatest(max(ends), 1) AS cycle FROM plan),
-    state AS (SELECT DISTINCT ordinality, kind, starts, ends, max(ordinality) FILTER (WHERE kind = 'green')
-        OVER (ORDER BY ordinality RANGE BETWEEN UNBOUNDED PRECEDING AND CURRENT ROW) AS green FROM plan),
-    movement AS (SELECT p.lane_in, p.lane_out, p.turn, row_number() OVER (ORDER BY min(p.ordinality), e.name NULLS LAST,
-            p.lane_in, p.turn, p.lane_out) AS line, e.name
-        FROM plan p JOIN lane l ON l.lane_id = p.lane_in JOIN edge USING (edge_id)
-            LEFT JOIN (SELECT axis_id, name FROM axis) e USING (axis_id)
-        GROUP BY p.lane_in, p.lane_out, p.turn, e.name),
-    crossing AS (SELECT c.control_point_id, c.edge_id, (SELECT count(*) FROM movement) + row_number() OVER (ORDER BY
-            a.name NULLS LAST, c.control_point_id, c.edge_id) AS line, a.name
-        FROM junction_crossing c JOIN edge USING (edge_id) LEFT JOIN axis a USING (axis_id)
-        WHERE c.junction_id = controller),
-    bar AS (SELECT m.line, s.starts, s.ends, CASE WHEN s.kind = 'amber' THEN 'amber' ELSE p.right_of_way END AS aspect
-        FROM movement m JOIN plan p USING (lane_in, lane_out) JOIN state s ON s.green = p.ordinality
-            AND s.kind <> 'all_red'
-        UNION ALL SELECT c.line, s.starts, s.ends, p.right_of_way
-        FROM crossing c JOIN signal_crossing p USING (control_point_id, edge_id) JOIN state s USING (ordinality)
-        WHERE p.controller_id = controller),
-    label AS (SELECT line, concat_ws(', ', name, replace(turn, '_', ' '), 'lane ' || lane_in) AS says FROM movement
-        UNION ALL SELECT line, concat_ws(', ', name, 'on foot') FROM crossing)
-    SELECT format('<svg xmlns="http://www.w3.org/2000/svg" width="760" height="%s" font-family="sans-serif" '
-            'font-size="12" style="%s"><rect width="100%%" height="100%%" style="%s"/>',
-            34 + 18 * (SELECT count(*) FROM label), styles ->> 'ink', styles ->> 'paper')
-        || (SELECT string_agg(format('<rect x="210" y="%s" width="540" height="13" style="%s"/>'
-                '<text x="6" y="%s">%s</text>', 18 * line, styles ->> 'signal_plan red', 18 * line + 11,
-                streetgen._as_xml(left(says, 34))), '' ORDER BY line) FROM label)
-        || (SELECT string_agg(format('<rect x="%s" y="%s" width="%s" height="13" style="%s"/>',
-                round((210 + 540 * starts / cycle)::numeric, 1), 18 * line, round((540 * (ends - starts) / cycle)
-                ::numeric, 1), styles ->> concat('signal_plan ', aspect)), '' ORDER BY line, starts) FROM bar, whole)
-        || (SELECT string_agg(format('<text x="%s" y="12" text-anchor="middle">%s</text>',
-                round((210 + 540 * t / cycle)::numeric, 1), t), '' ORDER BY t) FROM whole,
-                generate_series(0, floor(cycle)::integer, 10) t)
-        || '</svg>' INTO svg;
-    RETURN coalesce(svg, '<svg xmlns="http://www.w3.org/2000/svg" width="760" height="34"></svg>');
-END $$;
-COMMENT ON FUNCTION streetgen.signal_svg(name, bigint) IS
-    'The cycle of a controller as bars over time (SVG), a line for each movement and for each crossing on foot: green '
-    '(light: permitted), amber and red, seconds above. Errors are those of signal_plan.';

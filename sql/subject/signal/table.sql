@@ -17,17 +17,21 @@ COMMENT ON COLUMN :"model".controller.method IS
     'hypothesis: a control point or a kind by hand says that signals stand there; classified: the classifier alone; '
     'by_hand: program, cycle, offset or durations were decided by hand';
 COMMENT ON COLUMN :"model".controller.geom IS 'the middle of its nodes';
+ALTER TABLE :"model".controller ADD COLUMN IF NOT EXISTS turn_phases boolean;
+COMMENT ON COLUMN :"model".controller.turn_phases IS
+    'by hand: do turns across others have a phase of their own? NULL: as lanes and speed say';
 
 CREATE TABLE :"model".signal_state (
     controller_id bigint NOT NULL REFERENCES :"model".controller ON DELETE CASCADE,
     ordinality integer NOT NULL CHECK (ordinality > 0), duration float8 NOT NULL,
-    kind text NOT NULL CHECK (kind IN ('green', 'amber', 'all_red')),
+    kind text NOT NULL CHECK (kind IN ('green', 'amber', 'all_red', 'walk')),
     PRIMARY KEY (controller_id, ordinality));
 COMMENT ON TABLE :"model".signal_state IS 'The states of a controller, one after the other, again and again';
 COMMENT ON COLUMN :"model".signal_state.controller_id IS 'the controller';
 COMMENT ON COLUMN :"model".signal_state.ordinality IS 'number from 1 within the cycle';
 COMMENT ON COLUMN :"model".signal_state.duration IS 'seconds';
-COMMENT ON COLUMN :"model".signal_state.kind IS 'green, amber (of those that had green before) or all_red';
+COMMENT ON COLUMN :"model".signal_state.kind IS
+    'green, amber (of those that had green before), all_red, or walk: nobody drives, and people on foot cross';
 
 CREATE TABLE :"model".signal_movement (
     controller_id bigint NOT NULL, ordinality integer NOT NULL,
@@ -46,6 +50,44 @@ COMMENT ON COLUMN :"model".signal_movement.lane_out IS 'the lane that it leads t
 COMMENT ON COLUMN :"model".signal_movement.along_in IS 'does one drive along the axis of the first?';
 COMMENT ON COLUMN :"model".signal_movement.along_out IS 'does one drive along the axis of the second?';
 COMMENT ON COLUMN :"model".signal_movement.right_of_way IS 'protected, or permitted: it gives way to who is protected';
+ALTER TABLE :"model".signal_movement ADD COLUMN IF NOT EXISTS precedence integer,
+    ADD COLUMN IF NOT EXISTS signal_group integer;
+COMMENT ON COLUMN :"model".signal_movement.precedence IS
+    'place in the order of who goes first: of two permitted movements that meet the greater number gives way';
+COMMENT ON COLUMN :"model".signal_movement.signal_group IS 'its row of signal_group';
+
+CREATE TABLE :"model".signal_group (
+    controller_id bigint NOT NULL REFERENCES :"model".controller ON DELETE CASCADE,
+    signal_group integer NOT NULL CHECK (signal_group > 0),
+    kind text NOT NULL CHECK (kind IN ('traffic', 'walk')),
+    edge_id bigint NOT NULL REFERENCES :"model".edge ON DELETE CASCADE, control_point_id bigint, clear float8,
+    PRIMARY KEY (controller_id, signal_group));
+CREATE INDEX signal_group_edge ON :"model".signal_group (edge_id);
+COMMENT ON TABLE :"model".signal_group IS
+    'What shows the same signal: the movements of a street that have green in the same states, or people on foot at a '
+    'crossing';
+COMMENT ON COLUMN :"model".signal_group.controller_id IS 'the controller';
+COMMENT ON COLUMN :"model".signal_group.signal_group IS 'number from 1 within the controller, traffic first';
+COMMENT ON COLUMN :"model".signal_group.kind IS 'traffic, or walk: people on foot';
+COMMENT ON COLUMN :"model".signal_group.edge_id IS 'the street that traffic comes by, or that people cross';
+COMMENT ON COLUMN :"model".signal_group.control_point_id IS 'the crossing: a control point; NULL: traffic';
+COMMENT ON COLUMN :"model".signal_group.clear IS
+    'whole steps of seconds in which people who have stepped on are across; NULL: traffic';
+
+CREATE TABLE :"model".intergreen (
+    controller_id bigint NOT NULL, ends integer NOT NULL, begins integer NOT NULL,
+    seconds float8 NOT NULL CHECK (seconds >= 0),
+    PRIMARY KEY (controller_id, ends, begins),
+    FOREIGN KEY (controller_id, ends) REFERENCES :"model".signal_group ON DELETE CASCADE,
+    FOREIGN KEY (controller_id, begins) REFERENCES :"model".signal_group ON DELETE CASCADE);
+CREATE INDEX intergreen_begins ON :"model".intergreen (controller_id, begins);
+COMMENT ON TABLE :"model".intergreen IS
+    'The time between greens of signal groups that meet: who enters last has passed before who begins comes there';
+COMMENT ON COLUMN :"model".intergreen.controller_id IS 'the controller';
+COMMENT ON COLUMN :"model".intergreen.ends IS 'the signal group whose green ends';
+COMMENT ON COLUMN :"model".intergreen.begins IS 'the signal group whose green begins';
+COMMENT ON COLUMN :"model".intergreen.seconds IS
+    'from the end of the one green to the start of the other one, at least';
 
 CREATE TABLE :"model".signal_head (
     lane_id bigint NOT NULL REFERENCES :"model".lane ON DELETE CASCADE, along_axis boolean NOT NULL,

@@ -1,295 +1,216 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
-#include <string>
-#include <tuple>
-#include <utility>
 
-#include "streetgen/error.hpp"
-#include "streetgen/signal.hpp"
+#include "signal/signal_phase.hpp"
+#include "signal/signal_time.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double reaction = 1;                                              // seconds
-constexpr double braking = 3;                                               // m/s2
-constexpr double car_length = 5;                                            // metres
-constexpr double turning_speed = 30 / 3.6;                                  // m/s at most in a turn
-constexpr double shortest_amber = 3, shortest_green = 7, usual_green = 30;  // seconds
-constexpr double shortest_cycle = 30, longest_cycle = 120;                  // seconds, by Webster
+constexpr double shortest_green = 7, usual_green = 30;  // seconds
+constexpr double shortest_cycle = 30;                   // seconds, by Webster
 constexpr double saturation_flow = 1800;  // vehicles an hour of a lane that has green all the time
-constexpr double pair_state = 20;         // seconds, of the paper
+constexpr std::size_t most_ordered = 7;   // phases of which every order is tried
 
-void require(bool holds, std::size_t movement, const char* what) {
-  if (!holds)
-    throw Error(ErrorKind::invalid_input,
-                "movement " + std::to_string(movement + 1) + " of a signal program has " + what);
-}
-
-bool within(double value, double low, double high) { return value >= low && value <= high; }
-
-void check(const std::vector<SignalRequest>& movements) {
-  for (std::size_t i = 0; i < movements.size(); ++i) {
-    const SignalRequest& m = movements[i];
-    require(within(m.length, 0, 1e4), i, "a length beyond 0 to 10000 m");
-    require(within(m.speed, 1, 500), i, "a speed beyond 1 to 500 km/h");
-    require(m.lanes >= 1 && m.lanes <= 100, i, "lanes beyond 1 to 100");
-    require(!m.flow || within(*m.flow, 0, 1e6), i, "a flow beyond 0 to 1000000 vehicles an hour");
-    require(within(m.walk_in, 0, 600) && within(m.walk_out, 0, 600), i,
-            "a time to walk beyond 0 to 600 s");
-    for (const int other : m.conflicts)
-      require(
-          other >= 0 && other < static_cast<int>(movements.size()) && other != static_cast<int>(i),
-          i, "a conflict with a movement that is not there");
-  }
-}
-
-// With edges numbered as they come, so that a program does not hang on their ids.
-std::vector<SignalRequest> numbered(std::vector<SignalRequest> movements) {
-  std::map<std::int64_t, std::int64_t> numbers;
-  for (SignalRequest& m : movements)
-    for (std::int64_t* edge : {&m.approach, &m.exit})
-      *edge = numbers.emplace(*edge, static_cast<std::int64_t>(numbers.size())).first->second;
-  return movements;
-}
-
-double half_second_up(double seconds) { return std::ceil(2 * seconds - 1e-9) / 2; }
-
-// Traffic that cannot stop before the line still drives; what enters at the end of amber leaves in
-// all red.
-double amber_of(const SignalRequest& m) {
-  return std::max(shortest_amber, half_second_up(reaction + m.speed / 3.6 / (2 * braking)));
-}
-double all_red_of(const SignalRequest& m) {
-  const double speed = m.speed / 3.6;
-  const double across =
-      m.turn == SignalRequest::Turn::through ? speed : std::min(speed, turning_speed);
-  return half_second_up((m.length + car_length) / across);
-}
-
-// The ends of a green state: amber and all red for all that have green in it.
-void append_change(const std::vector<SignalRequest>& movements,
-                   const std::vector<SignalState::Green>& greens,
-                   std::vector<SignalState>& states) {
-  double amber = 0, all_red = 0;
-  for (const SignalState::Green& green : greens) {
-    amber = std::max(amber, amber_of(movements[green.movement]));
-    all_red = std::max(all_red, all_red_of(movements[green.movement]));
-  }
-  states.push_back({SignalKind::amber, amber, {}});
-  states.push_back({SignalKind::all_red, all_red, {}});
-}
-
-class Phases {
+// Phases in turn, with what lies between them and how long each has to last.
+class Cycle {
  public:
-  explicit Phases(const std::vector<SignalRequest>& movements) : movements_(movements) {
-    for (int i = 0; i < static_cast<int>(movements.size()); ++i)
-      approaches_[movements[i].approach].push_back(i);
+  // `walks`: the seconds that people ask for, by their number.
+  Cycle(const std::vector<SignalRequest>& movements, const SignalRules& rules,
+        const std::vector<Phase>& phases, const std::map<int, double>& walks)
+      : movements_(movements), rules_(rules), phases_(phases) {
+    order_phases();
+    least_.assign(phases_.size(), steps_up(shortest_green, rules));
+    for (const auto& [walk, seconds] : walks) leave_room(walk, seconds);
   }
+
+  double shortest() const { return lost() + std::accumulate(least_.begin(), least_.end(), 0.0); }
 
   std::vector<SignalState> states() const {
-    const std::vector<std::vector<std::int64_t>> phases = found();
+    const std::vector<double> greens = shared_out();
     std::vector<SignalState> states;
-    for (const std::vector<std::int64_t>& phase : phases) {
-      states.push_back({SignalKind::green, usual_green, greens_of(phase)});
-      append_change(movements_, states.back().greens, states);
+    for (std::size_t k = 0; k < phases_.size(); ++k) {
+      states.push_back({SignalKind::green, greens[k], greens_of(movements_, phases_[k])});
+      append_change(changes_[k], states);
     }
-    share_out(phases, states);
-    // People cross in all red where all streets have green at once.
-    if (phases.size() == 1) states.back().duration += longest_walk();
+    if (walk_state_ > 0) states.push_back({SignalKind::walk, walk_state_, {}});
     return states;
   }
 
  private:
-  bool in_conflict(int a, int b) const {
-    const std::vector<int>& of_a = movements_[a].conflicts;
-    return std::find(of_a.begin(), of_a.end(), b) != of_a.end();
+  SignalChange change(std::size_t from, std::size_t to) const {
+    return change_between(movements_, phases_[from], phases_[to], rules_);
   }
 
-  // The main traffic of an approach: what goes through, or all of it where nothing does.
-  std::vector<int> main_movements(std::int64_t approach) const {
-    std::vector<int> through;
-    for (const int i : approaches_.at(approach))
-      if (movements_[i].turn == SignalRequest::Turn::through) through.push_back(i);
-    return through.empty() ? approaches_.at(approach) : through;
-  }
-
-  bool meet(std::int64_t a, std::int64_t b) const {
-    for (const int i : main_movements(a))
-      for (const int j : main_movements(b))
-        if (in_conflict(i, j) || in_conflict(j, i)) return true;
-    return false;
-  }
-
-  // Each approach joins the first phase with whose approaches it does not meet; the most important
-  // ones choose first.
-  std::vector<std::vector<std::int64_t>> found() const {
-    std::vector<std::tuple<int, int, std::int64_t>> order;
-    for (const auto& [approach, own] : approaches_)
-      order.emplace_back(movements_[own.front()].importance, -movements_[own.front()].lanes,
-                         approach);
-    std::sort(order.begin(), order.end());
-    std::vector<std::vector<std::int64_t>> phases;
-    for (const auto& [importance, lanes, approach] : order) {
-      const auto fits = [&, id = approach](const std::vector<std::int64_t>& phase) {
-        return std::none_of(phase.begin(), phase.end(),
-                            [&](std::int64_t other) { return meet(id, other); });
-      };
-      const auto first = std::find_if(phases.begin(), phases.end(), fits);
-      if (first == phases.end())
-        phases.push_back({approach});
-      else
-        first->push_back(approach);
-    }
-    return phases;
-  }
-
-  // Through traffic first, then the shorter turn: what meets one before it gives way.
-  std::vector<SignalState::Green> greens_of(const std::vector<std::int64_t>& phase) const {
-    std::vector<int> order;
-    for (const std::int64_t approach : phase)
-      order.insert(order.end(), approaches_.at(approach).begin(), approaches_.at(approach).end());
-    const auto rank = [&](int i) {
-      const SignalRequest& m = movements_[i];
-      // Longer by a millimetre, not by what rounding does to equal turns.
-      return std::tuple(m.turn == SignalRequest::Turn::u_turn    ? 2
-                        : m.turn == SignalRequest::Turn::through ? 0
-                                                                 : 1,
-                        std::llround(m.length * 1000), i);
+  // Phases follow each other so that changes take least; of equal orders the first one holds.
+  void order_phases() {
+    const std::size_t n = phases_.size();
+    std::vector<std::vector<SignalChange>> between(n, std::vector<SignalChange>(n));
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) between[i][j] = change(i, j);
+    std::vector<std::size_t> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    const auto all = [&](const std::vector<std::size_t>& turns) {
+      double sum = 0;
+      for (std::size_t k = 0; k < n; ++k) sum += between[turns[k]][turns[(k + 1) % n]].duration();
+      return sum;
     };
-    std::sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
-    std::vector<SignalState::Green> greens;
-    for (const int i : order) {
-      const bool gives_way =
-          std::any_of(greens.begin(), greens.end(), [&](const SignalState::Green& g) {
-            return g.right_of_way == RightOfWay::protect &&
-                   (in_conflict(i, g.movement) || in_conflict(g.movement, i));
-          });
-      greens.push_back({i, gives_way ? RightOfWay::permit : RightOfWay::protect});
-    }
-    std::sort(greens.begin(), greens.end(),
-              [](const auto& a, const auto& b) { return a.movement < b.movement; });
-    return greens;
+    std::vector<std::size_t> best = order;
+    if (n > 2 && n <= most_ordered)
+      while (std::next_permutation(order.begin() + 1, order.end()))
+        if (all(order) < all(best) - 1e-6) best = order;
+    std::vector<Phase> phases;
+    for (const std::size_t k : best) phases.push_back(phases_[k]);
+    phases_ = std::move(phases);
+    for (std::size_t k = 0; k < n; ++k) changes_.push_back(between[best[k]][best[(k + 1) % n]]);
   }
 
-  // People cross the streets that have red.
-  double least_green(const std::vector<std::int64_t>& phase) const {
-    double least = shortest_green;
-    const auto has_green = [&](std::int64_t edge) {
-      return std::find(phase.begin(), phase.end(), edge) != phase.end();
-    };
-    for (const SignalRequest& m : movements_) {
-      if (!has_green(m.approach)) least = std::max(least, m.walk_in);
-      if (!has_green(m.exit)) least = std::max(least, m.walk_out);
-    }
-    return std::ceil(least);
+  // Seconds that pass from the end of a phase to the start of a walk, beyond those of its change.
+  double delay_after(std::size_t k, int walk) const {
+    double delay = 0;
+    for (const int i : phases_[k])
+      for (const SignalRequest::Walk& w : movements_[i].walks)
+        if (w.walk == walk) delay = std::max(delay, intergreen_to_walk(movements_[i], w, rules_));
+    return std::max(0.0, delay - changes_[k].duration());
   }
 
-  // The time that people need to cross the widest street.
-  double longest_walk() const {
-    double longest = 0;
-    for (const SignalRequest& m : movements_) longest = std::max({longest, m.walk_in, m.walk_out});
-    return std::ceil(longest);
+  bool taken(std::size_t k, int walk) const {
+    return std::any_of(phases_[k].begin(), phases_[k].end(), [&](int i) {
+      const auto& walks = movements_[i].walks;
+      return std::any_of(walks.begin(), walks.end(), [&](const auto& w) { return w.walk == walk; });
+    });
+  }
+
+  // Seconds from the start of a phase to the next one that takes the walk; all of it is free.
+  double room_from(std::size_t k, int walk) const {
+    double room = 0;
+    for (std::size_t step = 0; step < phases_.size(); ++step) {
+      const std::size_t at = (k + step) % phases_.size();
+      if (taken(at, walk)) break;
+      room += least_[at] + changes_[at].duration();
+    }
+    return room;
+  }
+
+  // The phase that needs least to be added lasts long enough; else a state of its own.
+  void leave_room(int walk, double seconds) {
+    const std::size_t n = phases_.size();
+    std::size_t best = n;
+    double best_added = 0, best_least = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      if (taken(k, walk)) continue;
+      const double delay = delay_after((k + n - 1) % n, walk);
+      const double least =
+          std::max({least_[k], steps_up(delay + rules_.shortest_walk, rules_),
+                    steps_up(least_[k] + seconds + delay - room_from(k, walk), rules_)});
+      if (best == n || least - least_[k] < best_added)
+        best = k, best_added = least - least_[k], best_least = least;
+    }
+    if (best < n)
+      least_[best] = best_least;
+    else
+      walk_state_ = std::max(walk_state_, steps_up(seconds + delay_after(n - 1, walk), rules_));
+  }
+
+  double lost() const {
+    double sum = walk_state_;
+    for (const SignalChange& change : changes_) sum += change.duration();
+    return sum;
   }
 
   // The load of its lanes, 0 to 1: by the flows of its approaches, where one is known.
-  std::optional<double> load(const std::vector<std::int64_t>& phase) const {
+  std::optional<double> load(const Phase& phase) const {
     std::optional<double> most;
-    for (const std::int64_t approach : phase) {
-      const SignalRequest& m = movements_[approaches_.at(approach).front()];
+    for (const int i : phase) {
+      const SignalRequest& m = movements_[i];
       if (m.flow) most = std::max(most.value_or(0), *m.flow / (m.lanes * saturation_flow));
     }
     return most;
   }
 
-  double weight(const std::vector<std::int64_t>& phase) const {
-    double most = 0;
-    for (const std::int64_t approach : phase) {
-      const SignalRequest& m = movements_[approaches_.at(approach).front()];
-      most =
-          std::max(most, std::sqrt(m.lanes) * std::pow(1.25, 5 - std::clamp(m.importance, 1, 9)));
+  // What each phase gets of the green, all together 1; Webster's cycle where flows are known.
+  std::vector<double> shares(double& cycle) const {
+    std::vector<double> shares;
+    double loads = 0;
+    bool known = true;
+    for (const Phase& phase : phases_) {
+      const auto own = load(phase);
+      known = known && own;
+      loads += shares.emplace_back(own.value_or(0));
     }
-    return most;
+    if (known && loads > 0) {
+      cycle = std::max(shortest_cycle, (1.5 * lost() + 5) / (1 - std::min(loads, 0.9)));
+    } else {
+      loads = 0;
+      for (std::size_t k = 0; k < phases_.size(); ++k)
+        loads += shares[k] = weight_of(movements_, phases_[k]);
+      cycle = lost() + usual_green * phases_.size();
+    }
+    for (double& share : shares) share /= loads;
+    return shares;
   }
 
-  void share_out(const std::vector<std::vector<std::int64_t>>& phases,
-                 std::vector<SignalState>& states) const {
-    if (phases.empty()) return;
-    double lost = 0, loads = 0, weights = 0, unknown = 0;
-    for (const SignalState& state : states)
-      if (state.kind != SignalKind::green) lost += state.duration;
-    for (const auto& phase : phases) {
-      weights += weight(phase);
-      if (const auto known = load(phase))
-        loads += *known;
-      else
-        unknown += weight(phase);
+  // Greens of whole steps that fill the cycle: no one is under its least, and what is left goes by
+  // shares.
+  std::vector<double> shared_out() const {
+    double cycle = 0;
+    const std::vector<double> share = shares(cycle);
+    const double longest = std::floor(rules_.longest_cycle / rules_.step + 1e-6) * rules_.step;
+    cycle = std::max(shortest(), std::min(longest, steps_up(cycle, rules_)));
+    std::vector<double> greens = least_;
+    double left = cycle - shortest();
+    for (; left > rules_.step / 2; left -= rules_.step) {
+      std::size_t next = 0;
+      for (std::size_t k = 1; k < greens.size(); ++k)
+        if (greens[k] * share[next] < greens[next] * share[k]) next = k;
+      greens[next] += rules_.step;
     }
-    const bool by_flow = unknown == 0 && loads > 0;
-    const double cycle = by_flow ? std::clamp((1.5 * lost + 5) / (1 - std::min(loads, 0.9)),
-                                              shortest_cycle, longest_cycle)
-                                 : lost + usual_green * phases.size();
-    for (std::size_t k = 0; k < phases.size(); ++k) {
-      const double share = by_flow ? *load(phases[k]) / loads : weight(phases[k]) / weights;
-      states[3 * k].duration =
-          std::max(least_green(phases[k]), std::round(std::max(0.0, cycle - lost) * share));
-    }
+    return greens;
   }
 
   const std::vector<SignalRequest>& movements_;
-  std::map<std::int64_t, std::vector<int>> approaches_;
+  const SignalRules& rules_;
+  std::vector<Phase> phases_;
+  std::vector<SignalChange> changes_;  // after each phase
+  std::vector<double> least_;          // green of each phase
+  double walk_state_ = 0;              // after all of them; 0: there is none
 };
+
+std::map<int, double> walks_of(const std::vector<SignalRequest>& movements) {
+  std::map<int, double> walks;
+  for (const SignalRequest& m : movements)
+    for (const SignalRequest::Walk& w : m.walks) walks[w.walk] = std::max(walks[w.walk], w.seconds);
+  return walks;
+}
+
+void drop_longest(std::map<int, double>& walks) {
+  walks.erase(std::max_element(walks.begin(), walks.end(),
+                               [](const auto& a, const auto& b) { return a.second < b.second; }));
+}
 
 }  // namespace
 
-std::vector<SignalState> signal_phases(const std::vector<SignalRequest>& requests) {
-  check(requests);
+std::vector<SignalState> signal_phases(const std::vector<SignalRequest>& requests,
+                                       const SignalRules& rules) {
+  check_requests(requests, rules);
+  if (requests.empty()) return {};
   const std::vector<SignalRequest> movements = numbered(requests);
-  return Phases(movements).states();
-}
-
-std::vector<SignalState> signal_pairs(const std::vector<SignalRequest>& requests) {
-  check(requests);
-  const std::vector<SignalRequest> movements = numbered(requests);
-  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<SignalState::Green>> pairs;
-  std::map<std::int64_t, std::vector<int>> turning_back;
-  for (int i = 0; i < static_cast<int>(movements.size()); ++i) {
-    const SignalRequest& m = movements[i];
-    if (m.approach == m.exit)
-      turning_back[m.approach].push_back(i);
-    else
-      pairs[std::minmax(m.approach, m.exit)].push_back({i, RightOfWay::protect});
-  }
-  // Traffic that turns back goes with the first pair of its road, and gives way.
-  for (const auto& [approach, own] : turning_back) {
-    const auto first = std::find_if(pairs.begin(), pairs.end(), [id = approach](const auto& pair) {
-      return pair.first.first == id || pair.first.second == id;
-    });
-    auto& greens = first != pairs.end() ? first->second : pairs[{approach, approach}];
-    for (const int i : own) greens.push_back({i, RightOfWay::permit});
-  }
-  std::vector<SignalState> states;
-  for (auto& [roads, greens] : pairs) {
-    std::sort(greens.begin(), greens.end(),
-              [](const auto& a, const auto& b) { return a.movement < b.movement; });
-    // Lanes of one road may merge into one of the other.
-    std::set<int> open;
-    for (SignalState::Green& green : greens) {
-      const std::vector<int>& conflicts = movements[green.movement].conflicts;
-      if (std::any_of(conflicts.begin(), conflicts.end(),
-                      [&](int other) { return open.count(other) > 0; }))
-        green.right_of_way = RightOfWay::permit;
-      if (green.right_of_way == RightOfWay::protect) open.insert(green.movement);
-    }
-    const std::size_t green = states.size();
-    states.push_back({SignalKind::green, pair_state, greens});
-    append_change(movements, greens, states);
-    states[green].duration =
-        std::max(5.0, pair_state - states[green + 1].duration - states[green + 2].duration);
-  }
-  return states;
+  std::map<int, double> walks = walks_of(movements);
+  const auto fits = [&](const Cycle& cycle) { return cycle.shortest() <= rules.longest_cycle; };
+  // Walks that take longer than the cycle leaves them go first.
+  Phase all(movements.size());
+  std::iota(all.begin(), all.end(), 0);
+  while (!walks.empty() && !fits(Cycle(movements, rules, {all}, walks))) drop_longest(walks);
+  const Cycle with_turns(movements, rules, phases_of(movements, rules, true), walks);
+  if (fits(with_turns)) return with_turns.states();
+  std::vector<Phase> phases = phases_of(movements, rules, false);
+  while (phases.size() > 1 && !fits(Cycle(movements, rules, phases, walks)))
+    merge_least(movements, phases);
+  return Cycle(movements, rules, phases, walks).states();
 }
 
 }  // namespace streetgen

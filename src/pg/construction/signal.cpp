@@ -1,4 +1,5 @@
-// streetgen.signal_phases and streetgen.signal_pairs: the states of a signal program.
+// streetgen.signal_phases and streetgen.signal_pairs: the states of a signal program; and the times
+// between greens.
 #include "streetgen/signal.hpp"
 
 #include <cstdint>
@@ -27,70 +28,137 @@ struct Numbers {
 struct RequestRows {
   int count;
   Column lane_in, lane_out, along_in, along_out, approach, exit, turn, length, speed, lanes;
-  Column importance, flow, walk_in, walk_out;
-  Numbers* conflicts;
+  Column importance, flow, precedence;
+  Numbers *conflicts, *reaches, *walks, *walk_seconds, *walk_reaches;
 };
 
-RequestRows take_requests(FunctionCallInfo fcinfo) {
-  const Rows requests = rows(fcinfo, 0, "movements");
-  RequestRows taken = {requests.count,
-                       column(requests, "lane_in", INT8OID),
-                       column(requests, "lane_out", INT8OID),
-                       column(requests, "along_in", BOOLOID),
-                       column(requests, "along_out", BOOLOID),
-                       column(requests, "approach", INT8OID),
-                       column(requests, "exit", INT8OID),
-                       column(requests, "turn", TEXTOID),
-                       column(requests, "length", FLOAT8OID),
-                       column(requests, "speed", FLOAT8OID),
-                       column(requests, "lanes", INT4OID),
-                       column(requests, "importance", INT4OID),
-                       column_or_null(requests, "flow", FLOAT8OID),
-                       column_or_null(requests, "walk_in", FLOAT8OID),
-                       column_or_null(requests, "walk_out", FLOAT8OID),
-                       nullptr};
-  const Column conflicts = column_or_null(requests, "conflicts", INT4ARRAYOID);
-  taken.conflicts = static_cast<Numbers*>(palloc0(sizeof(Numbers) * Max(taken.count, 1)));
-  for (int row = 0; row < taken.count; ++row) {
-    if (conflicts.nulls[row]) continue;
-    ArrayType* array = DatumGetArrayTypeP(conflicts.values[row]);
+// An array of each row; NULL: none. `size` and `by_value` are those of the type of its elements.
+Numbers* arrays(const Rows& rows, const char* name, Oid array_type, Oid type, int size) {
+  const Column column = column_or_null(rows, name, array_type);
+  Numbers* taken = static_cast<Numbers*>(palloc0(sizeof(Numbers) * Max(rows.count, 1)));
+  for (int row = 0; row < rows.count; ++row) {
+    if (column.nulls[row]) continue;
+    ArrayType* array = DatumGetArrayTypeP(column.values[row]);
     if (array_contains_nulls(array))
       ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("a conflict is NULL in row %d of the movements", row + 1)));
-    deconstruct_array(array, INT4OID, sizeof(int32), true, TYPALIGN_INT,
-                      &taken.conflicts[row].values, nullptr, &taken.conflicts[row].count);
+                      errmsg("one of the %s is NULL in row %d of the movements", name, row + 1)));
+    deconstruct_array(array, type, size, true, size == 8 ? TYPALIGN_DOUBLE : TYPALIGN_INT,
+                      &taken[row].values, nullptr, &taken[row].count);
   }
   return taken;
 }
 
-std::vector<SignalRequest> read_requests(const RequestRows& rows) {
+// Arrays beside each other have one length.
+void require_as_many(const Numbers* a, const Numbers* b, int count, const char* what) {
+  for (int row = 0; row < count; ++row)
+    if (b[row].count != a[row].count && b[row].count != 0)
+      ereport(ERROR, (errcode(ERRCODE_INVALID_PARAMETER_VALUE),
+                      errmsg("row %d of the movements has %d %s and %d numbers beside them",
+                             row + 1, a[row].count, what, b[row].count)));
+}
+
+RequestRows take_requests(FunctionCallInfo fcinfo) {
+  const Rows requests = rows(fcinfo, 0, "movements");
+  const auto numbers = [&](const char* name) {
+    return arrays(requests, name, INT4ARRAYOID, INT4OID, sizeof(int32));
+  };
+  const auto metres = [&](const char* name) {
+    return arrays(requests, name, FLOAT8ARRAYOID, FLOAT8OID, sizeof(float8));
+  };
+  const RequestRows taken = {requests.count,
+                             column(requests, "lane_in", INT8OID),
+                             column(requests, "lane_out", INT8OID),
+                             column(requests, "along_in", BOOLOID),
+                             column(requests, "along_out", BOOLOID),
+                             column(requests, "approach", INT8OID),
+                             column(requests, "exit", INT8OID),
+                             column(requests, "turn", TEXTOID),
+                             column(requests, "length", FLOAT8OID),
+                             column(requests, "speed", FLOAT8OID),
+                             column(requests, "lanes", INT4OID),
+                             column(requests, "importance", INT4OID),
+                             column_or_null(requests, "flow", FLOAT8OID),
+                             column_or_null(requests, "precedence", INT4OID),
+                             numbers("conflicts"),
+                             metres("reaches"),
+                             numbers("walks"),
+                             metres("walk_seconds"),
+                             metres("walk_reaches")};
+  require_as_many(taken.conflicts, taken.reaches, taken.count, "conflicts");
+  require_as_many(taken.walks, taken.walk_seconds, taken.count, "walks");
+  require_as_many(taken.walks, taken.walk_reaches, taken.count, "walks");
+  return taken;
+}
+
+double number_beside(const Numbers& numbers, int k, double otherwise) {
+  return k < numbers.count ? DatumGetFloat8(numbers.values[k]) : otherwise;
+}
+
+SignalRequest::Turn turn_of(const RequestRows& rows, int i) {
   using Turn = SignalRequest::Turn;
+  return word_of<Turn>(text_of(rows.turn.values[i]), "turn of a movement",
+                       {{"through", Turn::through},
+                        {"left", Turn::left},
+                        {"right", Turn::right},
+                        {"u_turn", Turn::u_turn}});
+}
+
+// Who says nothing of where it meets others may meet them anywhere.
+void read_meetings(const RequestRows& rows, int i, SignalRequest& request) {
+  for (int k = 0; k < rows.conflicts[i].count; ++k)
+    request.conflicts.push_back({DatumGetInt32(rows.conflicts[i].values[k]) - 1,
+                                 number_beside(rows.reaches[i], k, request.length)});
+  for (int k = 0; k < rows.walks[i].count; ++k)
+    request.walks.push_back({DatumGetInt32(rows.walks[i].values[k]) - 1,
+                             number_beside(rows.walk_seconds[i], k, 0),
+                             number_beside(rows.walk_reaches[i], k, request.length)});
+}
+
+std::vector<SignalRequest> read_requests(const RequestRows& rows) {
   std::vector<SignalRequest> requests;
   for (int i = 0; i < rows.count; ++i) {
     SignalRequest request;
     request.approach = DatumGetInt64(rows.approach.values[i]);
     request.exit = DatumGetInt64(rows.exit.values[i]);
-    request.turn = word_of<Turn>(text_of(rows.turn.values[i]), "turn of a movement",
-                                 {{"through", Turn::through},
-                                  {"left", Turn::left},
-                                  {"right", Turn::right},
-                                  {"u_turn", Turn::u_turn}});
+    request.lane = DatumGetInt64(rows.lane_in.values[i]);
+    request.turn = turn_of(rows, i);
     request.length = DatumGetFloat8(rows.length.values[i]);
     request.speed = DatumGetFloat8(rows.speed.values[i]);
     request.lanes = DatumGetInt32(rows.lanes.values[i]);
     request.importance = DatumGetInt32(rows.importance.values[i]);
     if (!rows.flow.nulls[i]) request.flow = DatumGetFloat8(rows.flow.values[i]);
-    if (!rows.walk_in.nulls[i]) request.walk_in = DatumGetFloat8(rows.walk_in.values[i]);
-    if (!rows.walk_out.nulls[i]) request.walk_out = DatumGetFloat8(rows.walk_out.values[i]);
-    for (int k = 0; k < rows.conflicts[i].count; ++k)
-      request.conflicts.push_back(DatumGetInt32(rows.conflicts[i].values[k]) - 1);
+    request.precedence = rows.precedence.nulls[i] ? i : DatumGetInt32(rows.precedence.values[i]);
+    read_meetings(rows, i, request);
     requests.push_back(std::move(request));
   }
   return requests;
 }
 
+// cycle, all_red, step, walk, importance, turn_phases: arguments 1 to 6; NULL turn_phases: by lanes
+// and speed.
+SignalRules read_rules(FunctionCallInfo fcinfo) {
+  SignalRules rules;
+  rules.longest_cycle = PG_GETARG_FLOAT8(1);
+  rules.longest_all_red = PG_GETARG_FLOAT8(2);
+  rules.step = PG_GETARG_FLOAT8(3);
+  rules.shortest_walk = PG_GETARG_FLOAT8(4);
+  rules.least_importance = PG_GETARG_INT32(5);
+  if (!PG_ARGISNULL(6)) rules.turn_phases = PG_GETARG_BOOL(6);
+  return rules;
+}
+
 const char* kind_name(SignalKind kind) {
-  return kind == SignalKind::green ? "green" : kind == SignalKind::amber ? "amber" : "all_red";
+  switch (kind) {
+    case SignalKind::green:
+      return "green";
+    case SignalKind::amber:
+      return "amber";
+    case SignalKind::all_red:
+      return "all_red";
+    case SignalKind::walk:
+      return "walk";
+  }
+  return "";
 }
 
 // ordinality, duration, kind, lane_in, lane_out, along_in, along_out, right_of_way
@@ -117,13 +185,34 @@ void give(const std::vector<SignalState>& states, const RequestRows& rows, Retur
   }
 }
 
+// ends, begins, ends_on_foot, begins_on_foot, seconds
+void give(const std::vector<Intergreen>& intergreens, const RequestRows&, ReturnSetInfo* result) {
+  for (const Intergreen& i : intergreens) {
+    Datum values[5] = {Int32GetDatum(i.ends + 1), Int32GetDatum(i.begins + 1),
+                       BoolGetDatum(i.ends_on_foot), BoolGetDatum(i.begins_on_foot),
+                       Float8GetDatum(i.seconds)};
+    bool nulls[5] = {};
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  }
+}
+
+void require_rules(FunctionCallInfo fcinfo) {
+  for (int i = 1; i <= 5; ++i)
+    if (PG_ARGISNULL(i))
+      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
+                      errmsg("cycle, all_red, step, walk or importance of a signal program is NULL")));
+}
+
+template <typename Row>
 Datum answer(FunctionCallInfo fcinfo,
-             std::vector<SignalState> (*program)(const std::vector<SignalRequest>&)) {
+             std::vector<Row> (*program)(const std::vector<SignalRequest>&, const SignalRules&)) {
   InitMaterializedSRF(fcinfo, 0);
+  if (PG_ARGISNULL(0)) PG_RETURN_NULL();
+  require_rules(fcinfo);
   const RequestRows rows = take_requests(fcinfo);
-  Slot<std::vector<SignalState>>* slot = make_slot<std::vector<SignalState>>(CurrentMemoryContext);
-  report(
-      compute([&] { slot->value = new std::vector<SignalState>(program(read_requests(rows))); }));
+  const SignalRules rules = read_rules(fcinfo);
+  Slot<std::vector<Row>>* slot = make_slot<std::vector<Row>>(CurrentMemoryContext);
+  report(compute([&] { slot->value = new std::vector<Row>(program(read_requests(rows), rules)); }));
   give(*slot->value, rows, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));
   PG_RETURN_NULL();
 }
@@ -137,4 +226,8 @@ STREETGEN_FUNCTION(streetgen_signal_phases) {
 
 STREETGEN_FUNCTION(streetgen_signal_pairs) {
   return streetgen::pg::answer(fcinfo, streetgen::signal_pairs);
+}
+
+STREETGEN_FUNCTION(streetgen_intergreens) {
+  return streetgen::pg::answer(fcinfo, streetgen::intergreens);
 }

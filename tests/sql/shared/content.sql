@@ -75,8 +75,10 @@ BEGIN
     || CASE WHEN to_regclass(format('%I.controller', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'controller', program, cycle, start_offset, method, geom::text) FROM @.controller
     UNION ALL SELECT concat_ws(' ', 'signal_state', c.geom::text, ordinality, duration, kind) FROM @.signal_state JOIN @.controller c USING (controller_id)
-    UNION ALL SELECT concat_ws(' ', 'signal_movement', c.geom::text, m.ordinality, a.axis_id, a.start_abscissa, i.ordinality, m.along_in, b.axis_id, b.start_abscissa, o.ordinality, m.along_out, m.right_of_way)
+    UNION ALL SELECT concat_ws(' ', 'signal_movement', c.geom::text, m.ordinality, a.axis_id, a.start_abscissa, i.ordinality, m.along_in, b.axis_id, b.start_abscissa, o.ordinality, m.along_out, m.right_of_way, m.precedence, m.signal_group)
       FROM @.signal_movement m JOIN @.controller c USING (controller_id) JOIN @.lane i ON i.lane_id = m.lane_in JOIN @.edge a ON a.edge_id = i.edge_id JOIN @.lane o ON o.lane_id = m.lane_out JOIN @.edge b ON b.edge_id = o.edge_id
+    UNION ALL SELECT concat_ws(' ', 'signal_group', c.geom::text, signal_group, g.kind, a.axis_id, a.start_abscissa, control_point_id, clear) FROM @.signal_group g JOIN @.controller c USING (controller_id) JOIN @.edge a USING (edge_id)
+    UNION ALL SELECT concat_ws(' ', 'intergreen', c.geom::text, ends, begins, seconds) FROM @.intergreen JOIN @.controller c USING (controller_id)
     UNION ALL SELECT concat_ws(' ', 'signal_head', e.axis_id, e.start_abscissa, l.ordinality, h.along_axis, h.angle, h.geom::text) FROM @.signal_head h JOIN @.lane l USING (lane_id) JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.street_object', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'object', type, placement, axis_id, abscissa, side, axis_offset, o.angle, method,

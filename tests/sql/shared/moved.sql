@@ -269,7 +269,8 @@ CREATE FUNCTION test.moved_key(relation name) RETURNS text[] LANGUAGE sql IMMUTA
     WHEN 'interconnection' THEN '{lane_in,lane_out,along_in,along_out}' WHEN 'junction_movement' THEN '{lane_in,lane_out,along_in,along_out}'
     WHEN 'kerb' THEN '{on_edge,node_id}' WHEN 'sidewalk' THEN '{on_edge,node_id}' WHEN 'block_edge' THEN '{edge_id,side}' WHEN 'roundabout_arm' THEN '{roundabout_id,edge_id,along_axis}'
     WHEN 'overpass' THEN '{edge_above,edge_below}' WHEN 'bridge' THEN '{edge_id}' WHEN 'tunnel' THEN '{edge_id}' WHEN 'report' THEN '{issue}' WHEN 'signal_state' THEN '{controller_id,ordinality}'
-    WHEN 'signal_movement' THEN '{controller_id,lane_in,lane_out,along_in,along_out,ordinality}' WHEN 'signal_head' THEN '{lane_id,along_axis}' WHEN 'ramp' THEN '{node_id}'
+    WHEN 'signal_movement' THEN '{controller_id,lane_in,lane_out,along_in,along_out,ordinality}' WHEN 'signal_group' THEN '{controller_id,signal_group}' WHEN 'intergreen' THEN '{controller_id,ends,begins}'
+    WHEN 'signal_head' THEN '{lane_id,along_axis}' WHEN 'ramp' THEN '{node_id}'
     WHEN 'roundabout_edge' THEN '{edge_id,along_axis}' WHEN 'node' THEN '{node_id}' WHEN 'intersection' THEN '{node_id}' WHEN 'junction_node' THEN '{node_id}'
     WHEN 'road' THEN '{road_id}' WHEN 'block' THEN '{block_id}' WHEN 'junction' THEN '{junction_id}' WHEN 'controller' THEN '{controller_id}' WHEN 'roundabout' THEN '{roundabout_id}'
     WHEN 'street_object' THEN '{type}' WHEN 'object_edge' THEN '{edge_id}' ELSE '{edge_id}' END::text[] $$;
