@@ -19,7 +19,7 @@ enum class Method {
   robust_fallback,  // the ring was built by union, not piece by piece
   by_hand,          // as an override says
   level_change,     // the roadway goes on there on another level
-  covered,          // a block that is roadway all over
+  covered,          // roadway lies behind an arc, or all over a block
   axis_bound,       // a block beside a street without roadway on its level: the axis bounds it
 };
 const char* method_name(Method method) noexcept;

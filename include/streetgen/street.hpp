@@ -168,6 +168,7 @@ struct Corner {
   std::optional<Point> centre;
   std::optional<Arc> arc;  // from the border of a to the border of b
   Method method = Method::hypothesis;
+  bool covered = false;  // roadway lies behind the arc, which is no kerb; in the end there is none
 };
 
 struct SectionLimit {

@@ -69,7 +69,7 @@ JOIN junction USING (node_id) WHERE away > 30 GROUP BY node_id;
 
 -- Arcs over half a metre of which less than half lies on the outline of the roadway.
 CREATE TEMPORARY TABLE arc AS
-SELECT corner_id, s.level, ST_CurveToLine(arc) AS geom FROM :"model".corner JOIN street s ON edge_id = edge_a
+SELECT corner_id, level, ST_CurveToLine(arc) AS geom FROM :"model".corner JOIN :"model".intersection USING (node_id)
 WHERE arc IS NOT NULL AND ST_Length(arc) > 0.5;
 CREATE TEMPORARY TABLE outline_part AS
 SELECT level, ST_Subdivide(ST_Boundary(ST_Union(surface, 1e-5)), 100) AS geom FROM surface GROUP BY level;

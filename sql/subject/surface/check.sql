@@ -145,6 +145,7 @@ BEGIN
             WHEN 'not_computed' THEN 'corner override not computed yet, m'
             WHEN 'transition' THEN 'corner override where the width changes, not followed'
             WHEN 'no_arc' THEN 'corner override for which no arc fits'
+            WHEN 'covered' THEN 'corner override with roadway behind its arc'
             WHEN 'radius_minimal' THEN 'corner override with its centre beyond max_arc_distance, m'
             ELSE 'corner override greater than the radius that fits, m' END,
         'corner_override', corner_override_id, radius, geom FROM streetgen._corner_overrides_not_followed(model)
@@ -205,6 +206,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'give both streets one width there, or delete the override'),
     ('corner override for which no arc fits', 'the streets are too short, or leave in nearly one line',
         'make room by their axes, or delete the override'),
+    ('corner override with roadway behind its arc', 'other streets cover the ground there, and no kerb runs along it',
+        'correct axes that lie too close, or delete the override'),
     ('corner override with its centre beyond max_arc_distance, m',
         'the angle is so acute that the centre of each arc lies farther off than the setting allows',
         'raise max_arc_distance, or delete the override'),

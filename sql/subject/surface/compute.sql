@@ -61,7 +61,7 @@ CREATE OR REPLACE FUNCTION streetgen._upsert_surface(places jsonb) RETURNS text
         there => $part$
         SELECT corner_id FROM (
             SELECT c.corner_id, c.edge_a, c.edge_b FROM new_node n, LATERAL (SELECT * FROM {model}.corner c
-                WHERE c.node_id = n.node_id {by_key}) c WHERE NOT n.fresh {by_key}) c
+                WHERE c.node_id = n.node_id {by_key}) c WHERE n.affected AND NOT n.fresh {by_key}) c
         WHERE edge_a IN (SELECT edge_id FROM new_edge) AND edge_b IN (SELECT edge_id FROM new_edge)$part$),
     streetgen._upsert_rows(places, 'intersection', columns => 'level, surface, method, contested_area', rows => $part$
         SELECT number, node_id, level, surface, method, contested_area

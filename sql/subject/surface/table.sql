@@ -78,7 +78,7 @@ COMMENT ON COLUMN :"model".corner.method IS
     'hypothesis: the wanted radius; radius_reduced: the largest that fits the axes; followed: an axis is too short, '
     'the arc touches the next one in its direction; nose: the end of a median or of a traffic island, see '
     'follow_length and island_area; radius_minimal: its centre lay beyond max_arc_distance; no_arc: none fits, or '
-    'dual carriageways cross there; '
+    'dual carriageways cross there; covered: roadway lies behind the arc, which is no kerb; '
     'transition: the width changes instead; by_hand';
 
 CREATE TABLE :"model".intersection (

@@ -9,6 +9,7 @@
 #include "geometry/prepared_surface.hpp"
 #include "geometry/surface_distance.hpp"
 #include "ownership/claim_index.hpp"
+#include "ownership/covered_arc.hpp"
 #include "ownership/crowd.hpp"
 #include "ownership/hole.hpp"
 #include "ownership/ownership.hpp"
@@ -39,7 +40,8 @@ class Owners {
         beside_(moved.beside),
         surfaces_(edges_ + layout.junctions.size()),
         built_(surfaces_.size()),
-        served_(surfaces_.size()) {
+        served_(surfaces_.size()),
+        beside_change_(surfaces_.size()) {
     moved_.insert(moved_.end(), moved.nodes.begin(), moved.nodes.end());
     was_.insert(was_.end(), moved.intersections.begin(), moved.intersections.end());
     claims_.reserve(surfaces_.size());
@@ -61,6 +63,7 @@ class Owners {
 
   void settle() {
     const std::vector<Hole> holes = build_what_matters();
+    find_covered_arcs(holes);
     settle_ownership(geos_, claims_, disputes_);
     give_holes(geos_, claims_, holes);
     leave_what_stays();
@@ -176,6 +179,11 @@ class Owners {
     auto& streets = layout_.streets;
     if (i < edges_) {
       if (!layout_.axis_of(i).outer) streets.affected_edges[i] = true;
+      // An arc on the border of the section may be kerb no more, or again.
+      const Edge& edge = streets.network.edges[i];
+      for (const bool at_start : {true, false})
+        if (streets.limits[slot({i, at_start})].shared > 0)
+          mark_affected(edges_ + (at_start ? edge.from_node : edge.to_node));
     } else if (!layout_.outer(i - edges_)) {
       streets.affected_nodes[i - edges_] = true;
     }
@@ -332,8 +340,68 @@ class Owners {
     }
   }
 
-  // What neither moved nor got or lost ground, and has beside it what it had; in a crowd the same
-  // ground may have come about otherwise.
+  // Of claims as they come in, so that it does not matter which of them are settled.
+  void find_covered_arcs(const std::vector<Hole>& holes) {
+    const std::vector<std::vector<int>> all = opponents(claims_, disputes_);
+    std::vector<MultiPolygon> filled;
+    for (const Hole& hole : holes) filled.push_back({{hole.ring}});
+    const std::vector<PreparedSurface> paved(filled.begin(), filled.end());
+    const std::vector<Box> changed = changed_ground(paved);
+    for (Corner& corner : layout_.streets.corners) {
+      const int node = edges_ + corner.node;
+      if (!corner.arc || !claims_[node].wanted) continue;
+      const auto holds = [&](int i, const Point& p) {
+        return claims_[i].level == claims_[node].level && inside(p, as_it_came(i));
+      };
+      const std::vector<int> own = with_arc(corner);
+      const auto on_roadway = [&](const Point& p) {
+        return std::any_of(own.begin(), own.end(),
+                           [&](int i) {
+                             return holds(i, p) ||
+                                    std::any_of(all[i].begin(), all[i].end(),
+                                                [&](int other) { return holds(other, p); });
+                           }) ||
+               std::any_of(paved.begin(), paved.end(),
+                           [&](const PreparedSurface& hole) { return hole.holds(p); });
+      };
+      Box box = box_of(corner.arc->start, corner.arc->end);
+      box.add(corner.arc->middle);
+      if (std::any_of(changed.begin(), changed.end(),
+                      [&](const Box& ground) { return ground.meets(box, same_place); }))
+        beside_change_[node] = true;
+      corner.covered = covered(corner, on_roadway);
+    }
+  }
+
+  // The claims on whose border an arc lies: beyond limits that were brought near, of the sections.
+  std::vector<int> with_arc(const Corner& corner) const {
+    std::vector<int> claims{edges_ + corner.node};
+    for (const EdgeEnd& end :
+         {EdgeEnd{corner.edge_a, corner.at_start_a}, EdgeEnd{corner.edge_b, corner.at_start_b}})
+      if (layout_.streets.limits[slot(end)].shared > 0) claims.push_back(end.edge);
+    return claims;
+  }
+
+  const MultiPolygon& as_it_came(int i) const {
+    return claims_[i].whole != nullptr ? *claims_[i].whole : *claims_[i].surface;
+  }
+
+  // Where an arc may be kerb that was none before, or the other way round, though the ground of its
+  // node stays.  None where nothing was there before.
+  std::vector<Box> changed_ground(const std::vector<PreparedSurface>& paved) const {
+    std::vector<Box> changed;
+    if (std::all_of(was_.begin(), was_.end(), [](const auto* was) { return was == nullptr; }))
+      return changed;
+    for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
+      if (moved_[i] && !as_it_came(i).empty()) changed.push_back(box_of(as_it_came(i)));
+    for (const GivenUp& given_up : given_up_)
+      if (!given_up.surface->ground.empty()) changed.push_back(box_of(given_up.surface->ground));
+    for (const PreparedSurface& hole : paved) changed.push_back(hole.box());
+    return changed;
+  }
+
+  // What neither moved nor got or lost ground, and has beside it what it had: the same ground, and
+  // the same arcs.  In a crowd the same ground may have come about otherwise.
   void leave_what_stays() {
     auto& streets = layout_.streets;
     std::vector<bool> in_crowd(claims_.size());
@@ -341,7 +409,7 @@ class Owners {
       for (const Crowd& crowd : *crowds_) each_claim(crowd, [&](int i) { in_crowd[i] = true; });
     for (int i = 0; i < static_cast<int>(claims_.size()); ++i)
       if (claims_[i].wanted && !in_crowd[i] && was_[i] != nullptr && !(i < edges_ && beside_[i]) &&
-          same(was_[i]->ground, surfaces_[i].ground))
+          !beside_change_[i] && same(was_[i]->ground, surfaces_[i].ground))
         (i < edges_ ? streets.affected_edges
                     : streets.affected_nodes)[i < edges_ ? i : i - edges_] = false;
   }
@@ -386,6 +454,7 @@ class Owners {
   const std::vector<bool>& beside_;  // by edge
   std::vector<Surface> surfaces_;
   std::vector<bool> built_, served_;  // served: what it needs was told
+  std::vector<bool> beside_change_;   // an arc of the node
   std::vector<Claim> claims_;
   std::optional<Vicinity> vicinity_;
   std::optional<std::vector<Crowd>> crowds_;

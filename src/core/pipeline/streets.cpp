@@ -8,6 +8,7 @@
 #include "layout/layout.hpp"
 #include "network/check_network.hpp"
 #include "ownership/check_surfaces.hpp"
+#include "ownership/covered_arc.hpp"
 #include "ownership/settle_owners.hpp"
 #include "ramp/find_ramps.hpp"
 #include "ramp/merging_lanes.hpp"
@@ -57,6 +58,7 @@ Streets streets(const std::vector<StreetAxis>& axes, const StreetSettings& setti
   stay_within(layout.streets, former);
   if (with_kerbs) find_kerbs(layout, moved, beyond_reach, former.neighbours);
   check_kerbs(layout.streets);
+  leave_covered_arcs(layout.streets.corners);
   return std::move(layout.streets);
 }
 

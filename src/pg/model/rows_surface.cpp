@@ -24,17 +24,18 @@ bool fill_section_limit(const ComputedStreets& computed, const Named& named, std
 bool fill_section(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Section& section = computed.streets.sections[i];
   const std::int64_t edge = named.edges[section.edge];
-  return edge > 0 &&
-         put(row, edge, computed.streets.network.edges[section.edge].level,
-             Geometry{stored_surface(section.surface, flat(computed))},
-             name(method_name(section.method)), section.contested_area, borders_value(section.borders));
+  return edge > 0 && put(row, edge, computed.streets.network.edges[section.edge].level,
+                         Geometry{stored_surface(section.surface, flat(computed))},
+                         name(method_name(section.method)), section.contested_area,
+                         borders_value(section.borders));
 }
 
 bool fill_corner(const ComputedStreets& computed, const Named& named, std::size_t i, Row& row) {
   const Corner& corner = computed.streets.corners[i];
   const std::int64_t node = named.nodes[corner.node];
   const std::int64_t edge_a = named.edges[corner.edge_a], edge_b = named.edges[corner.edge_b];
-  if (node == 0 || edge_a == 0 || edge_b == 0) return false;
+  if (node == 0 || edge_a == 0 || edge_b == 0 || !computed.streets.affected_nodes[corner.node])
+    return false;
   Value centre, arc;
   if (corner.centre) centre = Geometry{stored_point(*corner.centre, flat(computed))};
   if (corner.arc) arc = Ewkb{write_arc(*corner.arc, flat(computed))};
