@@ -250,6 +250,7 @@ local control = osm2pgsql.define_node_table(prefix .. '_control', {
     { column = 'class', type = 'text', not_null = true },
     { column = 'direction', type = 'text' },
     { column = 'traffic_signals_direction', type = 'text' },
+    { column = 'stop', type = 'text' }, -- of a stop or give-way on a junction: the arms that it binds
     { column = 'lights', type = 'boolean' }, -- a crossing with lights, or signals with a crossing
     { column = 'crossing', type = 'text' },
     { column = 'markings', type = 'text' }, -- of the crossing
@@ -279,7 +280,7 @@ local known_of_node = known_tags({
     traffic_calming = { 'bump', 'hump', 'table', 'cushion', 'rumble_strip', 'choker', 'chicane', 'island' },
     crossing = { 'traffic_signals', 'uncontrolled', 'unmarked', 'zebra' }, ['crossing:signals'] = { 'yes' },
     ['crossing:markings'] = { 'zebra', 'ladder', 'lines', 'dashes', 'dots', 'surface' },
-    direction = { 'forward', 'backward', 'both' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },
+    direction = { 'forward', 'backward', 'both' }, stop = { 'minor', 'all' }, ['traffic_signals:direction'] = { 'forward', 'backward', 'both' },
 })
 
 function osm2pgsql.process_node(object)
@@ -294,7 +295,7 @@ function osm2pgsql.process_node(object)
     if controls[object.tags.highway] then
         control:insert({ class = object.tags.highway, direction = object.tags.direction,
                          traffic_signals_direction = object.tags['traffic_signals:direction'],
-                         lights = has_lights(object.tags),
+                         stop = object.tags.stop or object.tags.give_way, lights = has_lights(object.tags),
                          crossing = object.tags.crossing, markings = object.tags['crossing:markings'],
                          kerb = object.tags.kerb, kerb_height = object.tags['kerb:height'],
                          island = object.tags['crossing:island'] or object.tags.crossing == 'island' and 'yes' or nil,

@@ -65,7 +65,7 @@ def junction_movement(look):
 
 def junction(look):
     return rules(*((kind.replace('_', ' '), f"kind = '{kind}'", fill(look.handle(kind)))
-                   for kind in ('signals', 'stop', 'priority', 'right_before_left', 'ramp', 'roundabout', 'continuation', 'end')))
+                   for kind in ('signals', 'stop', 'priority', 'right_before_left', 'ramp', 'fork', 'merge', 'roundabout', 'continuation', 'end')))
 
 
 def control_point(look):

@@ -12,9 +12,10 @@ namespace streetgen {
 enum class ControlKind { signals, stop, yield, mini_roundabout, pedestrian_crossing };
 const char* control_kind_name(ControlKind kind) noexcept;
 
-// A place of an axis.  One that lies on a node speaks to all traffic that comes to the node, unless
-// it has a direction.  Elsewhere it speaks to the traffic of its direction: that of a one-way
-// street, else that towards the nearer junction.
+// A place of an axis.  Signals on the node of a junction speak to all traffic that comes to it,
+// unless they have a direction; a stop or yield sign there to the traffic that gives way by rank,
+// and with direction `both` to all.  Elsewhere a point speaks to the traffic of its direction: that
+// of a one-way street, else that towards the nearer junction.
 struct ControlPoint {
   std::int64_t axis_id = 0;
   double abscissa = 0;  // metres along the axis
@@ -22,9 +23,17 @@ struct ControlPoint {
   enum class Direction { unknown, along, against, both } direction = Direction::unknown;
 };
 
+// Metres.
+struct ControlRules {
+  double farthest = 50;  // before a junction, within which its control points stand
+  double queue = 25;     // of a road between two signals, on which a queue has no room
+};
+
 // The kinds of junctions.
 enum class JunctionKind {
   ramp,
+  fork,
+  merge,
   signals,
   stop,
   priority,

@@ -26,6 +26,8 @@ struct JunctionEdge {
   bool crossed = false;           // its section limits crossed: its intersections touch
   bool on_ring = false;           // of a roundabout
   std::optional<bool> by_hand{};  // inside its junction, or not, whatever the rules say
+  int importance = 99;
+  double width = 0, width_end = 0;  // metres, at its two nodes
 };
 
 struct JunctionNetwork {
@@ -36,9 +38,9 @@ struct JunctionNetwork {
 
 // Metres.
 struct JunctionRules {
-  double gap = 35;               // longest link between the two carriageways of a street
-  double extent = 80;            // a junction by such links is no wider
-  double control_distance = 50;  // before a node, within which its control points stand
+  double gap = 35;     // longest link between the two carriageways of a street
+  double extent = 80;  // a junction by such links is no wider
+  ControlRules controls{};
 };
 
 enum class EdgeRole { outside, inside, slip_lane };
@@ -54,6 +56,7 @@ struct JunctionGroups {
   // By slot, 2 * edge and 2 * edge + 1: of the control points that speak to the traffic which comes
   // to a node by that end, the strictest.
   std::vector<std::optional<ControlKind>> controls;
+  std::vector<int> served;  // by control point: a node that it speaks at, -1: none
 };
 
 // One junction are
@@ -63,11 +66,12 @@ struct JunctionGroups {
 //     link, of opposite directions.  They have one name; or a name is unknown, both go through
 //     within 30 degrees, and to one side of the link both are twice as long as it is;
 //   the two ends of a slip lane, and the corner that it cuts.  A slip lane is a one-way edge or
-//     chain of edges of no more than `extent`, from before the corner to another street behind it.
-// The last two join from the shortest on, and only what then lies within `extent`, not counting
-// what is joined by hand.  The first is never parted.  An edge that by hand is not inside joins
-// nothing.  An edge of a roundabout is no link and no slip lane.  Independent of the order of nodes
-// and edges, but for `of_node`.
+//     chain of edges of no more than `extent`, from before the corner to another street behind it;
+//   the nodes of a way between two with signals on which a queue has no room.
+// The last three join, those between signals first, then from the shortest on, and only what then
+// lies within `extent`, not counting what is joined by hand.  The first is never parted.  An edge
+// that by hand is not inside joins nothing.  An edge of a roundabout is no link and no slip lane.
+// Independent of the order of nodes and edges, but for `of_node`.
 JunctionGroups group_junctions(const JunctionNetwork& network, const JunctionRules& rules);
 
 }  // namespace streetgen

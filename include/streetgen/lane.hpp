@@ -131,8 +131,8 @@ struct LaneSettings {
   double narrowest = 2;            // metres: lanes of unknown width get less only for want of room
   bool edge_lines = false;         // separators along the kerbs too
   double kerb_radius_minimal = 0;  // metres, as the kerbs of the sections have it
-  double control_distance = 50;    // metres before a node within which its control points stand
-  double line_before_kerb = 0.5;   // metres from a line to the roadway before which it lies
+  ControlRules controls{};
+  double line_before_kerb = 0.5;  // metres from a line to the roadway before which it lies
 };
 
 struct Lane {
@@ -225,7 +225,7 @@ struct Circulation {
 // meet at affected nodes.  Control points decide the lines painted across the ends of lanes, kinds
 // of junctions by hand before them.  The line between two lanes is painted as it may be crossed.
 // Arrows lie on lanes with turn marks, and on those without that come to signals beside others.
-Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
+Lanes lanes(const Streets& streets, const std::vector<LanesOfAxis>& axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls = {},
             const std::vector<Circulation>& circulations = {}, const PaintRules& paint = {});

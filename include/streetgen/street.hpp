@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "streetgen/beside.hpp"
+#include "streetgen/control_point.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/kerb.hpp"
 #include "streetgen/method.hpp"
@@ -52,6 +53,7 @@ struct StreetAxis {
   std::int64_t street = 0;  // a number of its name, 0: none
   bool changed = true;      // false: as it was when the streets about it were computed
   bool outer = false;       // beyond reach of the change: the others are computed with it
+  std::vector<ControlPoint> controls{};  // that stand on it: signals in mid-block cut it
   // The areas that were surveyed as roadway about it, whose parts may overlap: its surfaces end at
   // their border, as far as it lies within them.
   MultiPolygon area{};
@@ -74,6 +76,7 @@ struct Smoothing {
 struct StreetSettings {
   double tolerance = 0.5;  // metres
   Crossing crossing = Crossing::over;
+  ControlRules controls{};
   std::optional<Smoothing> smoothing{};  // none: edges are polylines, but round roundabouts
   // Round a roundabout, where no smoothing is wanted, an edge is an arc of a circle if that leaves
   // none of its points by more.  0: nowhere.
@@ -100,7 +103,7 @@ struct StreetSettings {
   // The ground in a face between axes that is smaller than this stays ground where it has room for
   // a disc of 1 m: the face's corners are noses where their fillets would take that. The middle of
   // two dual carriageways that cross is roadway. 0: neither, as the paper has it.
-  double island_area = 1000;  // square metres
+  double island_area = 1000;         // square metres
   double island_area_minimal = 3.5;  // square metres; see least_island()
   double island_nose_radius = 0.75;  // metres
   // Kinks of kerbs become arcs of this radius, where no limit lies and no corner is wanted without

@@ -16,10 +16,14 @@ namespace streetgen {
 // nodes or dead ends.  A report for each stretch tells its middle and its length.
 //
 // The end of an axis misses where no other one meets it and the roadway of another one of its level
-// holds it, but where one of them lies on the other.  Of two ends that miss each other that of the greater axis_id does.
-Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing);
+// holds it, but where one of them lies on the other.  Of two ends that miss each other that of
+// the greater axis_id does.
+//
+// Signals in mid-block cut their edge: they stand on a node of two edges, of their axis and place.
+Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing,
+                       const ControlRules& controls = {});
 
-// The same network, without reports of ends.
+// The same network, without reports of ends and nodes of signals.
 Network network_without_twins(const std::vector<StreetAxis>& axes, double tolerance,
                               Crossing crossing);
 

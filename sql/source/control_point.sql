@@ -185,6 +185,11 @@ DECLARE
         ELSE 'NULL' END;
     refuge constant text := CASE WHEN 'island' = ANY (there)
         THEN 'CASE WHEN island IN (''yes'', ''no'') THEN island END' ELSE 'NULL' END;
+    -- A stop for all who come binds them where it stands on their junction, and no others on its way.
+    all_arms constant text := CASE WHEN 'stop' = ANY (there) THEN format(
+        'CASE WHEN c.stop = ''all'' AND 1 < (SELECT count(*) FROM %I.axis a WHERE ST_DWithin(a.geom, '
+        'ST_Transform(c.geom, ST_SRID(a.geom)), streetgen._crossing_off_axis())) THEN ''both'' END', model)
+        ELSE 'NULL' END;
     marking constant text := format('coalesce(nullif(way.painted, ''yes''), streetgen._osm_marking(%s), way.painted, '
         'way.kind_of, streetgen._osm_crossing(%s))', markings, crossing);
     -- The word of the way on which people cross comes before that of the node.
@@ -213,7 +218,8 @@ BEGIN
     DROP TABLE pg_temp._import_node;
     -- A crossing with lights is two: a crossing, and signals for both ways. So are signals with a crossing.
     RETURN QUERY SELECT * FROM streetgen._import_control_points(model, control::text, format(
-        'SELECT geom, kind, streetgen._osm_direction(coalesce(traffic_signals_direction, direction)) AS direction, '
+        'SELECT geom, kind, coalesce(streetgen._osm_direction(coalesce(traffic_signals_direction, direction)), '
+            '%7$s) AS direction, '
         'CASE kind WHEN ''pedestrian_crossing'' THEN %3$s END AS marking, '
         'CASE kind WHEN ''pedestrian_crossing'' THEN %5$s END AS kerb, '
         'CASE kind WHEN ''pedestrian_crossing'' THEN %6$s END AS refuge, '
@@ -222,7 +228,7 @@ BEGIN
         'streetgen._osm_direction(traffic_signals_direction), NULL, NULL, NULL, node_id || ''/lights'' FROM %1$s '
         'WHERE %2$s AND class = ''crossing'' UNION ALL SELECT geom, ''pedestrian_crossing'', NULL, %3$s, %5$s, %6$s, '
         'node_id || ''/crossing'' FROM %1$s c, %4$s WHERE %2$s AND class = ''traffic_signals''',
-        control, lights, marking, crossed, kerb, refuge), only_on_axes => true);
+        control, lights, marking, crossed, kerb, refuge, all_arms), only_on_axes => true);
 END $$;
 COMMENT ON FUNCTION streetgen._import_osm_controls(name, regclass, regclass) IS
     'Takes the signals, signs and crossings of an OSM table of nodes that lie on axes, of a crossing with lights the '

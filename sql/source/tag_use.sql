@@ -58,6 +58,8 @@ CREATE OR REPLACE FUNCTION streetgen.tag_use() RETURNS TABLE(source text, tag te
     ('OpenStreetMap, nodes', 'crossing:signals',
         'Of a crossing: yes is signals beside it. Of traffic_signals: yes is a crossing beside them.'),
     ('OpenStreetMap, nodes', 'direction', 'The direction of the traffic that a sign or an object is for.'),
+    ('OpenStreetMap, nodes', 'stop, give_way',
+        'Of a sign on the node of a junction: all binds all who come, minor those who wait for others.'),
     ('OpenStreetMap, nodes', 'traffic_signals:direction', 'The direction of the traffic that signals are for.'),
     ('OpenStreetMap, nodes', 'railway, public_transport, tram, light_rail',
         'Value tram_stop is an object, and so is a platform of trams (railway; or public_transport with tram=yes or '

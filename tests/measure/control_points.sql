@@ -1,4 +1,4 @@
--- What mapped signals, stops and give-ways of the model of variable model serve, and what its kinds and controllers are.
+-- What mapped signals, stops and give-ways of the model of variable model serve, and what its controllers are.
 -- Run as psql -v model=NAME -f tests/measure/control_points.sql; subjects junction and signal are on. A row is a figure
 -- with what was found, of how many, and its bar. Table `place` has the places afterwards, by figure.
 \set ON_ERROR_STOP on
@@ -14,7 +14,8 @@ CREATE INDEX ON way (axis_id);
 CREATE TEMPORARY TABLE degree AS SELECT node, count(*) AS edges FROM way GROUP BY node;
 CREATE UNIQUE INDEX ON degree (node);
 CREATE TEMPORARY TABLE told AS
-SELECT DISTINCT id FROM streetgen.check_model(:'model') WHERE relation = 'control_point';
+SELECT id, bool_or(rule LIKE '%dead end') AS ends FROM streetgen.check_model(:'model')
+WHERE relation = 'control_point' AND rule LIKE 'control point%' GROUP BY id;
 ANALYZE way, degree, told;
 
 -- The ends of edges that a point comes to within the control distance, both ways, over nodes of two edges.
@@ -42,9 +43,11 @@ SELECT p.control_point_id, p.kind, p.geom, CASE p.kind WHEN 'signals' THEN EXIST
         SELECT FROM reached r JOIN :"model".marking m ON m.node_id = r.node AND m.kind IN ('stop', 'yield')
             AND (r.metres < 1.5 OR (m.edge_id, m.along_axis) = (r.edge_id, r.along))
         WHERE r.control_point_id = p.control_point_id) END AS serves,
-    p.control_point_id IN (SELECT id FROM told) AS told
-FROM :"model".control_point p WHERE p.kind IN ('signals', 'stop', 'yield');
-INSERT INTO place SELECT kind || ' that serves nothing, ' || CASE WHEN told THEN 'told' ELSE 'untold' END,
+    t.id IS NOT NULL AS told, coalesce(t.ends, false) AS ends
+FROM :"model".control_point p LEFT JOIN told t ON t.id = p.control_point_id
+WHERE p.kind IN ('signals', 'stop', 'yield');
+INSERT INTO place SELECT kind || ' that serves nothing, ' || CASE WHEN ends THEN 'at a dead end' WHEN told THEN 'told'
+    ELSE 'untold' END,
     control_point_id, geom FROM point WHERE NOT serves;
 
 -- Controllers that a road joins within the length of a short queue.
@@ -74,8 +77,10 @@ SELECT f.figure, (SELECT count(*) FROM place p WHERE p.figure = f.figure) AS fou
 FROM (VALUES
     (1, 'signals that serves nothing, untold', (SELECT count(*) FROM point WHERE kind = 'signals'), '0'),
     (2, 'signals that serves nothing, told', (SELECT count(*) FROM point WHERE kind = 'signals'), '<= 1 %'),
+    (2, 'signals that serves nothing, at a dead end', (SELECT count(*) FROM point WHERE kind = 'signals'), ''),
     (3, 'stop that serves nothing, untold', (SELECT count(*) FROM point WHERE kind = 'stop'), '0'),
     (4, 'stop that serves nothing, told', (SELECT count(*) FROM point WHERE kind = 'stop'), ''),
+    (4, 'stop that serves nothing, at a dead end', (SELECT count(*) FROM point WHERE kind = 'stop'), ''),
     (5, 'yield that serves nothing, untold', (SELECT count(*) FROM point WHERE kind = 'yield'), '0'),
     (6, 'yield that serves nothing, told', (SELECT count(*) FROM point WHERE kind = 'yield'), ''),
     (7, 'controller within 25 m along a road of another', (SELECT count(*) FROM :"model".controller), '0'),

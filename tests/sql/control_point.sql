@@ -20,11 +20,28 @@ SELECT 'moved by hand it speaks to the other arm', lines() = '1:yield 2:stop';
 UPDATE held.control_point SET direction = 'direct';
 SELECT 'one for the traffic that leaves changes nothing', lines() = '1:yield 2:yield';
 UPDATE held.control_point SET geom = 'SRID=2154;POINT(650150 6860000)', direction = NULL, kind = 'signals';
-SELECT 'far from its junction it stands in the middle of its block', lines() = '1:yield 2:yield';
+SELECT 'far from its junction it stands in mid-block, on a node of its own', lines() = '1:yield 2:stop 2:stop 2:yield' AND (SELECT array_agg(start_abscissa ORDER BY start_abscissa) = '{0,150}' FROM held.edge WHERE axis_id = 2);
+SELECT 'before which both ways stop', (SELECT array_agg(round(ST_X(ST_LineInterpolatePoint(geom, 0.5))) ORDER BY ST_XMin(geom)) = '{650147,650153}' FROM (SELECT m.geom FROM held.marking m JOIN held.edge USING (edge_id) WHERE m.kind = 'stop') m(geom));
+SELECT 'and it is the same from scratch', test.followed('held', 'anew');
+UPDATE held.control_point SET direction = 'direct', geom = 'SRID=2154;POINT(650160 6860000)';
+SELECT 'moved it takes its node along', (SELECT array_agg(start_abscissa ORDER BY start_abscissa) = '{0,160}' FROM held.edge WHERE axis_id = 2) AND test.followed('held', 'anew');
+INSERT INTO held.control_point (geom, kind) VALUES ('SRID=2154;POINT(650166 6860000)', 'signals'), ('SRID=2154;POINT(650162 6860000)', 'pedestrian_crossing');
+SELECT 'signals within a queue stand at the crossing between them', (SELECT array_agg(start_abscissa ORDER BY start_abscissa) = '{0,162}' FROM held.edge WHERE axis_id = 2) AND test.followed('held', 'anew');
+DELETE FROM held.control_point WHERE abscissa > 161;
+UPDATE held.control_point SET kind = 'stop';
+SELECT 'a stop sign in mid-block cuts nothing', lines() = '1:yield 2:yield' AND (SELECT count(*) = 1 FROM held.edge WHERE axis_id = 2) AND test.followed('held', 'anew');
+UPDATE held.control_point SET direction = NULL, kind = 'signals';
 UPDATE held.control_point SET geom = 'SRID=2154;POINT(650020 6860000)';
 SELECT 'signals of one arm make a stop line on each', lines() = '1:stop 2:stop 3:stop 4:stop';
 UPDATE held.control_point SET geom = 'SRID=2154;POINT(650000 6860000)';
 SELECT 'signals on the node too', lines() = '1:stop 2:stop 3:stop 4:stop';
+UPDATE held.control_point SET kind = 'stop';
+SELECT 'a stop sign on the node binds the minor arms', lines() = '1:stop 2:stop';
+UPDATE held.control_point SET kind = 'yield';
+SELECT 'a yield sign too', lines() = '1:yield 2:yield';
+UPDATE held.control_point SET kind = 'stop', direction = 'both';
+SELECT 'one for all binds all', lines() = '1:stop 2:stop 3:stop 4:stop' AND test.followed('held', 'anew');
+UPDATE held.control_point SET direction = NULL;
 UPDATE held.control_point SET kind = 'mini_roundabout';
 SELECT 'all that comes to a mini-roundabout yields', lines() = '1:yield 2:yield 3:yield 4:yield';
 UPDATE held.control_point SET kind = 'pedestrian_crossing';
@@ -117,3 +134,22 @@ SELECT 'a column that is missing is refused', test.state($q$SELECT FROM streetge
 SELECT 'a target that is none is refused', test.state($q$SELECT FROM streetgen.import_control_points('held', 'sign', '{"width": "id"}')$q$) = '22023';
 SELECT 'a NULL mapping is refused', test.state($q$SELECT FROM streetgen.import_control_points('held', 'sign', NULL)$q$) = '22004';
 DROP TABLE sign, report;
+
+-- OpenStreetMap: a stop on the node of a junction binds the minor arms, with stop=all each; on its way to it the arm alone.
+CREATE TABLE four_line (way_id bigint, class text, name text, ref text, tags jsonb, nodes integer, geom geometry(LineString, 2154));
+CREATE TABLE four_control (node_id bigint, class text, direction text, traffic_signals_direction text, stop text, lights boolean, geom geometry(Point, 2154));
+DO $$ BEGIN
+  INSERT INTO four_line SELECT n, CASE WHEN n % 2 = 1 THEN 'tertiary' ELSE 'residential' END, NULL, NULL, '{"lanes": "2"}', 2,
+    ST_SetSRID(ST_MakeLine(ST_MakePoint(650000, 6860000), ST_MakePoint(650000 + 100 * round(sin(radians(90 * n))), 6860000 + 100 * round(cos(radians(90 * n))))), 2154) FROM generate_series(1, 4) n;
+  PERFORM streetgen.create_model('four', 2154, driving_side => 'right');
+END $$;
+CREATE FUNCTION taken(class text, stop text, place geometry) RETURNS text LANGUAGE plpgsql AS $$ BEGIN
+  DELETE FROM four_control;
+  INSERT INTO four_control VALUES (2, class, NULL, NULL, stop, false, place);
+  PERFORM streetgen.import_osm('four', 'four'), streetgen.generate('four');
+  RETURN (SELECT string_agg(format('%s:%s', source_ref, m.kind), ' ' ORDER BY source_ref) FROM four.marking m JOIN four.edge USING (edge_id) JOIN four.axis USING (axis_id) WHERE m.kind <> 'arrow');
+END $$;
+SELECT 'a stop on a junction binds the minor arms', taken('stop', stop, 'SRID=2154;POINT(650000 6860000)') = '2:stop 4:stop' FROM (VALUES ('minor'), (NULL)) v(stop);
+SELECT 'so does a give-way', taken('give_way', NULL, 'SRID=2154;POINT(650000 6860000)') = '2:yield 4:yield';
+SELECT 'a stop for all binds all', taken('stop', 'all', 'SRID=2154;POINT(650000 6860000)') = '1:stop 2:stop 3:stop 4:stop';
+SELECT 'a stop for all before the junction binds its arm', taken('stop', 'all', 'SRID=2154;POINT(650010 6860000)') = '1:stop 2:yield 4:yield';

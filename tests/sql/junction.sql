@@ -18,7 +18,7 @@ SELECT 'a new model has no junctions unless told so' AS name, to_regclass('bare.
 SELECT 'two carriageways and the street across are one junction', several() = 1 AND (SELECT array_agg(axis_id) = '{4}' FROM town.junction_edge JOIN town.edge USING (edge_id) WHERE role = 'inside');
 SELECT 'each node of degree three and more lies in one', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule LIKE 'node of degree three%');
 SELECT 'its smallest node names it', (SELECT bool_and(junction_id = least) FROM (SELECT junction_id, min(node_id) AS least FROM town.junction_node GROUP BY junction_id) j);
-SELECT 'kinds come of the arms', kinds() = '7 end, 1 priority, 1 right_before_left';
+SELECT 'kinds come of the arms', kinds() = '7 end, 2 priority';
 SELECT 'its surface is one piece', (SELECT ST_NumGeometries(surface) = 1 FROM town.junction WHERE method = 'grouped');
 SELECT 'of the ground of its nodes and the edge inside', (SELECT abs(ST_Area(j.surface) - (SELECT sum(ST_Area(surface)) FROM (
     SELECT surface FROM town.intersection JOIN town.junction_node n USING (node_id) WHERE n.junction_id = j.junction_id
@@ -87,7 +87,7 @@ DELETE FROM town.turn_restriction;
 -- Edits.
 SELECT 'a second run changes nothing', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('town');
 INSERT INTO town.control_point (geom, kind) VALUES ('SRID=2154;POINT(649985 6860000)', 'signals');
-SELECT 'signals of one arm make it a junction with signals', kinds() = '7 end, 1 right_before_left, 1 signals' AND (SELECT bool_and(rule = 'signals') FROM town.right_of_way JOIN town.junction USING (junction_id) WHERE kind = 'signals');
+SELECT 'signals of one arm make it a junction with signals', kinds() = '7 end, 1 priority, 1 signals' AND (SELECT bool_and(rule = 'signals') FROM town.right_of_way JOIN town.junction USING (junction_id) WHERE kind = 'signals');
 DELETE FROM town.control_point;
 UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650200 6860060,650000 6860060,649800 6860060)' WHERE axis_id = 2;
 UPDATE town.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650000 6860060)' WHERE axis_id = 4;
@@ -164,7 +164,7 @@ UPDATE town.junction_editing SET by_hand = true WHERE junction_id = (SELECT junc
 UPDATE town.axis SET importance = 3 WHERE axis_id IN (1, 2);
 SELECT 'by hand it stays what it was', (SELECT s.kind = b.kind FROM pg_temp.side s, before b);
 UPDATE town.junction_editing SET kind = NULL WHERE by_hand;
-SELECT 'no kind takes it back', (SELECT kind = 'right_before_left' AND NOT by_hand FROM pg_temp.side);
+SELECT 'no kind takes it back', (SELECT kind = 'priority' AND NOT by_hand FROM pg_temp.side);
 UPDATE town.axis SET importance = 2 WHERE axis_id IN (1, 2);
 UPDATE town.junction_edge_editing SET inside = false WHERE edge_id = (SELECT edge_id FROM pg_temp.link);
 SELECT 'an edge put outside parts the junction', several() = 0 AND (SELECT NOT inside AND by_hand FROM pg_temp.link) AND test.followed('town', 'anew');
@@ -280,7 +280,7 @@ CREATE FUNCTION public.broken(arms streetgen.junction_arm[]) RETURNS text LANGUA
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'public.broken'), streetgen.generate('town', wait => true); END $$;
 SELECT 'one that raises is named with its words, its SQLSTATE and the junction', test.said($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) LIKE 'classifier public.broken fails at junction %: too wide' AND test.state($q$UPDATE town.axis SET width = 120 WHERE axis_id = 5$q$) = '22003' AND (SELECT width = 7 FROM town.axis WHERE axis_id = 5);
 DO $$ BEGIN PERFORM streetgen.set('town', 'classifier', 'streetgen.junction_kind'), streetgen.generate('town', wait => true); END $$;
-SELECT 'an arm by which nobody comes claims no priority', array_agg(streetgen.junction_kind(ARRAY[ROW (1, NULL, 2, 50, 7, 1, 1, 0, NULL, false, NULL), ROW (2, NULL, 2, 50, 7, 1, 1, 180, NULL, false, NULL), ROW (3, NULL, 1, 50, 7, lanes_in, 1, 90, NULL, false, NULL)]::streetgen.junction_arm[]) ORDER BY lanes_in) = '{right_before_left,priority,priority}'
+SELECT 'an arm by which nobody comes claims no priority', array_agg(streetgen.junction_kind(ARRAY[ROW (1, NULL, 5, 50, 7, 1, 1, 0, NULL, false, NULL), ROW (2, NULL, 5, 50, 7, 1, 1, 180, NULL, false, NULL), ROW (3, NULL, 4, 50, 7, lanes_in, 1, 90, NULL, false, NULL)]::streetgen.junction_arm[]) ORDER BY lanes_in) = '{right_before_left,priority,priority}'
     FROM unnest('{0,1,NULL}'::integer[]) lanes_in;
 SELECT 'without arms it is an end', streetgen.junction_kind('{}') = 'end' AND streetgen.junction_kind(NULL) = 'end';
 -- Switched off and on.

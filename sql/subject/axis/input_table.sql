@@ -45,7 +45,8 @@ COMMENT ON CONSTRAINT control_point_kind_check ON :"model".control_point IS
     'signals, stop, yield, mini_roundabout or pedestrian_crossing. Say what stands there.';
 COMMENT ON COLUMN :"model".control_point.direction IS
     'the traffic that it speaks to: direct (along the axis), reverse or both; NULL: that of a one-way street, else '
-    'that towards the nearer junction, and all that comes to a node it lies on';
+    'that towards the nearer junction. On the node of a junction signals speak to all who come, a stop or yield sign '
+    'to those who wait for others, and with both to all';
 COMMENT ON CONSTRAINT control_point_direction_check ON :"model".control_point IS
     'direct, reverse or both. Leave it empty where it is unknown.';
 COMMENT ON COLUMN :"model".control_point.axis_id IS

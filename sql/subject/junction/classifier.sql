@@ -4,9 +4,9 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     SELECT CASE
+        WHEN count(*) > 1 AND bool_or(a.control = 'signals') THEN 'signals'
         WHEN bool_or(a.on_ring) OR bool_or(a.control = 'mini_roundabout') THEN 'roundabout'
         WHEN count(*) <= 1 THEN 'end'
-        WHEN bool_or(a.control = 'signals') THEN 'signals'
         WHEN count(*) = 2 THEN 'continuation'
         WHEN bool_or(p.part = 'link') AND bool_or(p.part = 'highway') THEN 'ramp'
         WHEN bool_and(coalesce(a.highway_role IN ('highway', 'highway_link', 'link'), false)) THEN 'ramp'
@@ -14,16 +14,25 @@ CREATE OR REPLACE FUNCTION streetgen.junction_kind(arms streetgen.junction_arm[]
         WHEN bool_and(a.kind IS NULL) AND count(*) = 3 AND bool_and(a.lanes_in = 0 OR a.lanes_out = 0)
             AND max(a.speed) >= 80 AND streetgen._least_angle(array_agg(a.azimuth)) <= 30 THEN 'ramp'
         WHEN bool_or(a.control = 'stop') THEN 'stop'
-        WHEN bool_or(a.control = 'yield') OR min(p.coming) <> max(p.coming) THEN 'priority'
+        -- No paths cross: traffic comes by one arm, or leaves by one, or a street parts into its carriageways.
+        WHEN count(*) FILTER (WHERE p.comes) = 1 OR count(*) = 3 AND count(*) FILTER (WHERE p.comes AND p.leaves) = 1
+            AND count(*) FILTER (WHERE p.comes) = 2 AND count(*) FILTER (WHERE p.leaves) = 2
+            AND streetgen._least_angle(array_agg(a.azimuth) FILTER (WHERE NOT (p.comes AND p.leaves))) < 90
+            THEN 'fork'
+        WHEN count(*) FILTER (WHERE p.leaves) = 1 THEN 'merge'
+        WHEN bool_or(a.control = 'yield') OR min(p.coming) <> max(p.coming) OR min(a.importance) <= 3 THEN 'priority'
         ELSE 'right_before_left' END
     FROM unnest(arms) a CROSS JOIN LATERAL (SELECT streetgen._ramp_part(a.kind, a.highway_role, a.speed) AS part,
-        CASE WHEN a.lanes_in IS DISTINCT FROM 0 THEN a.importance END AS coming) p $$;
+        CASE WHEN a.lanes_in IS DISTINCT FROM 0 THEN a.importance END AS coming,
+        a.lanes_in IS DISTINCT FROM 0 AS comes, a.lanes_out IS DISTINCT FROM 0 AS leaves) p $$;
 COMMENT ON FUNCTION streetgen.junction_kind(streetgen.junction_arm[]) IS
-    'The kind of a junction from its arms, the first that holds of: roundabout (an arm on a ring, or a '
-    'mini-roundabout), end (one arm), signals, continuation (two arms), ramp (by the roles of classes: a link at a '
+    'The kind of a junction from its arms, the first that holds of: signals, roundabout (an arm on a ring, or a '
+    'mini-roundabout), end (one arm), continuation (two arms), ramp (by the roles of classes: a link at a '
     'highway or at a fast_road of 60 km/h and more, or highways and links alone; where '
-    'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, priority (a '
-    'yield sign, or traffic that comes by arms of different importance), right_before_left. No arms: end. An argument '
+    'no class is known three one-way arms, one of 80 km/h or more, two of them within 30 degrees), stop, fork (traffic '
+    'comes by one arm, or a street parts into its carriageways), merge (traffic leaves by one arm), priority (a '
+    'yield sign, traffic that comes by arms of different importance, or an arm of importance 3 or better), '
+    'right_before_left. No arms: end. An argument '
     'that is NULL is unknown, and gives end; an arm may leave out all that is unknown.';
 
 CREATE OR REPLACE FUNCTION streetgen._least_angle(azimuths float8[]) RETURNS float8
@@ -48,11 +57,11 @@ BEGIN
         PERFORM streetgen._refuse(SQLSTATE, format('classifier %s fails at junction %s: %s', called, junction, SQLERRM),
             hint => 'Mend the function, or set classifier to streetgen.junction_kind.');
     END;
-    IF kind IS NULL OR kind NOT IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
-        'continuation', 'end') THEN
+    IF kind IS NULL OR kind NOT IN ('ramp', 'fork', 'merge', 'signals', 'stop', 'priority', 'right_before_left',
+        'roundabout', 'continuation', 'end') THEN
         PERFORM streetgen._refuse('22023',
             format('classifier %s gives "%s" for junction %s', called, coalesce(kind, 'NULL'), junction),
-            hint => 'The kinds are ramp, signals, stop, priority, right_before_left, '
+            hint => 'The kinds are ramp, fork, merge, signals, stop, priority, right_before_left, '
                 'roundabout, continuation and end.');
     END IF;
     RETURN kind;

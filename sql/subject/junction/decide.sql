@@ -89,6 +89,8 @@ BEGIN
         WHEN kind = 'continuation' AND found.arms <> 2 THEN 'A continuation has two arms.'
         WHEN kind = 'roundabout' AND NOT found.on_ring THEN
             'A roundabout comes of axes that go round; put a control point of kind mini_roundabout for a small one.'
+        WHEN kind IN ('fork', 'merge') AND found.arms < 3 THEN 'Where a street parts or streets come together are '
+            'three arms.'
         WHEN kind IN ('ramp', 'priority', 'right_before_left') AND found.arms = 1 THEN 'Where one arm ends is an end.'
         END;
     IF hint IS NOT NULL THEN
@@ -98,7 +100,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._check_junction_kind(name, text, bigint[], text) IS
     'Refuses (22023) a kind by hand that does not fit the arms of the nodes of a junction: end, continuation, '
-    'roundabout where no axis goes round, and what needs several arms at an end.';
+    'roundabout where no axis goes round, fork and merge of less than three arms, and what needs several arms at an '
+    'end.';
 
 CREATE OR REPLACE FUNCTION streetgen._refuse_unfit_kind() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -211,8 +214,8 @@ CREATE OR REPLACE FUNCTION streetgen._junction_edit_view()
     LANGUAGE sql STABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
     AS $$ VALUES
     ('junction_editing', 'Edit layer: say what kind of junction a place is; DELETE takes back what was decided by hand',
-        ARRAY['key', 'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end; '
-            'NULL takes it back', 'decided by hand; false takes it back', 'the middle of its nodes'],
+        ARRAY['key', 'ramp, fork, merge, signals, stop, priority, right_before_left, roundabout, continuation or '
+            'end; NULL takes it back', 'decided by hand; false takes it back', 'the middle of its nodes'],
         $sql$SELECT j.junction_id, j.kind, j.method = 'by_hand' AS by_hand, j.geom
         FROM {model}.junction j$sql$, 'junction'),
     ('junction_edge_editing', 'Edit layer: say whether an edge lies inside a junction: what is at its ends is one '

@@ -1,15 +1,17 @@
 -- Nodes that are one junction: the rules of the core over the edges near a change.
 
 CREATE OR REPLACE FUNCTION streetgen._group_junctions(edges streetgen.junction_edge_input[],
-    controls streetgen.street_control[], gap float8, extent float8, control_distance float8)
+    controls streetgen.street_control[], gap float8, extent float8, control_distance float8,
+    queue_length float8)
     RETURNS SETOF streetgen.junction_member
     LANGUAGE c IMMUTABLE PARALLEL SAFE COST 10000 ROWS 500 AS 'MODULE_PATHNAME', 'streetgen_group_junctions';
 COMMENT ON FUNCTION streetgen._group_junctions(streetgen.junction_edge_input[], streetgen.street_control[], float8,
-    float8, float8)
+    float8, float8, float8)
     IS 'The junctions of edges: a row for each node with its junction, named by its smallest node, and the chain of '
         'nodes that the rules would join; a row for each edge with its role in a junction, whether the extent keeps '
-        'its nodes apart, and the control points that speak to the traffic which comes to its start and to its end. '
-        'gap, extent and control_distance in m. No edges (NULL): no row. Bad geometry, a number out of range: 22023.';
+        'its nodes apart, and the control points that speak to the traffic which comes to its start and to its end; '
+        'a row for each control point that speaks to somebody. gap, extent, control_distance and queue_length in m. '
+        'No edges (NULL): no row. Bad geometry, a number out of range: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_junction_members(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -36,8 +38,9 @@ BEGIN
         END IF;
         SELECT max(value::float8) FILTER (WHERE name = 'junction_gap') AS gap,
             max(value::float8) FILTER (WHERE name = 'junction_extent') AS extent,
-            max(value::float8) FILTER (WHERE name = 'control_distance') AS control_distance INTO rules
-            FROM setting WHERE name IN ('junction_gap', 'junction_extent', 'control_distance');
+            max(value::float8) FILTER (WHERE name = 'control_distance') AS control_distance,
+            max(value::float8) FILTER (WHERE name = 'queue_length') AS queue_length INTO rules
+            FROM setting WHERE name IN ('junction_gap', 'junction_extent', 'control_distance', 'queue_length');
         -- With the nodes that they were joined to: mostly the first round finds no others then.
         region := CASE WHEN touched IS NOT NULL THEN ARRAY(
             SELECT unnest(touched) UNION SELECT j.node_id FROM junction_node j WHERE j.junction_id IN (
@@ -47,7 +50,8 @@ BEGIN
                 SELECT DISTINCT e.edge_id FROM unnest(region) t(node_id)
                     JOIN node n USING (node_id), LATERAL (
                     SELECT edge_id FROM edge e
-                    WHERE e.geom && ST_Expand(n.geom, rules.extent + 2 * rules.gap) OFFSET 0) e) END;
+                    WHERE e.geom && ST_Expand(n.geom, greatest(rules.extent, rules.control_distance)
+                        + 2 * greatest(rules.gap, rules.queue_length)) OFFSET 0) e) END;
             rings := streetgen._edges_on_rings(current_schema(), CASE WHEN region IS NOT NULL THEN near END);
             edges := ARRAY(
                 SELECT ROW (e.edge_id, e.axis_id, e.start_abscissa, e.end_abscissa, e.from_node, e.to_node,
@@ -59,14 +63,15 @@ BEGIN
                     e.edge_id IN (SELECT unnest(rings)),
                     (SELECT o.inside FROM junction_override o WHERE o.inside IS NOT NULL AND o.axis_id = e.axis_id
                         AND e.edge_id = streetgen._edge_at(current_schema(), o.axis_id, o.geom)
-                        ORDER BY o.junction_override_id DESC LIMIT 1))::streetgen.junction_edge_input
+                        ORDER BY o.junction_override_id DESC LIMIT 1), e.importance, e.width,
+                    e.width_end)::streetgen.junction_edge_input
                 FROM edge e JOIN section s USING (edge_id) LEFT JOIN axis a USING (axis_id)
                 WHERE e.edge_id IN (SELECT unnest(near)));
             controls := ARRAY(SELECT ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
                 FROM control_point WHERE axis_id IN (SELECT e.axis_id FROM edge e
-                    WHERE e.edge_id IN (SELECT unnest(near))));
+                    WHERE e.edge_id IN (SELECT unnest(near))) ORDER BY control_point_id);
             members := ARRAY(SELECT g FROM streetgen._group_junctions(edges, controls, rules.gap, rules.extent,
-                rules.control_distance) g);
+                rules.control_distance, rules.queue_length) g);
             EXIT WHEN touched IS NULL;
             -- All nodes that the rules would join, those that they joined before, and those that lost their junction.
             grown := ARRAY(
@@ -111,19 +116,24 @@ BEGIN
             ring AS MATERIALIZED (
                 SELECT m.junction_id FROM unnest(members) m
                 WHERE m.role IS NOT NULL AND m.edge_id IN (SELECT unnest(rings))),
+            -- Signals that stand inside a junction are its own.
+            lit AS MATERIALIZED (
+                SELECT DISTINCT m.junction_id FROM unnest(members) m
+                WHERE m.role IS NOT NULL AND 'signals' IN (m.control_from, m.control_to)),
             arm AS MATERIALIZED (
                 SELECT j.junction_id, array_agg(ROW (e.edge_id, a.kind, e.importance, e.speed,
                     CASE WHEN at_start THEN e.width ELSE e.width_end END,
                     CASE WHEN at_start THEN lanes_backward ELSE lanes_forward END + lanes_both,
                     CASE WHEN at_start THEN lanes_forward ELSE lanes_backward END + lanes_both,
                     90 - degrees(streetgen._direction_from(e.geom, CASE WHEN at_start THEN 'start' ELSE 'end' END)),
-                    control, e.edge_id IN (SELECT unnest(rings)) OR j.junction_id IN (SELECT r.junction_id FROM ring r),
+                    CASE WHEN j.junction_id IN (SELECT l.junction_id FROM lit l) THEN 'signals' ELSE own_control END,
+                    e.edge_id IN (SELECT unnest(rings)) OR j.junction_id IN (SELECT r.junction_id FROM ring r),
                     a.highway_role)::streetgen.junction_arm
                     ORDER BY e.edge_id, at_start) AS arms,
-                    bool_or(control IS NOT NULL) AS controlled
+                    bool_or(own_control IS NOT NULL) AS controlled
                 FROM unnest(members) m JOIN edge e ON e.edge_id = m.edge_id CROSS JOIN LATERAL (
                     VALUES (e.from_node, true, m.control_from), (e.to_node, false, m.control_to)) v(node_id, at_start,
-                    control) JOIN member j ON j.node_id = v.node_id
+                    own_control) JOIN member j ON j.node_id = v.node_id
                     LEFT JOIN (SELECT axis_id, kind, highway_role FROM axis
                         LEFT JOIN axis_class ON class = kind) a USING (axis_id)
                 WHERE m.role IS NULL GROUP BY j.junction_id),

@@ -7,7 +7,7 @@ CREATE TABLE :"model".junction_override (
         AND ST_XMin(geom) BETWEEN -1e12 AND 1e12 AND ST_XMax(geom) BETWEEN -1e12 AND 1e12
         AND ST_YMin(geom) BETWEEN -1e12 AND 1e12 AND ST_YMax(geom) BETWEEN -1e12 AND 1e12),
     inside boolean,
-    kind text CHECK (kind IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
+    kind text CHECK (kind IN ('ramp', 'fork', 'merge', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
         'continuation', 'end')),
     CONSTRAINT one_decision CHECK (num_nonnulls(inside, kind) = 1));
 CREATE INDEX junction_override_axis ON :"model".junction_override (axis_id);
@@ -26,5 +26,5 @@ COMMENT ON COLUMN :"model".junction_override.inside IS
     'does the edge join its two nodes to one junction? NULL: the row decides a kind';
 COMMENT ON COLUMN :"model".junction_override.kind IS 'the kind of the junction; NULL: the row decides of an edge';
 COMMENT ON CONSTRAINT junction_override_kind_check ON :"model".junction_override IS
-    'ramp, signals, stop, priority, right_before_left, roundabout, continuation or end. Leave it empty where the row '
-    'decides of an edge.';
+    'ramp, fork, merge, signals, stop, priority, right_before_left, roundabout, continuation or end. Leave it empty '
+    'where the row decides of an edge.';

@@ -2,8 +2,8 @@
 
 CREATE TABLE :"model".junction (
     junction_id bigint PRIMARY KEY REFERENCES :"model".node ON DELETE CASCADE,
-    kind text NOT NULL CHECK (kind IN ('ramp', 'signals', 'stop', 'priority', 'right_before_left', 'roundabout',
-        'continuation', 'end')),
+    kind text NOT NULL CHECK (kind IN ('ramp', 'fork', 'merge', 'signals', 'stop', 'priority', 'right_before_left',
+        'roundabout', 'continuation', 'end')),
     method text NOT NULL CHECK (method IN ('hypothesis', 'grouped', 'by_hand')), geom geometry(Point, :srid) NOT NULL,
     surface geometry(MultiPolygon, :srid) NOT NULL);
 CREATE INDEX junction_geom ON :"model".junction USING gist (geom);
@@ -13,7 +13,8 @@ COMMENT ON TABLE :"model".junction IS
     'node names it. A node of two edges is one where a control point lies on it';
 COMMENT ON COLUMN :"model".junction.junction_id IS 'key: the smallest of its nodes';
 COMMENT ON COLUMN :"model".junction.kind IS
-    'ramp, signals, stop, priority, right_before_left, roundabout, continuation (two arms) or end (one arm)';
+    'ramp, fork, merge, signals, stop, priority, right_before_left, roundabout, continuation (two arms) or end (one '
+    'arm)';
 COMMENT ON COLUMN :"model".junction.method IS
     'hypothesis: one node; grouped: several; by_hand: its kind was decided by hand';
 COMMENT ON COLUMN :"model".junction.geom IS 'the middle of its nodes';

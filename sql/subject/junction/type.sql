@@ -2,7 +2,7 @@
 CREATE TYPE streetgen.junction_edge_input AS (edge_id bigint, axis_id bigint, start_abscissa float8,
     end_abscissa float8, from_node bigint, to_node bigint, geom bytea, along boolean, against boolean, name bigint,
     crossed boolean,
-    on_ring boolean, by_hand boolean);
+    on_ring boolean, by_hand boolean, importance integer, width float8, width_end float8);
 COMMENT ON TYPE streetgen.junction_edge_input IS 'An edge, as far as the rules of junctions ask for it.';
 COMMENT ON COLUMN streetgen.junction_edge_input.edge_id IS 'the edge';
 COMMENT ON COLUMN streetgen.junction_edge_input.axis_id IS 'its axis';
@@ -17,6 +17,9 @@ COMMENT ON COLUMN streetgen.junction_edge_input.name IS 'a hash of the name of i
 COMMENT ON COLUMN streetgen.junction_edge_input.crossed IS 'did its section limits cross?';
 COMMENT ON COLUMN streetgen.junction_edge_input.on_ring IS 'is it part of a roundabout?';
 COMMENT ON COLUMN streetgen.junction_edge_input.by_hand IS 'by hand: inside its junction or not; NULL: by the rules';
+COMMENT ON COLUMN streetgen.junction_edge_input.importance IS '1 highest';
+COMMENT ON COLUMN streetgen.junction_edge_input.width IS 'kerb to kerb at its start, m';
+COMMENT ON COLUMN streetgen.junction_edge_input.width_end IS 'kerb to kerb at its end, m';
 
 CREATE TYPE streetgen.junction_leg AS (junction_id bigint, edge_id bigint, at_start boolean, axis_id bigint,
     node_id bigint, importance integer, speed float8, on_ring boolean, border_line bytea);
@@ -120,10 +123,11 @@ COMMENT ON COLUMN streetgen.junction_arm.highway_role IS
     'what its class is at ramps: highway, fast_road, highway_link or link; NULL: nothing';
 
 CREATE TYPE streetgen.junction_member AS (node_id bigint, edge_id bigint, junction_id bigint, chain bigint, role text,
-    parted boolean, control_from text, control_to text);
-COMMENT ON TYPE streetgen.junction_member IS 'A node of a junction, or an edge at such a node.';
-COMMENT ON COLUMN streetgen.junction_member.node_id IS 'the node; NULL: the row is of an edge';
-COMMENT ON COLUMN streetgen.junction_member.edge_id IS 'the edge; NULL: the row is of a node';
+    parted boolean, control_from text, control_to text, control bigint);
+COMMENT ON TYPE streetgen.junction_member IS
+    'A node of a junction, an edge at such a node, or a control point that speaks at one.';
+COMMENT ON COLUMN streetgen.junction_member.node_id IS 'the node; NULL: the row is of another';
+COMMENT ON COLUMN streetgen.junction_member.edge_id IS 'the edge; NULL: the row is of another';
 COMMENT ON COLUMN streetgen.junction_member.junction_id IS 'the junction; NULL: the edge lies in none';
 COMMENT ON COLUMN streetgen.junction_member.chain IS
     'of a node: the smallest node of those that the rules would join, however wide';
@@ -133,6 +137,8 @@ COMMENT ON COLUMN streetgen.junction_member.control_from IS
     'control point of the traffic that comes to the start of the edge';
 COMMENT ON COLUMN streetgen.junction_member.control_to IS
     'control point of the traffic that comes to the end of the edge';
+COMMENT ON COLUMN streetgen.junction_member.control IS
+    'the control point: its place in the list; NULL: the row is of another';
 
 CREATE TYPE streetgen.junction_made AS (junction_id bigint, kind text, method text, geom geometry, nodes bigint);
 COMMENT ON TYPE streetgen.junction_made IS 'A junction that a run makes.';

@@ -76,14 +76,21 @@ BEGIN
                 ORDER BY round(ST_Distance(e.geom, p.geom)::numeric, 2), ST_Distance(n.geom, p.geom)) AS turn
         FROM junction_node j JOIN edge e ON j.node_id IN (e.from_node, e.to_node)
             JOIN node n ON n.node_id = j.node_id
-            JOIN control_point p ON p.axis_id = e.axis_id AND p.kind = 'pedestrian_crossing'
+            -- Signals in mid-block are there for people who cross, whether their crossing is mapped or not.
+            JOIN control_point p ON p.axis_id = e.axis_id AND (p.kind = 'pedestrian_crossing' OR p.kind = 'signals'
+                    AND 2 = (SELECT count(*) FROM junction_node o JOIN edge a ON o.node_id IN (a.from_node, a.to_node)
+                        WHERE o.junction_id = j.junction_id)
+                    AND NOT EXISTS (SELECT FROM control_point o WHERE o.axis_id = p.axis_id
+                        AND o.kind = 'pedestrian_crossing' AND abs(o.abscissa - p.abscissa)
+                            <= (SELECT value::float8 FROM setting WHERE name = 'crossing_of_arm')))
                 AND ST_DWithin(p.geom, n.geom, (SELECT value::float8 FROM setting WHERE name = 'control_distance'))) c
     WHERE turn = 1;
     COMMENT ON VIEW junction_crossing IS
         'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing within '
-        'setting control_distance of a node';
+        'setting control_distance of a node, and signals in mid-block without one';
     COMMENT ON COLUMN junction_crossing.junction_id IS 'the junction';
-    COMMENT ON COLUMN junction_crossing.control_point_id IS 'the control point of kind pedestrian_crossing';
+    COMMENT ON COLUMN junction_crossing.control_point_id IS
+        'the control point of kind pedestrian_crossing; of signals in mid-block that have none the signals';
     COMMENT ON COLUMN junction_crossing.node_id IS 'the node of the junction that is nearest to it';
     COMMENT ON COLUMN junction_crossing.edge_id IS
         'the street that is crossed; two rows where the point lies on a node';
@@ -94,7 +101,7 @@ BEGIN
     COMMENT ON COLUMN junction_crossing.geom IS 'the place of the control point';
     CREATE OR REPLACE VIEW right_of_way WITH (security_invoker = true) AS
     SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.junction_id, m.turn, m.connecting,
-        CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end') THEN 'free'
+        CASE WHEN j.kind IS NULL OR j.kind IN ('continuation', 'end', 'fork') THEN 'free'
             WHEN j.kind IN ('signals', 'right_before_left') THEN j.kind
             WHEN p.kind IS NOT NULL THEN p.kind
             WHEN j.kind = 'ramp' AND a.highway_role IN ('highway_link', 'link') THEN 'yield'

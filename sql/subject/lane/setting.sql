@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._lane_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 13 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 15 SET search_path = pg_catalog
     AS $$ VALUES
     ('lane_width', '3.5', 'm', 'width of one lane, for estimates', 1, 10, NULL::text[]),
     ('lane_width_minimal', '2', 'm', 'lanes of unknown width get less only where all lanes of the roadway do', 0.5, 10,
@@ -21,6 +21,8 @@ CREATE OR REPLACE FUNCTION streetgen._lane_setting()
     ('edge_line', 'none', NULL, 'line along the kerbs: none or solid', NULL, NULL, ARRAY['none', 'solid']),
     ('control_distance', '50', 'm',
         'a control point farther before its junction than this stands in the middle of its block', 0, 1000, NULL),
+    ('queue_length', '25', 'm',
+        'on a road between two signals that is no longer no queue has room: they are one junction', 0, 1000, NULL),
     ('line_before_kerb', '0.5', 'm',
         'so far before the kerb of the street crossed, or of the ring, lies a line that no crossing moves', 0, 10,
         NULL),

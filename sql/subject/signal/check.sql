@@ -86,7 +86,7 @@ CREATE OR REPLACE FUNCTION streetgen._signal_summary()
     RETURNS TABLE(place integer, subject text, query text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    (44, 'signal', $part$
+    (45, 'signal', $part$
     (SELECT 'controllers, ' || method, count(*), NULL FROM %1$I.controller GROUP BY method ORDER BY method)$part$) $$;
 COMMENT ON FUNCTION streetgen._signal_summary() IS 'What streetgen.summary counts of signals.';
 

@@ -138,12 +138,25 @@ BEGIN
                     JOIN node n USING (node_id) WHERE e.axis_id = o.axis_id
                 ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN junction_node m USING (node_id)
             ORDER BY m.junction_id, o.controller_override_id DESC),
-        -- Signals that nobody mapped and nobody decided: the classifier alone says that they stand there.
+        -- Signals that nobody mapped and nobody decided: the classifier alone says that they stand there. Control
+        -- points speak over nodes of two edges.
+        about AS MATERIALIZED (
+            WITH RECURSIVE walk(junction_id, node_id, edge_id, axis_id, metres) AS (
+                SELECT m.junction_id, m.node_id, NULL::bigint, NULL::bigint, 0::float8 FROM junction_node m
+                    WHERE m.junction_id = ANY (junctions)
+                UNION SELECT w.junction_id, e.far, e.edge_id, e.axis_id, w.metres + e.length
+                FROM walk w CROSS JOIN LATERAL (
+                    SELECT o.*, count(*) OVER () AS degree FROM (
+                        SELECT edge_id, axis_id, to_node AS far, end_abscissa - start_abscissa AS length FROM edge
+                            WHERE from_node = w.node_id
+                        UNION ALL SELECT edge_id, axis_id, from_node, end_abscissa - start_abscissa FROM edge
+                            WHERE to_node = w.node_id) o) e
+                WHERE e.edge_id IS DISTINCT FROM w.edge_id AND (w.edge_id IS NULL OR e.degree = 2 AND w.metres <
+                    (SELECT value::float8 FROM setting WHERE name = 'control_distance')))
+            SELECT DISTINCT junction_id, axis_id FROM walk WHERE edge_id IS NOT NULL),
         mapped AS MATERIALIZED (
-            SELECT DISTINCT m.junction_id FROM junction_node m
-                JOIN edge e ON m.node_id IN (e.from_node, e.to_node)
-                JOIN control_point p ON p.axis_id = e.axis_id AND p.kind = 'signals'
-            WHERE m.junction_id = ANY (junctions)),
+            SELECT DISTINCT a.junction_id FROM about a
+                JOIN control_point p ON p.axis_id = a.axis_id AND p.kind = 'signals'),
         answer AS MATERIALIZED (
             SELECT p.junction_id, coalesce(d.program, rules.program) AS program, coalesce(d.start_offset, 0)
                     AS start_offset, CASE WHEN d.junction_id IS NOT NULL THEN 'by_hand'

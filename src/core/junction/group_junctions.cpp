@@ -17,24 +17,10 @@ const double opposite = std::cos(M_PI / 6 + same_angle);  // of the directions o
 constexpr double longer_than_wide = 2;  // a median without a name; else it may be a block
 constexpr double least_across = 0.5;    // sine of the angle of a link and a carriageway
 
-constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
-
-RuleEdge rule_edge(const JunctionEdge& edge) {
-  const auto leaves = [](const Line& line) {
-    const double reach = std::min(heading_reach, length(line));
-    return unit(planar(position_at(line, reach).point) - planar(line.front()));
-  };
-  return {edge.from_node,
-          edge.to_node,
-          length(edge.line),
-          leaves(edge.line),
-          leaves(reversed(edge.line)),
-          edge.along,
-          edge.against,
-          edge.name,
-          edge.crossed,
-          edge.on_ring,
-          edge.by_hand};
+RuleEdge rule_edge(const JunctionEdge& edge, const ControlEdge& control) {
+  return {edge.from_node,   edge.to_node, length(edge.line), control.from_start,
+          control.from_end, edge.along,   edge.against,      edge.name,
+          edge.crossed,     edge.on_ring, edge.by_hand};
 }
 
 // Nodes that a rule would join, by some edges.
@@ -52,7 +38,11 @@ class Grouping {
         ends_(network.nodes.size()),
         chains_(static_cast<int>(network.nodes.size())),
         groups_(static_cast<int>(network.nodes.size())) {
-    for (const JunctionEdge& edge : network.edges) edges_.push_back(rule_edge(edge));
+    for (const JunctionEdge& edge : network.edges) {
+      control_edges_.push_back(control_edge({edge.along, edge.against}, edge.importance, edge.width,
+                                            edge.width_end, edge.line));
+      edges_.push_back(rule_edge(edge, control_edges_.back()));
+    }
     for (int e = 0; e < size(); ++e) {
       ends_[edge(e).from_node].push_back(e);
       ends_[edge(e).to_node].push_back(e);
@@ -62,15 +52,17 @@ class Grouping {
   }
 
   JunctionGroups run() {
+    tell_controls();
     join_certain();
     const std::vector<Link> gaps = gap_links();
     for (const Link& link : gaps)
       for (const int node : link.nodes) chains_.join(link.nodes.front(), node);
     const std::vector<SlipLane> slips = find_slip_lanes(edges_, rules_, ends_, chains_);
-    join_links(gaps, slips);
+    join_in_turn(signal_links());
+    join_in_turn(with_slip_lanes(gaps, slips));
+    join_signals();
     join_by_hand();
     tell_roles(slips);
-    tell_controls();
     return std::move(out_);
   }
 
@@ -93,6 +85,12 @@ class Grouping {
       if (edge(e).by_hand.value_or(false)) groups_.join(edge(e).from_node, edge(e).to_node);
   }
 
+  // Edges that go on from each other at nodes of two, from a node of more.
+  struct Chain {
+    std::vector<int> nodes, edges;
+    double length = 0;
+  };
+
   std::vector<Link> gap_links() {
     std::vector<Link> links;
     for (int e = 0; e < size(); ++e) {
@@ -110,12 +108,6 @@ class Grouping {
     return links;
   }
 
-  // Edges that go on from each other at nodes of two, from a node of more.
-  struct Chain {
-    std::vector<int> nodes, edges;
-    double length = 0;
-  };
-
   Chain chain_from(int e, int node) const {
     Chain chain{{node}, {}, 0};
     if (ends_[node].size() < 3) return chain;
@@ -128,6 +120,43 @@ class Grouping {
       const int next = ends_[node][0] == e ? ends_[node][1] : ends_[node][0];
       if (next == e) return chain;
       e = next;
+    }
+  }
+
+  // Ways between signals that are too short for a queue, also over nodes without any.  Signals of a
+  // node are those of all that it is joined to.
+  std::vector<Link> signal_links() {
+    lit_.assign(ends_.size(), false);
+    for (int slot = 0; slot < 2 * size(); ++slot)
+      if (at_signals_[slot])
+        lit_[groups_.of(slot % 2 == 0 ? edge(slot / 2).from_node : edge(slot / 2).to_node)] = true;
+    std::vector<Link> links;
+    for (int n = 0; n < static_cast<int>(ends_.size()); ++n)
+      if (lit_[groups_.of(n)]) {
+        Chain way{{n}, {}, 0};
+        append_signal_links(way, links);
+      }
+    return links;
+  }
+
+  void append_signal_links(Chain& way, std::vector<Link>& links) {
+    const int from = way.nodes.back();
+    for (const int e : ends_[from]) {
+      const int to = other_end(e, from);
+      const bool here = groups_.of(to) == groups_.of(way.nodes.front());
+      if (way.length + edge(e).length > rules_.controls.queue || edge(e).by_hand == false || here ||
+          std::find(way.nodes.begin(), way.nodes.end(), to) != way.nodes.end())
+        continue;
+      way.nodes.push_back(to);
+      way.edges.push_back(e);
+      way.length += edge(e).length;
+      if (!lit_[groups_.of(to)])
+        append_signal_links(way, links);
+      else if (way.nodes.front() < to)  // each way is found from both its ends
+        links.push_back(link_of(way.nodes, way.edges, way.length));
+      way.nodes.pop_back();
+      way.edges.pop_back();
+      way.length -= edge(e).length;
     }
   }
 
@@ -195,9 +224,8 @@ class Grouping {
   // The direction of the traffic of a one-way edge at a node.
   Point heading(int e, int node) const { return course_from(e, node) * (leaves(e, node) ? 1 : -1); }
 
-  // From the shortest on, as far as the extent allows.
-  void join_links(const std::vector<Link>& gaps, const std::vector<SlipLane>& slips) {
-    std::vector<Link> links = gaps;
+  std::vector<Link> with_slip_lanes(std::vector<Link> links,
+                                    const std::vector<SlipLane>& slips) const {
     for (const SlipLane& slip : slips) {
       std::vector<int> edges = slip.edges, nodes{slip.from_node, slip.to_node, slip.corner,
                                                  other_end(slip.behind, slip.to_node)};
@@ -206,21 +234,34 @@ class Grouping {
         nodes.insert(nodes.end(), {edge(e).from_node, edge(e).to_node});
       links.push_back(link_of(std::move(nodes), std::move(edges), slip.length));
     }
+    return links;
+  }
+
+  // From the shortest on, as far as the extent allows.
+  bool join_in_turn(std::vector<Link> links) {
     std::sort(links.begin(), links.end(), [](const Link& a, const Link& b) {
       return std::make_tuple(a.length, a.middle.x, a.middle.y) <
              std::make_tuple(b.length, b.middle.x, b.middle.y);
     });
-    members_.resize(network_.nodes.size());
+    members_.assign(network_.nodes.size(), {});
     for (int n = 0; n < static_cast<int>(network_.nodes.size()); ++n)
       members_[groups_.of(n)].push_back(n);
-    for (const Link& link : links) join_link(link);
+    bool joined = false;
+    for (const Link& link : links) joined = join_link(link) || joined;
+    return joined;
+  }
+
+  // What other rules joined may have come near to other signals.
+  void join_signals() {
+    while (join_in_turn(signal_links())) {
+    }
   }
 
   int other_end(int e, int node) const {
     return edge(e).from_node == node ? edge(e).to_node : edge(e).from_node;
   }
 
-  void join_link(const Link& link) {
+  bool join_link(const Link& link) {
     std::vector<int> groups, nodes;
     for (const int node : link.nodes) groups.push_back(groups_.of(node));
     std::sort(groups.begin(), groups.end());
@@ -231,12 +272,13 @@ class Grouping {
     for (const int node : link.nodes) chains_.join(link.nodes.front(), node);
     if (!fits)
       for (const int e : link.edges) out_.parted[e] = true;
-    if (!fits || groups.size() == 1) return;
+    if (!fits || groups.size() == 1) return false;
     for (const int group : groups) {
       groups_.join(groups.front(), group);
       members_[group].clear();
     }
     members_[groups_.of(groups.front())] = std::move(nodes);
+    return true;
   }
 
   bool within_extent(const std::vector<int>& nodes) const {
@@ -265,8 +307,7 @@ class Grouping {
   void tell_controls() {
     Network network;
     network.nodes.resize(network_.nodes.size());
-    std::vector<LanesOfAxis> directions;
-    for (const JunctionEdge& edge : network_.edges) {
+    for (const JunctionEdge& edge : network_.edges)
       network.edges.push_back({edge.axis_id,
                                edge.from_node,
                                edge.to_node,
@@ -274,19 +315,20 @@ class Grouping {
                                edge.start_abscissa,
                                edge.end_abscissa,
                                {}});
-      LanesOfAxis lanes{edge.axis_id, {}};
-      if (edge.along) lanes.lanes.forward.resize(1);
-      if (edge.against) lanes.lanes.backward.resize(1);
-      directions.push_back(std::move(lanes));
-    }
-    for (const EndControl& end :
-         end_controls(network, directions, network_.controls, rules_.control_distance))
+    EndControls found = end_controls(network, control_edges_, network_.controls, rules_.controls);
+    for (const EndControl& end : found.ends) {
       out_.controls.push_back(end.own);
+      at_signals_.push_back(end.at_signals());
+    }
+    out_.served = std::move(found.served);
   }
 
   const JunctionNetwork& network_;
   const JunctionRules& rules_;
   std::vector<RuleEdge> edges_;
+  std::vector<ControlEdge> control_edges_;
+  std::vector<bool> lit_;               // by group
+  std::vector<bool> at_signals_;        // by slot
   std::vector<std::vector<int>> ends_;  // by node
   Groups chains_;  // whatever the extent; at first without slip lanes: their corners
   Groups groups_;

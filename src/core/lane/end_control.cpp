@@ -1,127 +1,163 @@
 #include "lane/end_control.hpp"
 
 #include <algorithm>
-#include <unordered_map>
 #include <unordered_set>
 
 #include "geometry/polyline.hpp"
+#include "lane/right_of_way.hpp"
 
 namespace streetgen {
 
 namespace {
 
-constexpr double on_node = 1.5;  // metres from a node within which a point lies on the node
-constexpr std::size_t junction_degree = 3;
+constexpr double heading_reach = 10;  // metres, over which an edge's end has its direction
+constexpr int important = 3;          // streets of this importance and better have priority
 
 class Controls {
  public:
-  Controls(const Network& network, const std::vector<LanesOfAxis>& lanes, double farthest)
-      : edges_(network.edges),
-        farthest_(farthest),
-        slots_(network.nodes.size()),
-        ends_(2 * edges_.size()) {
-    for (const LanesOfAxis& axis : lanes) lanes_.emplace(axis.axis_id, &axis.lanes);
-    for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
-      of_axis_[edges_[e].axis_id].push_back(e);
-      slots_[edges_[e].from_node].push_back(2 * e);
-      slots_[edges_[e].to_node].push_back(2 * e + 1);
+  Controls(const Network& network, const std::vector<ControlEdge>& edges, const ControlRules& rules)
+      : network_(network),
+        edges_(edges),
+        rules_(rules),
+        reach_(network, ways_of(edges), rules),
+        out_{std::vector<EndControl>(2 * edges.size()), {}} {}
+
+  void put(const std::vector<ControlPoint>& points) {
+    for (const ControlPoint& point : points) {
+      const ControlledEnds found = reach_.ends_of(point);
+      out_.served.push_back(-1);
+      for (const int slot : found.slots)
+        if (speaks_to(point, slot, found)) put_at(slot, point.kind, out_.served.back());
+    }
+    for (const MidBlockSignals& place : reach_.mid_block_signals(points)) {
+      const int node = node_at(place);
+      if (node < 0) continue;
+      for (const int point : place.points)
+        for (const int slot : reach_.slots_at(node))
+          put_at(slot, ControlKind::signals, out_.served[point]);
     }
   }
 
-  void put(const ControlPoint& point) {
-    const auto found = of_axis_.find(point.axis_id);
-    if (found == of_axis_.end()) return;
-    for (const int e : found->second) {
-      const Edge& edge = edges_[e];
-      if (point.abscissa < edge.start_abscissa - on_node ||
-          point.abscissa > edge.end_abscissa + on_node)
-        continue;
-      put_on_edge(point, e, point.abscissa - edge.start_abscissa,
-                  edge.end_abscissa - point.abscissa);
-    }
-  }
-
-  void decide(const JunctionDecision& decision, const std::vector<Node>& nodes) {
-    const auto found = of_axis_.find(decision.axis_id);
-    if (found == of_axis_.end()) return;
+  void decide(const JunctionDecision& decision) {
+    const std::vector<int>& found = reach_.edges_of(decision.axis_id);
+    if (found.empty()) return;
     const auto off = [&](int slot) {
-      return distance(planar(nodes[node_of(slot)].point), decision.place);
+      return distance(planar(network_.nodes[reach_.node_of(slot)].point), decision.place);
     };
-    int nearest = 2 * found->second.front();
-    for (const int e : found->second)
+    int nearest = 2 * found.front();
+    for (const int e : found)
       for (const int slot : {2 * e, 2 * e + 1})
         if (off(slot) < off(nearest)) nearest = slot;
-    if (off(nearest) > farthest_) return;
-    for (const int slot : slots_[node_of(nearest)]) ends_[slot].decided = decision.kind;
+    if (off(nearest) > rules_.farthest) return;
+    for (const int slot : reach_.slots_at(reach_.node_of(nearest)))
+      out_.ends[slot].decided = decision.kind;
   }
 
-  std::vector<EndControl> run() {
-    for (const std::vector<int>& slots : slots_) {
-      std::optional<ControlKind> highest;
-      for (const int slot : slots)
-        if (ends_[slot].own && (!highest || *ends_[slot].own < *highest)) highest = ends_[slot].own;
-      for (const int slot : slots) ends_[slot].at_node = highest;
-    }
-    return std::move(ends_);
+  EndControls run() {
+    for (int node = 0; node < static_cast<int>(network_.nodes.size()); ++node) settle(node);
+    for (int slot = 0; slot < static_cast<int>(out_.ends.size()); ++slot)
+      out_.ends[slot].within = out_.ends[slot].at_signals() && comes_from_signals(slot);
+    return std::move(out_);
   }
 
  private:
-  using Direction = ControlPoint::Direction;
-
-  int node_of(int slot) const {
-    const Edge& edge = edges_[slot / 2];
-    return slot % 2 == 0 ? edge.from_node : edge.to_node;
+  static std::vector<EdgeWays> ways_of(const std::vector<ControlEdge>& edges) {
+    std::vector<EdgeWays> ways;
+    for (const ControlEdge& edge : edges) ways.push_back(edge.ways);
+    return ways;
   }
 
-  bool is_junction(int node) const { return slots_[node].size() >= junction_degree; }
-
-  void put_on_edge(const ControlPoint& point, int e, double to_start, double to_end) {
-    if (to_start <= on_node || to_end <= on_node) {
-      const int slot = 2 * e + (to_end < to_start ? 1 : 0);
-      put_on_node(point, slot);
-      return;
-    }
-    const Direction direction = direction_of(point, e, to_start, to_end);
-    if (direction != Direction::against) put_at(2 * e + 1, point.kind, to_end);
-    if (direction != Direction::along) put_at(2 * e, point.kind, to_start);
-  }
-
-  // By the edge that its direction leads over to the node; without a direction by all.
-  void put_on_node(const ControlPoint& point, int slot) {
-    const bool at_end = slot % 2 == 1;
-    const bool comes_by = point.direction == (at_end ? Direction::along : Direction::against);
-    const bool leaves_by = point.direction == (at_end ? Direction::against : Direction::along);
-    if (comes_by) put_at(slot, point.kind, 0);
-    if (comes_by || leaves_by) return;
-    for (const int other : slots_[node_of(slot)]) put_at(other, point.kind, 0);
-  }
-
-  Direction direction_of(const ControlPoint& point, int e, double to_start, double to_end) const {
-    if (point.direction != Direction::unknown) return point.direction;
-    const auto found = lanes_.find(point.axis_id);
-    if (found != lanes_.end() && found->second->both_ways.empty()) {
-      if (found->second->backward.empty()) return Direction::along;
-      if (found->second->forward.empty()) return Direction::against;
-    }
-    const bool junction_at_start = is_junction(edges_[e].from_node);
-    const bool junction_at_end = is_junction(edges_[e].to_node);
-    if (junction_at_start != junction_at_end)
-      return junction_at_end ? Direction::along : Direction::against;
-    return to_end <= to_start ? Direction::along : Direction::against;
-  }
-
-  void put_at(int slot, ControlKind kind, double before) {
-    if (before > farthest_ || (before > 0 && !is_junction(node_of(slot)))) return;
-    std::optional<ControlKind>& own = ends_[slot].own;
+  void put_at(int slot, ControlKind kind, int& served) {
+    std::optional<ControlKind>& own = out_.ends[slot].own;
     if (!own || kind < *own) own = kind;
+    if (served < 0) served = reach_.node_of(slot);
   }
 
-  const std::vector<Edge>& edges_;
-  double farthest_;
-  std::vector<std::vector<int>> slots_;  // by node
-  std::unordered_map<std::int64_t, const AxisLanes*> lanes_;
-  std::unordered_map<std::int64_t, std::vector<int>> of_axis_;
-  std::vector<EndControl> ends_;
+  // A sign at the very junction speaks to those who wait there.
+  bool speaks_to(const ControlPoint& point, int slot, const ControlledEnds& found) const {
+    const bool sign = point.kind == ControlKind::stop || point.kind == ControlKind::yield;
+    if (!sign || !found.junction || point.direction == ControlPoint::Direction::both) return true;
+    return waits_at(*found.junction, slot);
+  }
+
+  bool waits_at(int node, int slot) const {
+    const std::vector<int>& slots = reach_.slots_at(node);
+    const std::vector<bool> waits = arms_that_wait(arms_at(node));
+    return waits[std::find(slots.begin(), slots.end(), slot) - slots.begin()];
+  }
+
+  std::vector<RankedArm> arms_at(int node) const {
+    std::vector<RankedArm> arms;
+    for (const int slot : reach_.slots_at(node)) {
+      const ControlEdge& edge = edges_[slot / 2];
+      const bool at_start = slot % 2 == 0;
+      arms.push_back({at_start ? edge.from_start : edge.from_end, edge.importance,
+                      at_start ? edge.width : edge.width_end, network_.edges[slot / 2].axis_id,
+                      at_start ? edge.ways.against : edge.ways.along,
+                      at_start ? edge.ways.along : edge.ways.against});
+    }
+    return arms;
+  }
+
+  // The node of two edges on which signals in mid-block stand.
+  int node_at(const MidBlockSignals& place) const {
+    for (const int e : reach_.edges_of(place.axis_id))
+      for (const int slot : {2 * e, 2 * e + 1}) {
+        const double abscissa =
+            slot % 2 == 0 ? network_.edges[e].start_abscissa : network_.edges[e].end_abscissa;
+        if (std::abs(place.abscissa - abscissa) <= on_node &&
+            reach_.slots_at(reach_.node_of(slot)).size() == 2)
+          return reach_.node_of(slot);
+      }
+    return -1;
+  }
+
+  void settle(int node) {
+    const std::vector<int>& slots = reach_.slots_at(node);
+    std::optional<ControlKind> highest;
+    for (const int slot : slots) {
+      const std::optional<ControlKind>& own = out_.ends[slot].own;
+      if (own && (!highest || *own < *highest)) highest = own;
+    }
+    int best = 99;
+    for (const int slot : slots) {
+      out_.ends[slot].at_node = highest;
+      best = std::min(best, edges_[slot / 2].importance);
+    }
+    if (!reach_.is_junction(node)) return;
+    const std::vector<RankedArm> arms = arms_at(node);
+    const auto leaving = [](const RankedArm& arm) { return arm.leaves; };
+    const bool merge = std::count_if(arms.begin(), arms.end(), leaving) == 1;
+    if (best > important && !merge) return;
+    const std::vector<bool> waits = arms_that_wait(arms);
+    for (std::size_t i = 0; i < slots.size(); ++i)
+      out_.ends[slots[i]].waits = waits[i] && edges_[slots[i] / 2].importance == best;
+  }
+
+  // Over nodes of two edges, back to other signals.
+  bool comes_from_signals(int slot) const {
+    const auto length = [&](int e) {
+      return network_.edges[e].end_abscissa - network_.edges[e].start_abscissa;
+    };
+    double metres = length(slot / 2);
+    int back = slot ^ 1;
+    while (metres <= rules_.queue) {
+      if (out_.ends[back].at_signals()) return true;
+      const std::vector<int>& slots = reach_.slots_at(reach_.node_of(back));
+      if (slots.size() != 2) return false;
+      const int next = slots[0] == back ? slots[1] : slots[0];
+      if (next / 2 == slot / 2) return false;
+      metres += length(next / 2);
+      back = next ^ 1;
+    }
+    return false;
+  }
+
+  const Network& network_;
+  const std::vector<ControlEdge>& edges_;
+  const ControlRules& rules_;
+  ControlReach reach_;
+  EndControls out_;
 };
 
 }  // namespace
@@ -142,13 +178,21 @@ const char* control_kind_name(ControlKind kind) noexcept {
   return "";
 }
 
-std::vector<EndControl> end_controls(const Network& network, const std::vector<LanesOfAxis>& lanes,
-                                     const std::vector<ControlPoint>& points, double farthest,
-                                     const std::vector<JunctionDecision>& decisions) {
-  if (points.empty() && decisions.empty()) return std::vector<EndControl>(2 * network.edges.size());
-  Controls controls(network, lanes, farthest);
-  for (const ControlPoint& point : points) controls.put(point);
-  for (const JunctionDecision& decision : decisions) controls.decide(decision, network.nodes);
+ControlEdge control_edge(const EdgeWays& ways, int importance, double width, double width_end,
+                         const Line& line) {
+  const auto leaves = [](const Line& from) {
+    const double reach = std::min(heading_reach, length(from));
+    return unit(planar(position_at(from, reach).point) - planar(from.front()));
+  };
+  return {ways, importance, width, width_end, leaves(line), leaves(reversed(line))};
+}
+
+EndControls end_controls(const Network& network, const std::vector<ControlEdge>& edges,
+                         const std::vector<ControlPoint>& points, const ControlRules& rules,
+                         const std::vector<JunctionDecision>& decisions) {
+  Controls controls(network, edges, rules);
+  controls.put(points);
+  for (const JunctionDecision& decision : decisions) controls.decide(decision);
   return controls.run();
 }
 

@@ -286,19 +286,20 @@ void leave_bare(int edge, std::vector<LaneSeparator>& separators, std::vector<Ma
 
 class LaneBuilder {
  public:
-  LaneBuilder(const Streets& streets, std::vector<LanesOfAxis> axes,
+  LaneBuilder(const Streets& streets, const std::vector<LanesOfAxis>& axes,
               std::vector<LaneOverride> overrides, const LaneSettings& settings,
               const std::vector<ControlPoint>& controls,
               const std::vector<Circulation>& circulations, const PaintRules& paint)
       : streets_(streets),
         settings_(settings),
-        controls_(end_controls(streets.network, axes,
-                               with_ring_entries(streets.network, axes, controls),
-                               settings.control_distance, paint.junctions)),
         changes_(paint.changes, paint.leaving),
         bare_(paint.bare.begin(), paint.bare.end()),
-        wishes_(std::move(axes), std::move(overrides), circulations, settings),
-        carried_(streets.network, streets.roadways, wishes_, settings) {}
+        wishes_(axes, std::move(overrides), circulations, settings),
+        carried_(streets.network, streets.roadways, wishes_, settings),
+        controls_(end_controls(streets.network, control_edges(),
+                               with_ring_entries(streets.network, axes, controls),
+                               settings.controls, paint.junctions)
+                      .ends) {}
 
   Lanes run() {
     const WaitingPlaces waiting(streets_, wishes_, settings_.line_before_kerb);
@@ -345,6 +346,23 @@ class LaneBuilder {
     return streets_.affected_nodes[edge.from_node] || streets_.affected_nodes[edge.to_node];
   }
 
+  std::vector<ControlEdge> control_edges() const {
+    std::vector<ControlEdge> edges;
+    for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
+      const Edge& edge = streets_.network.edges[e];
+      const Roadway& roadway = streets_.roadways[e];
+      EdgeWays ways{false, false};
+      for (const LaneWish& lane : wishes_.of(edge).lanes) {
+        if (!carries_traffic(lane.kind)) continue;
+        ways.along = ways.along || lane.both_ways || lane.along_axis;
+        ways.against = ways.against || lane.both_ways || !lane.along_axis;
+      }
+      edges.push_back(
+          control_edge(ways, roadway.importance, roadway.width, roadway.width_end, edge.line));
+    }
+    return edges;
+  }
+
   // Those by which traffic comes to its node, and is not that of a slip lane, which waits anyway.
   std::vector<bool> ends_that_go_first(const SlipLaneEnds& slip_lanes) const {
     std::vector<bool> first;
@@ -377,23 +395,22 @@ class LaneBuilder {
 
   const Streets& streets_;
   const LaneSettings& settings_;
-  std::vector<EndControl> controls_;  // by slot
   LaneChanges changes_;
   std::set<std::int64_t> bare_;  // axes
   LaneWishes wishes_;
   CarriedMarks carried_;
+  std::vector<EndControl> controls_;  // by slot
   Geos geos_;
   ArrowPaint arrow_paint_;
 };
 
 }  // namespace
 
-Lanes lanes(const Streets& streets, std::vector<LanesOfAxis> axes,
+Lanes lanes(const Streets& streets, const std::vector<LanesOfAxis>& axes,
             std::vector<LaneOverride> overrides, const LaneSettings& settings,
             const std::vector<ControlPoint>& controls, const std::vector<Circulation>& circulations,
             const PaintRules& paint) {
-  return LaneBuilder(streets, std::move(axes), std::move(overrides), settings, controls,
-                     circulations, paint)
+  return LaneBuilder(streets, axes, std::move(overrides), settings, controls, circulations, paint)
       .run();
 }
 

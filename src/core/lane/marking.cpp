@@ -19,7 +19,8 @@ constexpr double longest_dashed = 1e5;             // beyond it dashes would be 
 constexpr double yield_dash = 0.5, stop_room = 1;  // of a section, for the line
 constexpr double arrow_before_end = 5;             // a crossing before the line has its room
 constexpr double shortest_band = 1e-9;
-constexpr double least_paint = 0.5;  // lanes narrower than this bear none
+constexpr double before_mid_block = 3;  // from signals in mid-block: half a crossing, and room
+constexpr double least_paint = 0.5;     // lanes narrower than this bear none
 
 bool painted(const Lane& lane) { return carries_traffic(lane.kind) && lane.width >= least_paint; }
 
@@ -123,14 +124,14 @@ std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank
   if (control.own == ControlKind::stop) return MarkingKind::stop;
   if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
     return MarkingKind::yield;
-  if (control.at_signals()) return MarkingKind::stop;
+  if (control.at_signals()) return control.within ? std::nullopt : std::optional(MarkingKind::stop);
   if (goes_first) return std::nullopt;
   if (by_hand == JunctionKind::stop) {
     const bool all = rank.lowest == rank.importance && control.at_node != ControlKind::stop;
     return all || lower > 0 ? std::optional(MarkingKind::stop) : std::nullopt;
   }
   if (lower > 1 && by_hand != JunctionKind::priority) return MarkingKind::stop;
-  return lower > 0 || slips_in ? std::optional(MarkingKind::yield) : std::nullopt;
+  return lower > 0 || control.waits || slips_in ? std::optional(MarkingKind::yield) : std::nullopt;
 }
 
 // Across a lane where it ends, or so many metres before that.
@@ -206,15 +207,17 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
   const double room = limits_crossed ? 0 : strip.to - strip.from;
   for (const bool at_start : {true, false}) {
     const int node = at_start ? edge.from_node : edge.to_node;
-    if (ranks[node].degree < 3) continue;
+    const EndControl& control = controls[2 * e + (at_start ? 0 : 1)];
+    if (ranks[node].degree < 3 && !control.at_signals()) continue;
     const std::optional<MarkingKind> kind = end_marking(
-        controls[2 * e + (at_start ? 0 : 1)], ranks[node],
-        streets.roadways[e].importance - ranks[node].importance,
+        control, ranks[node], streets.roadways[e].importance - ranks[node].importance,
         waiting.on_ring(e) || ranks[node].merging_link == e, slip_lanes.waits(e, at_start));
     if (!kind) continue;
     const bool at_ring = waiting.enters_ring(e, at_start);
     const bool has_room = room >= (at_ring ? 1 : 2) * stop_room;
-    const double shared = streets.limits[2 * e + (at_start ? 0 : 1)].shared;
+    const double shared = ranks[node].degree < 3
+                              ? before_mid_block
+                              : streets.limits[2 * e + (at_start ? 0 : 1)].shared;
     for (const Lane& lane : lanes) {
       const bool comes = lane.both_ways || lane.along_axis != at_start;
       if (!comes || !lane.reaches(at_start) || !painted(lane)) continue;

@@ -24,16 +24,17 @@ struct NodeRank {
 std::vector<NodeRank> ranks_of(const Streets& streets, const std::vector<bool>& comes);
 
 // Across each lane that comes to a node of three and more edges: what its control point says, a
-// stop line for signals; a stop line where another end of the node has signals.  Without a control
-// point a yield line where another edge is more important, or a slip lane ends; a stop line where
-// it is so by two; no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A
-// kind by hand goes before signals and classes, and leaves signs: signals, stop lines; stop, one
-// where another edge is more important, and on all where none is and no end has a stop sign;
-// priority, a yield line there; right_before_left, no line at all.  None on parking and very narrow
-// lanes.  Of a lane for both directions, across the half on which one comes.  The line lies as
-// WaitingPlaces says; else where the lane ends, or where its section shares ground before that.
-// Only lines of roundabouts lie where limits crossed.  `controls` by slot, as end_controls gives
-// them.
+// stop line for signals; a stop line where another end of the node has signals.  So too before
+// signals in mid-block; not where traffic has waited for signals a queue's length before.  Without
+// a control point a yield line where another edge is more important, or goes first among equals
+// where important streets meet or streets merge, or a slip lane ends; a stop line where it is so by
+// two; no line on a ramp whose lanes go on as merging lanes, nor round a roundabout.  A kind by
+// hand goes before signals and classes, and leaves signs: signals, stop lines; stop, one where
+// another edge is more important, and on all where none is and no end has a stop sign; priority, a
+// yield line there; right_before_left, no line at all.  None on parking and very narrow lanes.  Of
+// a lane for both directions, across the half on which one comes.  The line lies as WaitingPlaces
+// says; else where the lane ends, or where its section shares ground before that. Only lines of
+// roundabouts lie where limits crossed.  `controls` by slot, as end_controls gives them.
 void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ranks,
                          const std::vector<EndControl>& controls, const WaitingPlaces& waiting,
                          const SlipLaneEnds& slip_lanes, const LaneStrip& strip,

@@ -27,7 +27,8 @@ Layout::Layout(const std::vector<StreetAxis>& all, const StreetSettings& wanted,
     : settings(wanted) {
   std::unordered_map<std::int64_t, const StreetAxis*> by_id;
   for (const StreetAxis& axis : all) by_id.emplace(axis.axis_id, &axis);
-  streets.network = street_network(all, settings.tolerance, settings.crossing);
+  streets.network = 
+      street_network(all, settings.tolerance, settings.crossing, settings.controls);
   if (settings.smoothing)
     smooth_edges(streets.network, *settings.smoothing, overrides);
   else

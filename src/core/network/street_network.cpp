@@ -2,6 +2,7 @@
 
 #include <unordered_map>
 
+#include "network/cut_at_signals.hpp"
 #include "network/missed_end.hpp"
 #include "network/twin.hpp"
 
@@ -29,9 +30,12 @@ Network network_without_twins(const std::vector<StreetAxis>& axes, double tolera
   return out;
 }
 
-Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing) {
+Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing,
+                       const ControlRules& controls) {
   Network out = network_without_twins(axes, tolerance, crossing);
-  report_missed_ends(out, by_edge(out, axes), tolerance);
+  std::vector<const StreetAxis*> of_edges = by_edge(out, axes);
+  report_missed_ends(out, of_edges, tolerance);
+  cut_at_signals(out, of_edges, controls);
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "lane/check_lanes.hpp"
 #include "lane/lane_wishes.hpp"
 #include "lane/ramp_lanes.hpp"
+#include "network/control_reach.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -52,12 +53,41 @@ std::vector<bool> choices_lead_back(const LaneWishes& wishes, const Network& net
   return leads;
 }
 
+// By node, whether a control point may speak there, whatever meets the streets between.
+std::vector<bool> near_controls(const StreetModelInput& input, const Network& network) {
+  std::vector<bool> near(network.nodes.size());
+  if (input.controls.empty()) return near;
+  const ControlReach reach(network, std::vector<EdgeWays>(network.edges.size()),
+                           input.settings.controls);
+  for (const ControlPoint& point : input.controls)
+    for (const int node : reach.nodes_near(point)) near[node] = true;
+  return near;
+}
+
+// A control point speaks at the next junction: along short edges from nodes of two edges, and from
+// a node before which one stands.
+void controls_lead_on(const StreetModelInput& input, const Network& network,
+                      std::vector<bool>& leads) {
+  leads.resize(2 * network.edges.size());
+  std::vector<int> degree(network.nodes.size());
+  for (const Edge& edge : network.edges) ++degree[edge.from_node], ++degree[edge.to_node];
+  const std::vector<bool> near = near_controls(input, network);
+  for (std::size_t e = 0; e < network.edges.size(); ++e) {
+    const Edge& edge = network.edges[e];
+    if (edge.end_abscissa - edge.start_abscissa > input.settings.controls.farthest) continue;
+    const auto leads_from = [&](int node) { return degree[node] == 2 || near[node]; };
+    leads[2 * e] = leads[2 * e] || leads_from(edge.from_node);
+    leads[2 * e + 1] = leads[2 * e + 1] || leads_from(edge.to_node);
+  }
+}
+
 LeadsOn changes_lead_on(const StreetModelInput& input, const LaneWishes& wishes,
                         bool interconnected) {
   if (input.former.edges.empty()) return {};
   return [&input, &wishes, interconnected](const Network& network,
                                            const std::vector<Roadway>& roadways) {
     Leads leads{marks_lead_on(input, wishes, network, roadways), {}};
+    controls_lead_on(input, network, leads.on);
     if (interconnected) {
       leads.back = choices_lead_back(wishes, network);
       leads.back_within = input.interconnection_settings.look_ahead;

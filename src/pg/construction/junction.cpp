@@ -23,7 +23,7 @@ namespace {
 struct EdgeRows {
   int count;
   Column edge_id, axis_id, start_abscissa, end_abscissa, from_node, to_node, geom;
-  Column along, against, name, crossed, on_ring, by_hand;
+  Column along, against, name, crossed, on_ring, by_hand, importance, width, width_end;
 };
 
 EdgeRows take_edges(FunctionCallInfo fcinfo, int argument) {
@@ -41,8 +41,13 @@ EdgeRows take_edges(FunctionCallInfo fcinfo, int argument) {
           column(edges, "name", INT8OID),
           column(edges, "crossed", BOOLOID),
           column(edges, "on_ring", BOOLOID),
-          column_or_null(edges, "by_hand", BOOLOID)};
+          column_or_null(edges, "by_hand", BOOLOID),
+          column(edges, "importance", INT4OID),
+          column(edges, "width", FLOAT8OID),
+          column(edges, "width_end", FLOAT8OID)};
 }
+
+constexpr int columns = 9;
 
 struct FoundJunctions {
   std::vector<std::int64_t> node_ids;
@@ -84,6 +89,9 @@ void read_edges(const EdgeRows& rows, FoundJunctions& found) {
     edge.crossed = DatumGetBool(rows.crossed.values[i]);
     edge.on_ring = DatumGetBool(rows.on_ring.values[i]);
     if (!rows.by_hand.nulls[i]) edge.by_hand = DatumGetBool(rows.by_hand.values[i]);
+    edge.importance = DatumGetInt32(rows.importance.values[i]);
+    edge.width = DatumGetFloat8(rows.width.values[i]);
+    edge.width_end = DatumGetFloat8(rows.width_end.values[i]);
     found.network.edges.push_back(std::move(edge));
   }
 }
@@ -93,12 +101,12 @@ Datum control_datum(const std::optional<ControlKind>& kind, bool* null) {
   return kind ? CStringGetTextDatum(control_kind_name(*kind)) : Datum(0);
 }
 
-// node_id, edge_id, junction_id, chain, role, parted, control_from, control_to
+// node_id, edge_id, junction_id, chain, role, parted, control_from, control_to, control
 void give(const FoundJunctions& found, const EdgeRows& rows, ReturnSetInfo* result) {
-  Datum values[8];
-  bool nulls[8];
+  Datum values[columns];
+  bool nulls[columns];
   for (std::size_t n = 0; n < found.node_ids.size(); ++n) {
-    std::fill_n(nulls, 8, true);
+    std::fill_n(nulls, columns, true);
     nulls[0] = nulls[2] = nulls[3] = false;
     values[0] = Int64GetDatum(found.node_ids[n]);
     values[2] = Int64GetDatum(found.node_ids[found.groups.of_node[n]]);
@@ -106,9 +114,9 @@ void give(const FoundJunctions& found, const EdgeRows& rows, ReturnSetInfo* resu
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   }
   for (int e = 0; e < rows.count; ++e) {
-    std::fill_n(nulls, 8, false);
+    std::fill_n(nulls, columns, false);
     const JunctionEdge& edge = found.network.edges[e];
-    nulls[0] = nulls[3] = true;
+    nulls[0] = nulls[3] = nulls[8] = true;
     values[1] = rows.edge_id.values[e];
     values[2] = Int64GetDatum(found.node_ids[found.groups.of_node[edge.from_node]]);
     nulls[2] = nulls[4] = found.groups.roles[e] == EdgeRole::outside;
@@ -116,6 +124,15 @@ void give(const FoundJunctions& found, const EdgeRows& rows, ReturnSetInfo* resu
     values[5] = BoolGetDatum(found.groups.parted[e]);
     values[6] = control_datum(found.groups.controls[2 * e], &nulls[6]);
     values[7] = control_datum(found.groups.controls[2 * e + 1], &nulls[7]);
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  }
+  for (std::size_t c = 0; c < found.groups.served.size(); ++c) {
+    const int node = found.groups.served[c];
+    if (node < 0) continue;
+    std::fill_n(nulls, columns, true);
+    nulls[2] = nulls[8] = false;
+    values[2] = Int64GetDatum(found.node_ids[found.groups.of_node[node]]);
+    values[8] = Int64GetDatum(static_cast<std::int64_t>(c + 1));
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   }
 }
@@ -129,7 +146,7 @@ STREETGEN_FUNCTION(streetgen_group_junctions) {
   const EdgeRows edges = take_edges(fcinfo, 0);
   const ControlRows controls = take_controls(fcinfo, 1);
   const double gap = PG_GETARG_FLOAT8(2), extent = PG_GETARG_FLOAT8(3);
-  const double control_distance = PG_GETARG_FLOAT8(4);
+  const double control_distance = PG_GETARG_FLOAT8(4), queue = PG_GETARG_FLOAT8(5);
   InitMaterializedSRF(fcinfo, 0);
   Slot<FoundJunctions>* slot = make_slot<FoundJunctions>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
@@ -141,7 +158,8 @@ STREETGEN_FUNCTION(streetgen_group_junctions) {
     found.groups =
         group_junctions(found.network, {in_range(gap, 0, 1000, "junction_gap"),
                                         in_range(extent, 0, 10000, "junction_extent"),
-                                        in_range(control_distance, 0, 1000, "control_distance")});
+                                        {in_range(control_distance, 0, 1000, "control_distance"),
+                                         in_range(queue, 0, 1000, "queue_length")}});
   });
   report(outcome);
   give(*slot->value, edges, reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo));

@@ -70,8 +70,13 @@ TransitionKind transition_kind_of(const std::string& word) {
                                   {"right", TransitionKind::right}});
 }
 
+ControlRules control_rules_of(const Settings& given) {
+  return {given.measure("control_distance"), given.measure("queue_length")};
+}
+
 StreetSettings street_settings_of(const Settings& given) {
   StreetSettings settings;
+  settings.controls = control_rules_of(given);
   settings.tolerance = given.measure("tolerance", 1e-6);
   settings.crossing =
       given.choice<Crossing>("crossing", {{"over", Crossing::over}, {"split", Crossing::split}});
@@ -118,7 +123,7 @@ LaneSettings lane_settings_of(const Settings& given) {
                                              given.measure("lane_width_minimal"));
   settings.edge_lines = given.choice<bool>("edge_line", {{"none", false}, {"solid", true}});
   settings.kerb_radius_minimal = given.measure_or_none("kerb_radius_minimal");
-  settings.control_distance = given.measure("control_distance");
+  settings.controls = control_rules_of(given);
   settings.line_before_kerb = given.measure("line_before_kerb");
   return settings;
 }

@@ -41,7 +41,8 @@ ComputedStreets compute_network(const StreetsCall& call) {
   const StreetsInput input = read_input(call);
   const StreetSettings& settings = input.model.settings;
   StreetModel model;
-  model.streets.network = street_network(input.model.axes, settings.tolerance, settings.crossing);
+  model.streets.network =
+      street_network(input.model.axes, settings.tolerance, settings.crossing, settings.controls);
   return {std::move(model), input.srid, input.has_z};
 }
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -358,6 +359,14 @@ Former former_of(const StreetsCall& call) {
   return former;
 }
 
+void give_controls(const std::vector<ControlPoint>& controls, std::vector<StreetAxis>& axes) {
+  std::unordered_map<std::int64_t, StreetAxis*> by_id;
+  for (StreetAxis& axis : axes) by_id.emplace(axis.axis_id, &axis);
+  for (const ControlPoint& control : controls)
+    if (const auto found = by_id.find(control.axis_id); found != by_id.end())
+      found->second->controls.push_back(control);
+}
+
 }  // namespace
 
 StreetsInput read_input(const StreetsCall& call) {
@@ -375,6 +384,7 @@ StreetsInput read_input(const StreetsCall& call) {
   input.model.lane_overrides = lane_overrides_of(call);
   input.model.lane_settings = lane_settings_of(settings);
   input.model.controls = read_controls(call.controls);
+  give_controls(input.model.controls, input.model.axes);
   input.model.paint = read_paint(call.paint);
   input.model.circulations = circulations_of(call);
   input.model.ramps = ramps_of(call, settings);

@@ -57,6 +57,8 @@ PaintRules read_paint(const PaintRows& rows) {
          word_of<JunctionKind>(text_of(rows.junctions.kind.values[i]),
                                "kind of a junction override",
                                {{"ramp", JunctionKind::ramp},
+                                {"fork", JunctionKind::fork},
+                                {"merge", JunctionKind::merge},
                                 {"signals", JunctionKind::signals},
                                 {"stop", JunctionKind::stop},
                                 {"priority", JunctionKind::priority},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <random>
 
+#include "geometry/polyline.hpp"
 #include "streetgen/junction.hpp"
 
 namespace streetgen {
@@ -191,6 +192,31 @@ TEST(GroupJunctions, ASlipLaneBelongsToItsCorner) {
 }
 
 // Which edges lie in one junction does not depend on the order of nodes and edges.
+// Streets cross a road at nodes 0 and 1, so many metres apart, where signals stand.
+JunctionNetwork two_signals(double apart) {
+  JunctionNetwork network;
+  network.nodes = {{0, 0},    {apart, 0}, {-100, 0},     {apart + 100, 0},
+                   {0, -100}, {0, 100},   {apart, -100}, {apart, 100}};
+  for (const auto& [from, to] : {std::pair(0, 1), {2, 0}, {1, 3}, {4, 0}, {0, 5}, {6, 1}, {1, 7}})
+    add(network, from, to);
+  for (JunctionEdge& edge : network.edges)
+    edge.end_abscissa = distance(edge.line.front(), edge.line.back());
+  network.controls = {{2, 100, ControlKind::signals}, {3, 0, ControlKind::signals}};
+  return network;
+}
+
+TEST(GroupJunctions, SignalsWithoutRoomForAQueueBetweenThemAreOneJunction) {
+  const JunctionGroups groups = group_junctions(two_signals(24), {});
+  EXPECT_EQ(groups.of_node[0], groups.of_node[1]);
+  EXPECT_EQ(groups.roles[0], EdgeRole::inside);
+  EXPECT_EQ(groups.served, (std::vector<int>{0, 1}));
+  const JunctionGroups apart = group_junctions(two_signals(26), {});
+  EXPECT_NE(apart.of_node[0], apart.of_node[1]);
+  JunctionNetwork one = two_signals(24);
+  one.controls.pop_back();
+  EXPECT_NE(group_junctions(one, {}).of_node[0], group_junctions(one, {}).of_node[1]);
+}
+
 TEST(GroupJunctions, OrderDecidesNothing) {
   std::mt19937 random(7);
   for (int round = 0; round < 100; ++round) {

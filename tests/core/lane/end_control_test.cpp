@@ -24,15 +24,20 @@ Network street_between_junctions() {
   return network;
 }
 
-std::vector<LanesOfAxis> two_way() {
-  std::vector<LanesOfAxis> lanes;
-  for (std::int64_t axis = 1; axis <= 5; ++axis)
-    lanes.push_back({axis, {{LaneWish{}}, {LaneWish{}}}});
-  return lanes;
+std::vector<ControlEdge> two_way(const Network& network) {
+  std::vector<ControlEdge> edges;
+  for (const Edge& edge : network.edges)
+    edges.push_back(control_edge({true, true}, 4, 7, 7, edge.line));
+  return edges;
+}
+
+EndControls controls_in(const Network& network, const std::vector<ControlPoint>& points,
+                        double farthest = 50) {
+  return end_controls(network, two_way(network), points, {farthest, 25});
 }
 
 std::vector<EndControl> controlled(const ControlPoint& point) {
-  return end_controls(street_between_junctions(), two_way(), {point}, 50);
+  return controls_in(street_between_junctions(), {point}).ends;
 }
 
 int own_controls(const std::vector<EndControl>& ends) {
@@ -42,7 +47,7 @@ int own_controls(const std::vector<EndControl>& ends) {
 }
 
 TEST(EndControl, WithoutPointsNothingIsControlled) {
-  EXPECT_EQ(own_controls(end_controls(street_between_junctions(), two_way(), {}, 50)), 0);
+  EXPECT_EQ(own_controls(controls_in(street_between_junctions(), {}).ends), 0);
 }
 
 TEST(EndControl, APointWithoutADirectionSpeaksTowardsTheNearerJunction) {
@@ -55,15 +60,16 @@ TEST(EndControl, APointWithoutADirectionSpeaksTowardsTheNearerJunction) {
 }
 
 TEST(EndControl, WhatComesToARingYields) {
-  std::vector<LanesOfAxis> lanes = two_way();
+  std::vector<LanesOfAxis> lanes;
+  for (std::int64_t axis = 1; axis <= 5; ++axis) lanes.push_back({axis, {}});
   lanes[1].on_ring = lanes[2].on_ring = true;  // axes 2 and 3, at the start of axis 1
   const Network network = street_between_junctions();
-  const auto ends = end_controls(network, lanes, with_ring_entries(network, lanes, {}), 50);
+  const auto ends = controls_in(network, with_ring_entries(network, lanes, {})).ends;
   EXPECT_EQ(ends[0].own, ControlKind::yield);
   EXPECT_EQ(own_controls(ends), 1);
   // A stop sign before it is stricter.
   const ControlPoint sign{1, 10, ControlKind::stop, Direction::against};
-  EXPECT_EQ(end_controls(network, lanes, with_ring_entries(network, lanes, {sign}), 50)[0].own,
+  EXPECT_EQ(controls_in(network, with_ring_entries(network, lanes, {sign})).ends[0].own,
             ControlKind::stop);
 }
 
@@ -73,11 +79,12 @@ TEST(EndControl, ADirectionDecidesAgainstNearness) {
 }
 
 TEST(EndControl, AOneWayStreetLeavesOneDirection) {
-  auto lanes = two_way();
-  lanes[0].lanes.backward.clear();
+  const Network network = street_between_junctions();
+  auto edges = two_way(network);
+  edges[0].ways.against = false;
   const std::vector<ControlPoint> point{{1, 20, ControlKind::stop, Direction::unknown}};
-  EXPECT_EQ(own_controls(end_controls(street_between_junctions(), lanes, point, 50)), 0);
-  EXPECT_EQ(end_controls(street_between_junctions(), lanes, point, 180)[1].own, ControlKind::stop);
+  EXPECT_EQ(own_controls(end_controls(network, edges, point, {50, 25}).ends), 0);
+  EXPECT_EQ(end_controls(network, edges, point, {180, 25}).ends[1].own, ControlKind::stop);
 }
 
 TEST(EndControl, OnANodeItSpeaksToAllWhoCome) {
@@ -101,12 +108,12 @@ TEST(EndControl, OfSeveralTheStricterHoldsWhateverTheirOrder) {
   const ControlPoint yield{1, 180, ControlKind::yield, Direction::along};
   const ControlPoint stop{1, 190, ControlKind::stop, Direction::along};
   for (const auto& points : {std::vector{yield, stop}, std::vector{stop, yield}})
-    EXPECT_EQ(end_controls(street_between_junctions(), two_way(), points, 50)[1].own,
-              ControlKind::stop);
+    EXPECT_EQ(controls_in(street_between_junctions(), points).ends[1].own, ControlKind::stop);
 }
 
 std::vector<EndControl> decided(const std::vector<JunctionDecision>& decisions) {
-  return end_controls(street_between_junctions(), two_way(), {}, 50, decisions);
+  const Network network = street_between_junctions();
+  return end_controls(network, two_way(network), {}, {50, 25}, decisions).ends;
 }
 
 TEST(EndControl, AKindByHandHoldsForTheNearestNodeOfItsAxis) {
@@ -127,6 +134,87 @@ TEST(EndControl, OfTwoKindsByHandTheLaterHolds) {
 TEST(EndControl, OneOnAnAxisThatIsNotThereChangesNothing) {
   EXPECT_EQ(own_controls(controlled({99, 10, ControlKind::stop, Direction::both})), 0);
   EXPECT_EQ(own_controls(controlled({1, 900, ControlKind::stop, Direction::both})), 0);
+}
+
+// The street between junctions in two pieces, which meet at a node of two edges at 170 m.
+Network street_in_pieces() {
+  Network network = street_between_junctions();
+  network.nodes.push_back({{170, 0}, {{6, 0}}});
+  Edge piece = network.edges[0];
+  piece.axis_id = 6;
+  piece.from_node = 6;
+  piece.start_abscissa = 0;
+  piece.end_abscissa = 30;
+  piece.line = {{170, 0}, {200, 0}};
+  network.edges[0].to_node = 6;
+  network.edges[0].end_abscissa = 170;
+  network.edges[0].line = {{0, 0}, {170, 0}};
+  network.edges.push_back(piece);
+  return network;
+}
+
+TEST(EndControl, APointReachesTheJunctionOverANodeOfTwoEdges) {
+  for (const double abscissa : {155.0, 170.0}) {
+    const auto found = controls_in(street_in_pieces(), {{1, abscissa, ControlKind::stop}});
+    EXPECT_EQ(found.ends[11].own, ControlKind::stop) << abscissa;
+    EXPECT_EQ(own_controls(found.ends), 1) << abscissa;
+    EXPECT_EQ(found.served, std::vector<int>{1}) << abscissa;
+  }
+}
+
+TEST(EndControl, SignalsWithoutAJunctionAheadBelongToTheOneWithinAQueueBehind) {
+  const auto near =
+      controls_in(street_between_junctions(), {{1, 20, ControlKind::signals, Direction::along}});
+  EXPECT_EQ(near.ends[0].own, ControlKind::signals);
+  EXPECT_EQ(near.ends[4].at_node, ControlKind::signals);
+  const auto stop =
+      controls_in(street_between_junctions(), {{1, 20, ControlKind::stop, Direction::along}});
+  EXPECT_EQ(own_controls(stop.ends), 0);
+  EXPECT_EQ(stop.served, std::vector<int>{-1});
+}
+
+TEST(EndControl, SignalsInMidBlockSpeakAtTheNodeThatTheyStandOn) {
+  Network network = street_between_junctions();
+  network.nodes.push_back({{100, 0}, {{1, 100}}});
+  Edge second = network.edges[0];
+  second.from_node = network.edges[0].to_node = 6;
+  network.edges[0].end_abscissa = second.start_abscissa = 100;
+  network.edges[0].line = {{0, 0}, {100, 0}};
+  second.line = {{100, 0}, {200, 0}};
+  network.edges.insert(network.edges.begin() + 1, second);
+  const auto found = controls_in(network, {{1, 95, ControlKind::signals, Direction::along},
+                                           {1, 105, ControlKind::signals, Direction::against}});
+  EXPECT_EQ(found.ends[1].own, ControlKind::signals);
+  EXPECT_EQ(found.ends[2].own, ControlKind::signals);
+  EXPECT_EQ(own_controls(found.ends), 2);
+  EXPECT_EQ(found.served, (std::vector<int>{6, 6}));
+}
+
+// A street of importance 3 crosses one of importance 4 at the node of two more edges.
+TEST(EndControl, ASignOnAJunctionBindsTheMinorArmsUnlessItSpeaksToBothDirections) {
+  const Network network = street_between_junctions();
+  auto edges = two_way(network);
+  edges[1].importance = edges[2].importance = 3;
+  const auto bound = [&](ControlKind kind, Direction direction) {
+    return own_controls(end_controls(network, edges, {{1, 0, kind, direction}}, {50, 25}).ends);
+  };
+  EXPECT_EQ(bound(ControlKind::stop, Direction::unknown), 1);
+  EXPECT_EQ(bound(ControlKind::yield, Direction::unknown), 1);
+  EXPECT_EQ(bound(ControlKind::stop, Direction::both), 3);
+  EXPECT_EQ(bound(ControlKind::signals, Direction::unknown), 3);
+}
+
+TEST(EndControl, OfEqualArmsTheStraighterPairGoesFirstWhereStreetsAreImportant) {
+  const Network network = street_between_junctions();
+  auto edges = two_way(network);
+  EXPECT_FALSE(end_controls(network, edges, {}, {50, 25}).ends[0].waits);
+  for (ControlEdge& edge : edges) edge.importance = 3;
+  const auto ends = end_controls(network, edges, {}, {50, 25}).ends;
+  EXPECT_TRUE(ends[0].waits);
+  EXPECT_FALSE(ends[3].waits || ends[4].waits);
+  // Nobody comes but by the stem.
+  edges[1].ways = {false, true}, edges[2].ways = {true, false};
+  EXPECT_FALSE(end_controls(network, edges, {}, {50, 25}).ends[0].waits);
 }
 
 }  // namespace end_control_test

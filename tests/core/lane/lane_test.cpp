@@ -446,7 +446,8 @@ int count_of(const Lanes& lanes, MarkingKind kind) {
 TEST(Lanes, OfALessImportantStreetWait) {
   const std::vector<LanesOfAxis> two_ways{
       {1, general(1, 1)}, {2, general(1, 1)}, {3, general(1, 1)}};
-  EXPECT_EQ(count_of(lanes(tee(3), two_ways, {}, {}), MarkingKind::yield), 0);
+  EXPECT_EQ(count_of(lanes(tee(3), two_ways, {}, {}), MarkingKind::yield), 1)
+      << "of equals on important streets the stem";
   const Lanes yields = lanes(tee(4), two_ways, {}, {});
   ASSERT_EQ(count_of(yields, MarkingKind::yield), 1);
   EXPECT_EQ(count_of(yields, MarkingKind::stop), 0);

@@ -63,8 +63,9 @@ TEST(Marking, OfStopByHandStopsWhoIsLessImportant) {
 TEST(Marking, OfPriorityByHandLetsWhoIsLessImportantYield) {
   EXPECT_EQ(lines(5, std::nullopt), (Lines{1, 0}));
   EXPECT_EQ(lines(5, JunctionKind::priority), (Lines{0, 1}));
-  EXPECT_EQ(lines(3, JunctionKind::priority), (Lines{0, 0}));
-  EXPECT_EQ(lines(3, JunctionKind::priority, {signals}), (Lines{0, 0}));
+  EXPECT_EQ(lines(3, JunctionKind::priority), (Lines{0, 1})) << "the stem, of equals";
+  EXPECT_EQ(lines(3, JunctionKind::priority, {signals}), (Lines{0, 1}));
+  EXPECT_EQ(lines(3, JunctionKind::right_before_left), (Lines{0, 0}));
   EXPECT_EQ(lines(5, JunctionKind::priority, {stop_sign}), (Lines{1, 0}));
 }
 

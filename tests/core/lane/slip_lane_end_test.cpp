@@ -9,7 +9,7 @@ namespace slip_lane_end_test {
 
 struct Town {
   int lanes_behind = 1;  // of the street to the east, behind the end of the slip lane
-  int importance = 3;    // of the slip lane
+  int importance = 4;    // of the slip lane
   double towards = 30;   // metres from the corner to both ends of the slip lane
   bool one_way = true;   // the slip lane
 };
@@ -17,11 +17,11 @@ struct Town {
 // A street from west to east, one that comes from the south, and a lane that cuts the corner.
 std::vector<Marking> lines_across(const Town& town) {
   const double s = town.towards;
-  std::vector<StreetAxis> axes{{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 7, 7, 6, 3},
-                               {2, {{0, 0, 0}, {s, 0, 0}}, 0, 7, 7, 6, 3},
-                               {3, {{s, 0, 0}, {150, 0, 0}}, 0, 7, 7, 6, 3},
-                               {4, {{0, -150, 0}, {0, -s, 0}}, 0, 7, 7, 6, 3},
-                               {5, {{0, -s, 0}, {0, 0, 0}}, 0, 7, 7, 6, 3},
+  std::vector<StreetAxis> axes{{1, {{-100, 0, 0}, {0, 0, 0}}, 0, 7, 7, 6, 4},
+                               {2, {{0, 0, 0}, {s, 0, 0}}, 0, 7, 7, 6, 4},
+                               {3, {{s, 0, 0}, {150, 0, 0}}, 0, 7, 7, 6, 4},
+                               {4, {{0, -150, 0}, {0, -s, 0}}, 0, 7, 7, 6, 4},
+                               {5, {{0, -s, 0}, {0, 0, 0}}, 0, 7, 7, 6, 4},
                                {6, {{0, -s, 0}, {s, 0, 0}}, 0, 4, 4, 6, town.importance}};
   axes[5].leads_backward = !town.one_way;
   const AxisLanes both{std::vector<LaneWish>(1), std::vector<LaneWish>(1)};
@@ -47,7 +47,7 @@ TEST(SlipLaneEnd, HasAYieldLine) {
 
 // Nobody on the street waits for it, however important it is called.
 TEST(SlipLaneEnd, GoesNotFirst) {
-  const std::vector<Marking> lines = lines_across({1, 2});
+  const std::vector<Marking> lines = lines_across({1, 3});
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_GT(lines[0].line.front().x, 15);
   EXPECT_LT(lines[0].line.front().y, -3.5);
@@ -57,8 +57,8 @@ TEST(SlipLaneEnd, IsFreeOntoALaneOfItsOwn) { EXPECT_TRUE(lines_across({2}).empty
 
 // A block is between, or traffic of both directions takes it.
 TEST(SlipLaneEnd, LiesBesideAnIsland) {
-  EXPECT_TRUE(lines_across({1, 3, 90}).empty());
-  EXPECT_TRUE(lines_across({1, 3, 30, false}).empty());
+  EXPECT_TRUE(lines_across({1, 4, 90}).empty());
+  EXPECT_TRUE(lines_across({1, 4, 30, false}).empty());
 }
 
 }  // namespace slip_lane_end_test

@@ -36,6 +36,68 @@ double metres_of(const Network& network, std::int64_t axis_id) {
   return sum;
 }
 
+// A street of 300 m between two that it meets, with control points.
+std::vector<StreetAxis> block(std::vector<ControlPoint> controls) {
+  std::vector<StreetAxis> axes{street(1, {{0, 0}, {300, 0}}),
+                               street(2, {{0, -50}, {0, 0}, {0, 50}}),
+                               street(3, {{300, -50}, {300, 0}, {300, 50}})};
+  axes[0].controls = std::move(controls);
+  return axes;
+}
+
+std::vector<double> starts_of_first(const Network& network) {
+  std::vector<double> starts;
+  for (const Edge& edge : network.edges)
+    if (edge.axis_id == 1) starts.push_back(edge.start_abscissa);
+  return starts;
+}
+
+TEST(CutAtSignals, SignalsInMidBlockStandOnANodeOfTheirOwn) {
+  const Network cut = of(block({{1, 120, ControlKind::signals}}));
+  EXPECT_EQ(starts_of_first(cut), (std::vector<double>{0, 120}));
+  EXPECT_EQ(cut.edges[0].to_node, cut.edges[1].from_node);
+  const Node& node = cut.nodes[cut.edges[0].to_node];
+  EXPECT_EQ(node.point.x, 120);
+  ASSERT_EQ(node.anchors.size(), 1u);
+  EXPECT_EQ(node.anchors[0].axis_id, 1);
+  EXPECT_EQ(node.anchors[0].abscissa, 120);
+  for (std::size_t n = 1; n < cut.nodes.size(); ++n) {
+    const NodeAnchor &a = cut.nodes[n - 1].anchors[0], &b = cut.nodes[n].anchors[0];
+    EXPECT_LT(std::pair(a.axis_id, a.abscissa), std::pair(b.axis_id, b.abscissa));
+  }
+}
+
+TEST(CutAtSignals, NearAJunctionOrOfAnotherKindTheyCutNothing) {
+  using Direction = ControlPoint::Direction;
+  for (const ControlPoint& point : {ControlPoint{1, 255, ControlKind::signals},
+                                    {1, 45, ControlKind::signals},
+                                    {1, 20, ControlKind::signals, Direction::along},
+                                    {1, 120, ControlKind::stop},
+                                    {1, 120, ControlKind::pedestrian_crossing},
+                                    {2, 120, ControlKind::signals}})
+    EXPECT_EQ(starts_of_first(of(block({point}))), (std::vector<double>{0})) << point.abscissa;
+  // More than a queue behind the junction, and with another far ahead.
+  EXPECT_EQ(starts_of_first(of(block({{1, 30, ControlKind::signals, Direction::along}}))),
+            (std::vector<double>{0, 30}));
+}
+
+TEST(CutAtSignals, SignalsWithinAQueueAreOnePlaceAtTheCrossingBetweenThem) {
+  const ControlPoint first{1, 120, ControlKind::signals}, second{1, 140, ControlKind::signals};
+  EXPECT_EQ(starts_of_first(of(block({second, first}))), (std::vector<double>{0, 130}));
+  EXPECT_EQ(starts_of_first(of(block({first, second, {1, 126, ControlKind::pedestrian_crossing}}))),
+            (std::vector<double>{0, 126}));
+  EXPECT_EQ(starts_of_first(of(block({first, {1, 150, ControlKind::signals}}))),
+            (std::vector<double>{0, 120, 150}));
+}
+
+TEST(CutAtSignals, SignalsWhereTwoAxesMeetStandThere) {
+  std::vector<StreetAxis> axes = block({});
+  axes[0].line = {{0, 0}, {150, 0}};
+  axes.push_back(street(4, {{150, 0}, {300, 0}}));
+  axes[3].controls = {{4, 1, ControlKind::signals}};
+  EXPECT_EQ(of(axes).edges.size(), of(block({})).edges.size() + 1);
+}
+
 TEST(Twin, OfTwoNamesForOneStreetTheLaterOneIsNone) {
   const Network n = of({street(1, {{0, 0}, {100, 0}, {200, 0}}), street(2, {{200, 0}, {0, 0}})});
   EXPECT_EQ(metres_of(n, 1), 200);

@@ -9,7 +9,7 @@ UPDATE quarter.lane_editing SET width = 2.9 WHERE lane_id = (SELECT min(lane_id)
 UPDATE quarter.lane_adjacency_editing SET change = 'forbidden' WHERE lane_adjacency_id = (SELECT min(lane_adjacency_id) FROM quarter.lane_adjacency WHERE change = 'allowed');
 UPDATE quarter.interconnection_editing SET connecting = NOT connecting WHERE interconnection_id = (SELECT min(interconnection_id) FROM quarter.interconnection);
 UPDATE quarter.sidewalk_editing SET width = width + 0.5 WHERE sidewalk_id = (SELECT min(sidewalk_id) FROM quarter.sidewalk_editing);
-UPDATE quarter.junction_editing SET kind = 'stop' WHERE junction_id = (SELECT min(junction_id) FROM quarter.junction WHERE kind = 'right_before_left');
+UPDATE quarter.junction_editing SET kind = 'stop' WHERE junction_id = (SELECT min(junction_id) FROM quarter.junction WHERE kind = 'priority');
 UPDATE quarter.controller_editing SET start_offset = 5 WHERE controller_id = (SELECT min(controller_id) FROM quarter.controller);
 UPDATE quarter.ramp_editing SET length = 90, tangent = 30;
 UPDATE quarter.overpass_editing SET clearance = 6.5 WHERE overpass_id = (SELECT min(overpass_id) FROM quarter.overpass);
