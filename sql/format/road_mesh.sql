@@ -11,6 +11,33 @@ COMMENT ON FUNCTION streetgen._road_mesh(bytea[], integer[], boolean[], float8[]
     'mesh of their own. The others give their vertices on common borders. lines (EWKB): those that texture coordinates '
     'are counted along. axes (EWKB): those that give the heights, of their levels; none: 0.';
 
+CREATE OR REPLACE FUNCTION streetgen._height_axes(model name, edges bigint[], lines geometry[])
+    RETURNS TABLE(axes bytea[], axis_levels integer[])
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY
+        WITH known AS MATERIALIZED (
+            SELECT edge_id, line, e.level, from_node, to_node
+            FROM unnest(edges, lines) g(edge_id, line) JOIN edge e USING (edge_id)),
+        -- Within an intersection of another level an arm says how high that one lies: both meet at its limit.
+        arm AS (
+            SELECT edge_id, i.level, share, CASE which WHEN 'start' THEN ST_LineSubstring(line, 0, share)
+                ELSE ST_LineSubstring(line, share, 1) END AS line
+            FROM known k JOIN section_limit l USING (edge_id) JOIN intersection i ON i.level <> k.level
+                    AND i.node_id = CASE which WHEN 'start' THEN from_node ELSE to_node END,
+                LATERAL (SELECT abscissa / ST_Length2D(line) AS share, 0.01 / ST_Length2D(line) AS least) s
+            WHERE share BETWEEN least AND 1 - least)
+        SELECT coalesce(array_agg(a.line::bytea ORDER BY edge_id, a.level, a.place), '{}'),
+            coalesce(array_agg(a.level ORDER BY edge_id, a.level, a.place), '{}')
+        FROM (SELECT edge_id, level, 0::float8 AS place, line FROM known
+            UNION ALL SELECT edge_id, level, share, line FROM arm) a;
+END $$;
+COMMENT ON FUNCTION streetgen._height_axes(name, bigint[], geometry[]) IS
+    'Lines of edges (LINESTRING Z) as arguments of streetgen._road_mesh, with the parts of them that lie in '
+    'intersections of other levels, which say the height there.';
+
 CREATE OR REPLACE FUNCTION streetgen._mesh_heights(model name, about geometry)
     RETURNS TABLE(axes bytea[], axis_levels integer[])
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
@@ -19,15 +46,17 @@ BEGIN
     PERFORM streetgen._use_model(model);
     -- A surface has an axis of its own, and no street is wider than 200 m. Edges have one height where they meet.
     IF 'height' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT coalesce(array_agg(p.geom::bytea ORDER BY p.edge_id), '{}'),
-                coalesce(array_agg(e.level ORDER BY p.edge_id), '{}')
-            FROM profile p JOIN edge e ON e.edge_id = p.edge_id WHERE p.geom && ST_Expand(about, 200);
+        RETURN QUERY SELECT h.* FROM (SELECT array_agg(p.edge_id ORDER BY p.edge_id) AS edges,
+                    array_agg(p.geom ORDER BY p.edge_id) AS lines
+                FROM profile p WHERE p.geom && ST_Expand(about, 200)) p,
+            streetgen._height_axes(model, p.edges, p.lines) h;
     ELSE
-        RETURN QUERY SELECT coalesce(array_agg(ST_SetPoint(ST_SetPoint(e.geom, 0, f.geom), -1, t.geom)::bytea
-                    ORDER BY e.edge_id), '{}'), coalesce(array_agg(e.level ORDER BY e.edge_id), '{}')
-            FROM edge e JOIN node f ON f.node_id = e.from_node JOIN node t ON t.node_id = e.to_node
-            WHERE (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model)
-                AND e.geom && ST_Expand(about, 200);
+        RETURN QUERY SELECT h.* FROM (SELECT array_agg(e.edge_id ORDER BY e.edge_id) AS edges, array_agg(ST_SetPoint(
+                    ST_SetPoint(e.geom, 0, f.geom), -1, t.geom) ORDER BY e.edge_id) AS lines
+                FROM edge e JOIN node f ON f.node_id = e.from_node JOIN node t ON t.node_id = e.to_node
+                WHERE (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model)
+                    AND e.geom && ST_Expand(about, 200)) p,
+            streetgen._height_axes(model, p.edges, p.lines) h;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._mesh_heights(name, geometry) IS

@@ -88,3 +88,11 @@ SELECT 'bad input: ' || statement, test.state(statement) = expected FROM (VALUES
     ($$SELECT streetgen.road_mesh('hill', ST_MakePoint('NaN', 0))$$, '22023'), ($$SELECT streetgen.road_mesh('hill', ST_MakeLine(ST_Point(0, 0), ST_Point('infinity', 0)))$$, '22023')) s(statement, expected);
 SELECT 'an error names the value', test.said($$SELECT streetgen.road_mesh('hill', tolerance => -1)$$) = 'tolerance is -1, expected 0.001 to 10'
     AND test.said($$SELECT streetgen.road_mesh('hill', 'SRID=4326;POINT(0 0)')$$) = 'the extent has SRID 4326, the model 2154';
+-- A ramp of another level comes to a junction: both have the vertices of its limit, and the same heights there.
+SELECT streetgen.create_model('ramp', 2154, dimension => 3) \g /dev/null
+INSERT INTO ramp.axis (axis_id, geom, width, level) VALUES (1, ST_Translate('SRID=2154;LINESTRING Z (0 0 0,50 0 2)'::geometry, 650000, 6860000), 7, 0), (2, ST_Translate('SRID=2154;LINESTRING Z (50 0 2,150 0 12)'::geometry, 650000, 6860000), 6, 1),
+  (3, ST_Translate('SRID=2154;LINESTRING Z (50 0 2,50 60 -4)'::geometry, 650000, 6860000), 6, 0);
+CREATE TEMP TABLE seam AS SELECT e.edge_id, l.border_line, i.node_id FROM ramp.edge e JOIN ramp.section_limit l USING (edge_id) JOIN ramp.intersection i ON i.node_id = CASE l.which WHEN 'start' THEN from_node ELSE to_node END AND i.level <> e.level;
+CREATE TEMP TABLE rim AS SELECT m.edge_id, m.node_id, p.geom FROM streetgen.road_mesh('ramp') m, ST_DumpPoints(m.geom) p;
+SELECT 'levels meet in the same vertices', count(*) >= 2 AND bool_and(EXISTS (SELECT FROM rim r WHERE r.node_id = s.node_id AND ST_3DDWithin(r.geom, v.geom, 1e-6))) FROM seam s JOIN rim v ON v.edge_id = s.edge_id AND ST_DWithin(v.geom, s.border_line, 1e-4);
+SELECT 'each way', count(*) >= 2 AND bool_and(EXISTS (SELECT FROM rim r WHERE r.edge_id = s.edge_id AND ST_3DDWithin(r.geom, v.geom, 1e-6))) FROM seam s JOIN rim v ON v.node_id = s.node_id AND ST_DWithin(v.geom, s.border_line, 1e-4);
