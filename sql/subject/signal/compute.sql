@@ -258,13 +258,12 @@ BEGIN
         RETURN QUERY WITH new AS (SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out,
                 right_of_way, precedence, signal_group FROM unnest(found) WHERE lane_in IS NOT NULL),
         there AS (SELECT * FROM signal_movement WHERE controller_id = ANY (known)),
-        gone AS (DELETE FROM signal_movement o USING there t WHERE (o.controller_id, o.ordinality, o.lane_in,
-                o.lane_out, o.along_in, o.along_out) = (t.controller_id, t.ordinality, t.lane_in, t.lane_out,
-                    t.along_in,
-                t.along_out)
-            AND NOT EXISTS (SELECT FROM new n WHERE (n.controller_id, n.ordinality, n.lane_in, n.lane_out, n.along_in,
-                n.along_out) = (t.controller_id, t.ordinality, t.lane_in, t.lane_out, t.along_in, t.along_out))
-            RETURNING 1),
+        -- Differences of sets are found by hashes, however many rows the planner expects.
+        gone AS (DELETE FROM signal_movement o USING (
+                SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out FROM there
+                EXCEPT SELECT controller_id, ordinality, lane_in, lane_out, along_in, along_out FROM new) t
+            WHERE (o.controller_id, o.ordinality, o.lane_in, o.lane_out, o.along_in, o.along_out)
+                = (t.controller_id, t.ordinality, t.lane_in, t.lane_out, t.along_in, t.along_out) RETURNING 1),
         compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, (t.right_of_way, t.precedence, t.signal_group)
                 IS DISTINCT FROM (n.right_of_way, n.precedence, n.signal_group) AS changed
             FROM new n LEFT JOIN there t USING (controller_id, ordinality, lane_in, lane_out, along_in, along_out)),

@@ -72,9 +72,9 @@ BEGIN
                     AND (b.controller_id, b.number) = (c.controller_id, i.begins)
             WHERE e.signal_group IS DISTINCT FROM b.signal_group GROUP BY 1, 2, 3),
         there AS (SELECT * FROM intergreen WHERE controller_id = ANY (known)),
-        gone AS (DELETE FROM intergreen o USING there t WHERE (o.controller_id, o.ends, o.begins)
-            = (t.controller_id, t.ends, t.begins) AND NOT EXISTS (SELECT FROM new n
-                WHERE (n.controller_id, n.ends, n.begins) = (t.controller_id, t.ends, t.begins)) RETURNING 1),
+        gone AS (DELETE FROM intergreen o USING (
+                SELECT controller_id, ends, begins FROM there EXCEPT SELECT controller_id, ends, begins FROM new) t
+            WHERE (o.controller_id, o.ends, o.begins) = (t.controller_id, t.ends, t.begins) RETURNING 1),
         compared AS (SELECT n.*, t.controller_id IS NULL AS fresh, t.seconds IS DISTINCT FROM n.seconds AS changed
             FROM new n LEFT JOIN there t USING (controller_id, ends, begins)),
         put AS (INSERT INTO intergreen (controller_id, ends, begins, seconds)
