@@ -8,7 +8,10 @@ namespace {
 
 // A green strip wider than that is a field.
 constexpr double widest_strip = 19.5;  // metres
-constexpr std::initializer_list<const char*> track_words = {"track", "opposite_track"};
+// Of a lane and a track in one value the lane counts.
+constexpr std::initializer_list<const char*> track_words = {"lane", "soft_lane", "opposite_lane",
+                                                            "track", "opposite_track"};
+constexpr std::initializer_list<const char*> tracks = {"track", "opposite_track"};
 constexpr std::initializer_list<const char*> on_roadway = {
     "solid_line", "dashed_line", "double_solid_line", "barred_area",    "surface",
     "bump",       "studs",       "flex_post",         "vertical_panel", "cone",
@@ -117,7 +120,7 @@ std::string cycle_track_key(RoadSide kerb, const WayTags& tags) {
   const bool near = kerb == RoadSide::near;
   const std::string own = tags.said_of("cycleway", kerb);
   if (const std::string said = word_among(tags.value(own), track_words); !said.empty())
-    return is_among(said, track_words) ? own : "";
+    return is_among(said, tracks) ? own : "";
   // Without a side it speaks of the near kerb of each direction.
   const std::string of_way = word_among(tags.value("cycleway"), track_words);
   if (!tags.one_way()) return of_way == "track" ? "cycleway" : "";
