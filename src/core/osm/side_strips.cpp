@@ -8,10 +8,8 @@ namespace {
 
 // A green strip wider than that is a field.
 constexpr double widest_strip = 19.5;  // metres
-// Of a lane and a track in one value the lane counts.
-constexpr std::initializer_list<const char*> track_words = {"lane", "soft_lane", "opposite_lane",
-                                                            "track", "opposite_track"};
-constexpr std::initializer_list<const char*> tracks = {"track", "opposite_track"};
+constexpr std::initializer_list<const char*> track_words = {"track", "opposite_track"};
+constexpr std::initializer_list<const char*> lane_words = {"lane", "soft_lane", "opposite_lane"};
 constexpr std::initializer_list<const char*> on_roadway = {
     "solid_line", "dashed_line", "double_solid_line", "barred_area",    "surface",
     "bump",       "studs",       "flex_post",         "vertical_panel", "cone",
@@ -20,6 +18,11 @@ constexpr std::initializer_list<const char*> on_verge = {"grass_verge", "tree_ro
                                                          "ditch", "greenery"};
 constexpr std::initializer_list<const char*> yes = {"yes", "true", "1"};
 constexpr std::initializer_list<const char*> no = {"no", "none", "false", "0"};
+
+// Of a lane and a track in one value the lane counts.
+std::string track_word(const std::string& said) {
+  return word_among(word_among(said, lane_words), track_words);
+}
 
 // The keys of a side, from its own to that of the way.
 std::vector<std::string> keys_of(const std::string& base, RoadSide kerb, const std::string& end,
@@ -119,10 +122,10 @@ const char* side_strip_name(SideStripKind kind) {
 std::string cycle_track_key(RoadSide kerb, const WayTags& tags) {
   const bool near = kerb == RoadSide::near;
   const std::string own = tags.said_of("cycleway", kerb);
-  if (const std::string said = word_among(tags.value(own), track_words); !said.empty())
-    return is_among(said, tracks) ? own : "";
+  if (const std::string said = track_word(tags.value(own)); !said.empty())
+    return is_among(said, track_words) ? own : "";
   // Without a side it speaks of the near kerb of each direction.
-  const std::string of_way = word_among(tags.value("cycleway"), track_words);
+  const std::string of_way = track_word(tags.value("cycleway"));
   if (!tags.one_way()) return of_way == "track" ? "cycleway" : "";
   return of_way == (near ? "track" : "opposite_track") ? "cycleway" : "";
 }
