@@ -31,29 +31,50 @@ CREATE FUNCTION pg_temp.paved(ground geometry, on_level integer) RETURNS float8 
     SELECT coalesce(ST_Area(ST_Intersection(ground, ST_Union(s.surface, 1e-5))), 0)
     FROM surface s WHERE s.level = on_level AND s.surface && ground $$;
 
--- Blocks: faces of streets where a disc has room that is 2 m wider than they are. Its middle is no roadway.
 CREATE TEMPORARY TABLE face AS
 SELECT row_number() OVER () AS face_id, level, geom
 FROM (SELECT level, (ST_Dump(ST_Polygonize(geom))).geom FROM street GROUP BY level) f;
+
+-- The middle of two carriageways that cross two others is roadway: a face of four edges of two streets, round which
+-- traffic runs.
+CREATE TEMPORARY TABLE side AS
+SELECT face_id, s.name, s.roundabout_tag IS NOT NULL AS on_ring, s.way * sign(mod((
+    ST_LineLocatePoint(rim, ST_LineInterpolatePoint(s.geom, 0.55))
+    - ST_LineLocatePoint(rim, ST_LineInterpolatePoint(s.geom, 0.45)) + 1.5)::numeric, 1) - 0.5) AS round
+FROM face f, LATERAL (SELECT ST_ExteriorRing(ST_ForcePolygonCCW(geom)) AS rim) r
+    JOIN street s ON s.geom && rim AND ST_CoveredBy(s.geom, ST_Buffer(rim, 0.01))
+WHERE s.level = f.level AND ST_Area(f.geom) BETWEEN 20 AND 900;
+CREATE TEMPORARY TABLE middle AS
+SELECT f.* FROM face f JOIN (
+    SELECT face_id FROM (SELECT *, count(*) OVER (PARTITION BY face_id, name) AS of_name FROM side) s GROUP BY face_id
+    HAVING count(name) = 4 AND abs(sum(round)) = 4 AND bool_and(of_name = 2) AND NOT bool_or(on_ring)) m
+    USING (face_id);
+INSERT INTO place SELECT 'middles of crossing carriageways with an island', face_id, rest, geom
+FROM (SELECT *, ST_Area(geom) - pg_temp.paved(geom, level) AS rest FROM middle) m WHERE rest > 2;
+
+-- Blocks: faces of streets, but those middles, where a disc has room that is 2 m wider than they are. Its middle is
+-- no roadway.
 CREATE TEMPORARY TABLE block AS
 SELECT face_id, level, geom, disc.center AS middle
 FROM face f, LATERAL (SELECT (ST_MaximumInscribedCircle(geom)).*) disc,
     LATERAL (SELECT max(half) AS half FROM street s
         WHERE s.level = f.level AND s.geom && f.geom AND ST_DWithin(s.geom, f.geom, 0.01)) w
-WHERE ST_Area(geom) BETWEEN 100 AND 100000 AND disc.radius > half + 2;
+WHERE ST_Area(geom) BETWEEN 100 AND 100000 AND disc.radius > half + 2
+    AND face_id NOT IN (SELECT face_id FROM middle);
 INSERT INTO place SELECT 'blocks paved', face_id, ST_Area(geom), middle FROM block b
 WHERE EXISTS (SELECT FROM surface s WHERE s.level = b.level AND ST_Intersects(s.surface, middle))
     AND NOT EXISTS (SELECT FROM street s
         WHERE s.level = b.level AND s.geom && ST_Expand(middle, 30) AND ST_DWithin(s.geom, middle, s.half + 1.5));
 
--- Islands: ground of faces under 1,000 m2 that flat buffers of the streets leave.
+-- Islands: ground of faces under 1,000 m2, but those middles, that flat buffers of the streets leave.
 CREATE TEMPORARY TABLE island AS
 SELECT face_id, level, ground
 FROM face f, LATERAL (SELECT (ST_Dump(ST_Difference(geom, (
     SELECT ST_Union(ST_Buffer(s.geom, half + 0.01, 'endcap=flat')) FROM street s
     WHERE s.level = f.level AND s.geom && ST_Expand(f.geom, 30) AND ST_DWithin(s.geom, f.geom, half))))).geom
     AS ground) g
-WHERE ST_Area(geom) BETWEEN 4 AND 1000 AND ST_Area(ground) >= 4 AND (ST_MaximumInscribedCircle(ground)).radius >= 0.75;
+WHERE ST_Area(geom) BETWEEN 4 AND 1000 AND ST_Area(ground) >= 4 AND (ST_MaximumInscribedCircle(ground)).radius >= 0.75
+    AND face_id NOT IN (SELECT face_id FROM middle);
 INSERT INTO place SELECT 'islands under 85 % of their ground', face_id, 1 - share, ground
 FROM (SELECT *, 1 - pg_temp.paved(ground, level) / ST_Area(ground) AS share FROM island) i WHERE share < 0.85;
 INSERT INTO place SELECT 'islands under half of it', id, value, geom FROM place
@@ -121,23 +142,6 @@ FROM path p, LATERAL (SELECT ST_Difference(p.geom, ST_Buffer(ST_Union(surface), 
         UNION ALL SELECT surface FROM surface s WHERE s.edge_id IN (p.edge_in, p.edge_out)) s) r;
 INSERT INTO place SELECT 'metres of paths off their own surfaces', interconnection_id, metres, rest
 FROM off_own WHERE metres > 0.01;
-
--- The middle of two carriageways that cross two others is roadway: a face of four edges of two streets, round which
--- traffic runs.
-CREATE TEMPORARY TABLE side AS
-SELECT face_id, s.name, s.roundabout_tag IS NOT NULL AS on_ring, s.way * sign(mod((
-    ST_LineLocatePoint(rim, ST_LineInterpolatePoint(s.geom, 0.55))
-    - ST_LineLocatePoint(rim, ST_LineInterpolatePoint(s.geom, 0.45)) + 1.5)::numeric, 1) - 0.5) AS round
-FROM face f, LATERAL (SELECT ST_ExteriorRing(ST_ForcePolygonCCW(geom)) AS rim) r
-    JOIN street s ON s.geom && rim AND ST_CoveredBy(s.geom, ST_Buffer(rim, 0.01))
-WHERE s.level = f.level AND ST_Area(f.geom) BETWEEN 20 AND 900;
-CREATE TEMPORARY TABLE middle AS
-SELECT f.* FROM face f JOIN (
-    SELECT face_id FROM (SELECT *, count(*) OVER (PARTITION BY face_id, name) AS of_name FROM side) s GROUP BY face_id
-    HAVING count(name) = 4 AND abs(sum(round)) = 4 AND bool_and(of_name = 2) AND NOT bool_or(on_ring)) m
-    USING (face_id);
-INSERT INTO place SELECT 'middles of crossing carriageways with an island', face_id, rest, geom
-FROM (SELECT *, ST_Area(geom) - pg_temp.paved(geom, level) AS rest FROM middle) m WHERE rest > 2;
 
 -- Junctions of several nodes: of two one-way arms side by side that lead in and out, both names are known and differ.
 CREATE TEMPORARY TABLE compound AS
