@@ -10,7 +10,12 @@ BEGIN
     END IF;
     PERFORM streetgen._use_model(model);
     RETURN QUERY WITH crossed AS MATERIALIZED (SELECT * FROM streetgen._sumo_crossings(model, options)),
-    state AS MATERIALIZED (SELECT * FROM streetgen._signal_states(model)),
+    -- A state for people alone goes where nobody can ask for it, unless a wave counts on it.
+    state AS MATERIALIZED (
+        SELECT s.* FROM streetgen._signal_states(model) s JOIN streetgen._signal_controllers(model) k
+            USING (controller_id)
+        WHERE s.kind <> 'walk' OR k.start_offset <> 0
+            OR EXISTS (SELECT FROM crossed c WHERE c.controller_id = s.controller_id)),
     link AS MATERIALIZED (
         SELECT k.* FROM (SELECT array_agg(goes_to::bigint) AS places, array_agg(lane_in) AS lanes_in,
                 array_agg(lane_out) AS lanes_out, array_agg(along_in) AS along_in, array_agg(along_out) AS along_out,

@@ -80,6 +80,12 @@ SELECT 'cars may cross a bus lane between theirs, and no other', (SELECT array_a
 SELECT FROM streetgen.live('town', false);
 UPDATE town.axis SET width = 13 WHERE axis_id = 1;
 SELECT 'a stale model is written', pg_temp.found('/edges/edge/lane', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane_driving) + (SELECT count(*) FROM looped);
+-- A street that people alone cross at signals: without their crossing in the file nobody can ask for their state.
+SELECT FROM streetgen.create_model('alone', 2154, subjects => '{signal}', driving_side => 'right') \g /dev/null
+INSERT INTO alone.axis (geom, width, lane_count, importance, speed) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 2, 3, 50), ('SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7, 2, 3, 50), ('SRID=2154;LINESTRING(650100 6860000,650100 6860060)', 4, 2, 6, 20);
+INSERT INTO alone.control_point (geom, kind) VALUES ('SRID=2154;POINT(650100 6860000)', 'signals'), ('SRID=2154;POINT(650088 6860000)', 'pedestrian_crossing');
+SELECT 'a state for people alone is left out where the file has no crossing of theirs', (SELECT count(*) = 1 FROM alone.signal_state WHERE kind = 'walk') AND cardinality(xpath('//phase', f)) = (SELECT count(*) FROM alone.signal_state WHERE kind <> 'walk') FROM pg_temp.file('alone', 'tlLogics') f;
+
 -- People on foot: a cross whose east is one-way, with sidewalks, crossings by objects and by control points, and signals.
 CREATE FUNCTION pg_temp.on_foot(model name, driving_side text) RETURNS void LANGUAGE plpgsql AS $$ BEGIN
   PERFORM streetgen.create_model(model, 2154, subjects => '{interconnection,sidewalk,signal,object}', driving_side => driving_side);
