@@ -113,8 +113,11 @@ BEGIN
     EXECUTE format($sql$
 DELETE FROM %1$I.delivered d WHERE d.relation = $1 AND d.source = $2 AND d.gone
     AND NOT EXISTS (SELECT FROM %1$I.%2$I t WHERE t.source = $2 AND t.source_ref = d.source_ref)
-    AND NOT EXISTS (SELECT FROM %1$I.open_conflict c WHERE c.relation = $1 AND c.row_id = d.row_id) $sql$, model,
-        relation) USING relation, source;
+    AND NOT EXISTS (SELECT FROM %1$I.open_conflict c WHERE c.relation = $1 AND c.row_id = d.row_id) %3$s $sql$, model,
+        relation, CASE relation WHEN 'axis' THEN format('AND NOT EXISTS (SELECT FROM %I.axis t WHERE t.source = $2 '
+            'AND t.source_geom::bytea = d.source_geom::bytea AND streetgen._is_piece(t.source_ref, d.source_ref))',
+            model) END) USING relation, source;
 END $$;
 COMMENT ON FUNCTION streetgen._forget_gone(name, name, text) IS
-    'Forgets what a source said of rows that it deleted and that are gone here too.';
+    'Forgets what a source said of rows that it deleted and that are gone here too, with the pieces that were cut off '
+    'them.';
