@@ -30,6 +30,9 @@ UPDATE town.footway SET geom = pg_temp.line('LINESTRING(0 4.5,100 4.5)'), level 
 SELECT 'nor above', pg_temp.widths(1) = '2.00 2.00' AND pg_temp.still();
 UPDATE town.footway SET level = 0, width = 3 WHERE footway_id = 1;
 SELECT 'its width counts', pg_temp.widths(1) = '5.00 2.00' AND pg_temp.still();
+UPDATE town.footway SET geom = ST_Translate(geom, 0, -0.8) WHERE footway_id = 1;
+SELECT 'one that reaches into the roadway counts from the kerb', pg_temp.widths(1) = '4.20 2.00' AND pg_temp.still();
+UPDATE town.footway SET geom = ST_Translate(geom, 0, 0.8) WHERE footway_id = 1;
 UPDATE town.footway SET kind = 'footway' WHERE footway_id = 2;
 SELECT 'a walk takes nothing of a sidewalk', NOT EXISTS (SELECT FROM town.sidewalk JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND strip IS NOT NULL) AND pg_temp.still();
 INSERT INTO town.footway (footway_id, geom, kind, width) VALUES (4, pg_temp.line('LINESTRING(0 320,100 320)'), 'cycleway', 2);

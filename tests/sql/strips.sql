@@ -35,6 +35,11 @@ CREATE FUNCTION pg_temp.there() RETURNS text LANGUAGE sql AS $$ SELECT md5(strin
   || (SELECT md5(string_agg(concat_ws(' ', edge_id, side, part, width, ST_AsEWKB(surface)), ',' ORDER BY edge_id, side, part)) FROM town.sidewalk) FROM town.street_object $$;
 CREATE FUNCTION pg_temp.still() RETURNS boolean LANGUAGE plpgsql AS $$ DECLARE before text := pg_temp.there(); BEGIN
   PERFORM streetgen.generate('town', wait => true); RETURN before = pg_temp.there() AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE severity = 'error'); END $$;
+SELECT 'people walk behind the strips', (SELECT walk_link.width FROM town.walk_link JOIN town.edge USING (edge_id) WHERE axis_id = 1 AND walk_link.side = 'right' AND kind = 'sidewalk' ORDER BY metres DESC LIMIT 1) = 2
+  AND NOT EXISTS (SELECT FROM town.walk_link w JOIN town.side_strip s ON s.kind = 'cycle_track' AND ST_Length(ST_Intersection(w.geom, s.surface)) > 3 WHERE w.kind = 'sidewalk')
+  AND NOT EXISTS (SELECT FROM town.walk_link JOIN town.edge USING (edge_id) WHERE axis_id = 2 AND walk_link.side = 'left');
+SELECT 'no tree stands in a bay or on a track', NOT EXISTS (SELECT FROM town.street_object o JOIN town.parking_bay b ON ST_Intersects(o.geom, b.surface) WHERE type = 'tree') AND NOT EXISTS (SELECT FROM town.street_object o JOIN town.side_strip s
+  ON s.kind = 'cycle_track' AND ST_Intersects(o.geom, s.surface) WHERE type = 'tree');
 SELECT 'a run from scratch makes the same', pg_temp.still();
 UPDATE town.axis SET strips_left = 'cycle_track 1.8', strips_right = NULL WHERE axis_id = 1;
 SELECT 'live', pg_temp.cut(1, 50) = 'left: general 3, kerb 0.3, cycle_track 1.8, sidewalk 1.7, outer right: general 3, kerb 0.3, sidewalk 1.7, outer' AND pg_temp.still();
@@ -60,13 +65,15 @@ INSERT INTO osm_line SELECT n, 'residential', 'street ' || n, NULL, tags::jsonb,
   (1, '{"cycleway": "track"}'), (2, '{"cycleway": "track", "oneway": "yes"}'), (3, '{"cycleway:left": "track", "cycleway:left:oneway": "no", "cycleway:left:width": "2.5", "verge": "left", "verge:width": "3"}'),
   (4, '{"cycleway:right": "track", "cycleway:right:separation": "grass_verge", "cycleway:right:buffer": "0.5"}'), (5, '{"lanes": "2", "cycleway:right": "track", "cycleway:right:separation:left": "flex_post"}'),
   (6, '{"lanes": "2", "cycleway:both": "track", "cycleway:both:separation": "parking_lane", "parking:both": "lane"}'), (7, '{"verge": "both"}'), (8, '{"verge:right": "no", "cycleway:right:buffer": "1"}'),
-  (9, '{"oneway": "-1", "cycleway": "track"}'), (10, '{"oneway": "yes", "cycleway": "opposite_track"}'), (11, '{"cycleway:right": "track", "cycleway:right:width": "wide", "verge:left:width": "2"}'), (12, '{"cycleway:right": "track;lane"}')) v(n, tags);
+  (9, '{"oneway": "-1", "cycleway": "track"}'), (10, '{"oneway": "yes", "cycleway": "opposite_track"}'), (11, '{"cycleway:right": "track", "cycleway:right:width": "wide", "verge:left:width": "2"}'), (12, '{"cycleway:right": "track;lane"}'),
+  (13, '{"cycleway:right": "track", "cycleway:right:separation:left": "kerb", "cycleway:right:separation:right": "bollard"}'), (14, '{"cycleway:right": "track", "cycleway:right:separation:right": "grass_verge", "cycleway:right:buffer:left": "1"}'),
+  (15, '{"lanes": "2", "cycleway:right": "track", "cycleway:right:separation:left": "bollard", "cycleway:right:separation:right": "grass_verge"}'), (16, '{"cycleway:left": "track", "cycleway:left:separation:both": "hedge", "verge:right": "separate"}')) v(n, tags);
 CREATE TABLE told AS SELECT * FROM streetgen.import_osm('town');
 SELECT 'tags are strips: ' || source_ref, said IS NOT DISTINCT FROM expected FROM (VALUES (1, 'cycle_track / cycle_track'), (2, '/ cycle_track'), (3, 'verge 3|two_way_cycle_track 2.5 /'), (4, '/ verge|buffer 0.5|cycle_track'), (5, '/'),
-  (6, '/'), (7, 'verge / verge'), (8, '/'), (9, 'cycle_track /'), (10, 'cycle_track /'), (11, '/ cycle_track'), (12, '/')) v(n, expected) JOIN LATERAL (SELECT source_ref, btrim(concat_ws(' ', strips_left, '/', strips_right)) AS said FROM town.axis WHERE source_ref = n::text) a ON true;
+  (6, '/'), (7, 'verge / verge'), (8, '/'), (9, 'cycle_track /'), (10, 'cycle_track /'), (11, '/ cycle_track'), (12, '/'), (13, '/ cycle_track'), (14, '/ buffer 1|cycle_track|verge'), (15, '/'), (16, 'verge|cycle_track|verge /')) v(n, expected) JOIN LATERAL (SELECT source_ref, btrim(concat_ws(' ', strips_left, '/', strips_right)) AS said FROM town.axis WHERE source_ref = n::text) a ON true;
 SELECT 'posts stand on the roadway: the track is a lane', kind_forward = 'general|cycle' AND kind_backward IS NULL FROM town.axis WHERE source_ref = '5';
 SELECT 'behind parked cars too', (kind_forward, kind_backward) = ('general|parking|cycle', 'general|parking|cycle') FROM town.axis WHERE source_ref = '6';
-SELECT 'what has no place is named', array_agg(t.tag || ' ' || x.source_ref ORDER BY t.tag) = '{"cycleway:right:buffer 8","cycleway:right:width 11","verge:left:width 11"}' FROM town.unread_tag t JOIN town.axis x ON x.source_ref = t.source_ref WHERE t.tag ~ 'buffer|separation|verge|width';
+SELECT 'what has no place is named', array_agg(t.tag || ' ' || x.source_ref ORDER BY t.tag) = '{"cycleway:right:buffer 8","cycleway:right:width 11","verge:left:width 11","verge:right 16"}' FROM town.unread_tag t JOIN town.axis x ON x.source_ref = t.source_ref WHERE t.tag ~ 'buffer|separation|verge|width';
 CREATE TABLE own AS SELECT 'x' || n AS id, pg_temp.line(format('LINESTRING(1000 %s,1100 %1$s)', 100 * n)) AS geom, CASE n WHEN 1 THEN ' verge 2|cycle_track' WHEN 2 THEN 'hedge' END AS strips FROM generate_series(1, 3) n;
 CREATE TABLE mapped AS SELECT * FROM streetgen.import_axes('town', 'own', '{"source_ref": "id", "strips_right": "strips"}');
 SELECT 'a mapping names the column', array_agg(strips_right ORDER BY source_ref) = '{verge 2|cycle_track,NULL,NULL}' AND EXISTS (SELECT FROM mapped WHERE what ~ 'strips_right' AND source_refs = '{x2}') FROM town.axis WHERE source_ref LIKE 'x%';

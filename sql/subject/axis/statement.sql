@@ -46,7 +46,8 @@ SELECT axis_id, geom, level, width_used AS width, coalesce(CASE WHEN kerb_width 
            # CASE WHEN name <> '' AND direction_used <> 'both' THEN hashtextextended(lower(name), 8) ELSE 0 END
            # CASE WHEN access IS NULL THEN 0 ELSE hashtextextended(access, 6) END
            # CASE WHEN coalesce(parking_left, parking_right) IS NULL THEN 0
-               ELSE hash_record_extended(ROW(parking_left, parking_right), CASE WHEN bays_beside THEN 9 ELSE 10 END) END
+               ELSE hash_record_extended(ROW(parking_left, parking_right), CASE WHEN bays_beside
+                   AND concat(parking_left, parking_right) ~ 'street_side' THEN 9 ELSE 10 END) END
            # CASE WHEN coalesce(strips_left, strips_right) IS NULL THEN 0
                ELSE hash_record_extended(ROW(strips_left, strips_right), 14) END
            # CASE WHEN flow IS NULL THEN 0 ELSE hashfloat8extended(flow, 1) END

@@ -27,13 +27,25 @@ CREATE OR REPLACE FUNCTION streetgen._strips_width(said text, settings jsonb) RE
 COMMENT ON FUNCTION streetgen._strips_width(text, jsonb) IS
     'How wide the strips are together that strips_left or strips_right says, metres.';
 
-CREATE OR REPLACE FUNCTION streetgen._behind_strips(kerb_offset float8, said text, settings jsonb) RETURNS float8
+CREATE OR REPLACE FUNCTION streetgen._behind_strips(kerb_offset float8, parking text, said text, settings jsonb)
+    RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
     -- A verge is where things stand beside a street.
-    SELECT CASE WHEN said IS NULL OR kerb_offset <= 0 THEN kerb_offset
-        ELSE coalesce((SELECT (near + far) / 2 FROM streetgen._side_strips(said, settings) WHERE kind = 'verge'
-                ORDER BY near LIMIT 1), kerb_offset + streetgen._strips_width(said, settings)) END $$;
-COMMENT ON FUNCTION streetgen._behind_strips(float8, text, jsonb) IS
-    'Where a thing stands that a rule puts so many metres behind a kerb: in the middle of the first verge, else so far '
-    'behind the strips.';
+    SELECT CASE WHEN kerb_offset <= 0 THEN kerb_offset
+        ELSE bay + coalesce((SELECT (near + far) / 2 FROM streetgen._side_strips(said, settings) WHERE kind = 'verge'
+                ORDER BY near LIMIT 1), kerb_offset + streetgen._strips_width(said, settings)) END
+    FROM (SELECT CASE WHEN parking LIKE 'street\_side%' THEN streetgen._parking_depth(parking, settings) ELSE 0 END
+        AS bay) b $$;
+COMMENT ON FUNCTION streetgen._behind_strips(float8, text, text, jsonb) IS
+    'Where a thing stands that a rule puts so many metres behind a kerb, with the bays (parking_left or parking_right; '
+    'NULL: no bays are made) and strips of that side: in the middle of the first verge, else so far behind both.';
+
+CREATE OR REPLACE FUNCTION streetgen._walk_width(sidewalk float8, said text, settings jsonb) RETURNS float8
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT CASE WHEN said IS NULL OR sidewalk IS NULL THEN sidewalk
+            -- The stones of the kerb alone are no way.
+            WHEN behind <= (settings ->> 'kerb_stone_width')::float8 + 1e-6 THEN 0 ELSE behind END
+        FROM (SELECT sidewalk - streetgen._strips_width(said, settings) AS behind) b $$;
+COMMENT ON FUNCTION streetgen._walk_width(float8, text, jsonb) IS
+    'What strips_left or strips_right leaves of the width of a sidewalk from the kerb for people to walk on, metres.';

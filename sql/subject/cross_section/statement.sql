@@ -45,7 +45,9 @@ CROSS JOIN LATERAL (
                     AND y.parking_strip > k.stone THEN y.parking_strip - k.stone
                 WHEN t.strips > 0 THEN 0
                 WHEN k.sidewalk - f.front - g.furnishing >= streetgen._walking_width() THEN g.furnishing
-                ELSE 0 END AS furnishing, g.gutter, k.sidewalk_end - k.sidewalk AS change, t.said, t.strips
+                ELSE 0 END AS furnishing, g.gutter, k.sidewalk_end - k.sidewalk AS change, t.said, t.strips,
+            -- A bay on the kerb takes from what lies there, and moves none of it.
+            CASE WHEN t.strips > 0 AND y.parking_strip = 0 THEN least(f.front, k.stone) ELSE f.front END AS kept_front
         FROM (VALUES ('left', 1, e.beside_left), ('right', -1, e.beside_right)) v(side, outwards, beside)
             CROSS JOIN LATERAL (SELECT streetgen._border_at(e.borders, s.low, v.side) AS border,
                 streetgen._border_at(e.borders, s.high, v.side) AS border_end, (s.low + s.high) / 2 AS middle) b
@@ -93,8 +95,9 @@ CROSS JOIN LATERAL (
         FROM beside_lanes b CROSS JOIN LATERAL (
             -- The verge before a sidewalk of one width changes with the ground.
             SELECT CASE before_walk WHEN 'verge' THEN greatest(change, -furnishing) ELSE 0 END AS verge_change) h
-            CROSS JOIN LATERAL (SELECT border + front + furnishing AS strips_from,
-                border_end + front + furnishing + verge_change AS strips_from_end) c
+            CROSS JOIN LATERAL (SELECT border + kept_front + furnishing AS strips_from,
+                border_end + kept_front + furnishing + verge_change AS strips_from_end, border + front AS behind_bay,
+                border_end + front AS behind_bay_end) c
             CROSS JOIN LATERAL (SELECT strips_from + strips AS walk_from, strips_from_end + strips
                 AS walk_from_end) w
             CROSS JOIN LATERAL (VALUES
@@ -109,13 +112,14 @@ CROSS JOIN LATERAL (
                 border_end + behind, border_end + front),
             (before_walk, border + front, border + front + furnishing, border_end + front,
                 border_end + front + furnishing + verge_change),
-            ('sidewalk', least(walk_from, border + sidewalk), border + sidewalk,
-                least(walk_from_end, border_end + sidewalk_end), border_end + sidewalk_end),
+            ('sidewalk', least(greatest(walk_from, behind_bay), border + sidewalk), border + sidewalk,
+                least(greatest(walk_from_end, behind_bay_end), border_end + sidewalk_end), border_end + sidewalk_end),
             (beside, border + greatest(front, sidewalk), 'Infinity', border_end + greatest(front, sidewalk_end),
                 'Infinity')
-            UNION ALL SELECT t.kind, least(strips_from + near, border + sidewalk), least(strips_from + far,
-                    border + sidewalk), least(strips_from_end + near, border_end + sidewalk_end),
-                least(strips_from_end + far, border_end + sidewalk_end)
+            UNION ALL SELECT t.kind, least(greatest(strips_from + near, behind_bay), border + sidewalk),
+                least(greatest(strips_from + far, behind_bay), border + sidewalk),
+                least(greatest(strips_from_end + near, behind_bay_end), border_end + sidewalk_end),
+                least(greatest(strips_from_end + far, behind_bay_end), border_end + sidewalk_end)
             FROM streetgen._side_strips(b.said, (SELECT settings FROM setting_used)) t WHERE b.strips > 0)
             x(kind, inner_border, outer_border, inner_border_end, outer_border_end)
         WHERE x.inner_border IS NOT NULL AND (x.kind <> 'kerb' OR b.kerb IS NOT NULL))

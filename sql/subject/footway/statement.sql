@@ -105,7 +105,7 @@ mapped_sidewalk AS MATERIALIZED (
 
 --{sidewalk_before_track
 -- An estimated sidewalk on whose ground a track lies goes on behind the track.
-CASE WHEN u.sidewalk_{side} > 0 AND track.near_{side} BETWEEN -0.5 AND u.sidewalk_{side}
+CASE WHEN u.sidewalk_{side} > 0 AND track.far_{side} > 0 AND track.near_{side} < u.sidewalk_{side}
         AND 'sidewalk_{side}' = ANY (u.estimated)
     THEN u.sidewalk_{side} + greatest(0, track.far_{side}) ELSE u.sidewalk_{side} END
 

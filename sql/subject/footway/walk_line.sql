@@ -36,10 +36,12 @@ CREATE OR REPLACE FUNCTION streetgen._walk_edges(model name, around geometry)
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT edge_id, from_node, to_node, e.level, e.geom, e.width, walked,
-            coalesce(c.crossed_on_foot, true), walked AND e.sidewalk_left = 0 AND e.sidewalk_right = 0
+            coalesce(c.crossed_on_foot, true), walked
+                AND streetgen._walk_width(e.sidewalk_left, a.strips_left, u.settings) = 0
+                AND streetgen._walk_width(e.sidewalk_right, a.strips_right, u.settings) = 0
                 AND a.sidewalk_apart IS NULL AND 'outer' IN (e.beside_left, e.beside_right)
                 AND NOT EXISTS (SELECT FROM sidewalk_source s WHERE s.edge_id = e.edge_id)
-        FROM edge e JOIN axis a USING (axis_id) LEFT JOIN axis_class c ON c.class = a.kind,
+        FROM edge e JOIN axis a USING (axis_id) LEFT JOIN axis_class c ON c.class = a.kind, setting_used u,
             LATERAL (SELECT coalesce(c.walked_along, true) AS walked) w
         WHERE around IS NULL OR e.geom && around;
 END $$;
@@ -79,15 +81,20 @@ CREATE OR REPLACE FUNCTION streetgen._walked_kerbs(model name, around geometry)
 #variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- People walk in the middle of what bays leave of a strip.
+    -- People walk in the middle of what bays, verges and cycle tracks leave of a strip.
     RETURN QUERY SELECT row_number() OVER (ORDER BY k.edge_id, k.side, k.part)::integer, k.edge_id, k.node_id, k.side,
             k.part, k.level, k.geom, CASE WHEN wanted THEN w.room END,
             CASE WHEN wanted THEN s.width - w.room / 2 ELSE 0 END
-        FROM kerb k LEFT JOIN sidewalk s USING (edge_id, side, part),
-            LATERAL (SELECT CASE WHEN s.strip IS NULL THEN s.width
-                ELSE greatest(least(s.width, ST_Area(s.surface) / ST_Length(k.geom)), 0.5) END AS room) w,
+        FROM kerb k LEFT JOIN sidewalk s USING (edge_id, side, part) JOIN edge e ON e.edge_id = k.edge_id
+            JOIN axis a USING (axis_id), setting_used u,
+            LATERAL (SELECT CASE k.side WHEN 'left' THEN a.strips_left WHEN 'right' THEN a.strips_right END
+                AS said) t,
+            LATERAL (SELECT CASE WHEN s.strip IS NULL THEN streetgen._walk_width(s.width, t.said, u.settings)
+                ELSE greatest(streetgen._walk_width(least(s.width, ST_Area(s.surface) / ST_Length(k.geom)), t.said,
+                    u.settings), 0.5) END AS room) w,
             -- A strip that others hold for the most part is none.
-            LATERAL (SELECT coalesce(s.width > 0 AND ST_Area(s.surface) >= 0.25 * s.width * ST_Length(k.geom)
+            LATERAL (SELECT coalesce(streetgen._walk_width(s.width, t.said, u.settings) > 0
+                AND ST_Area(s.surface) >= 0.25 * s.width * ST_Length(k.geom)
                 OR k.node_id IS NOT NULL AND ST_Area(s.surface) > 0, false) AS wanted) d
         WHERE (around IS NULL OR k.geom && around) AND k.method <> 'level_change';
 END $$;

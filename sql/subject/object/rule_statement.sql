@@ -15,7 +15,8 @@ DECLARE
     least_lane constant float8 := (SELECT value::float8 FROM setting WHERE name = 'lane_width_minimal');
     bay_rules constant bigint := (SELECT count(*) FROM placement_rule WHERE active AND type = ANY (bays))
         + (SELECT count(*) FROM setting WHERE name = 'placement_function' AND value <> 'none');
-    on_lanes constant boolean := lying AND EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane');
+    bays_stand constant boolean := EXISTS (SELECT FROM placement_rule WHERE active AND along = 'lane');
+    on_lanes constant boolean := lying AND bays_stand;
     ruled constant boolean := EXISTS (SELECT FROM placement_rule WHERE active
             AND (type = ANY (on_roadway)) = lying)
         OR EXISTS (SELECT FROM setting WHERE name = 'placement_function' AND value <> 'none');
@@ -106,8 +107,10 @@ END
     place AS (
         SELECT r.*, CASE r.along WHEN 'border' THEN v.side END AS at_side, r.phase + k * r.every AS abscissa,
             (2 * k + (v.side = 'right')::integer)::integer AS rule_place, r.orientation AS turned,
-            CASE WHEN r.along = 'border' AND num_nonnulls(r.strips_left, r.strips_right) > 0
-                THEN streetgen._behind_strips(r.axis_offset, CASE v.side WHEN 'left' THEN r.strips_left
+            CASE WHEN r.along = 'border' AND (num_nonnulls(r.strips_left, r.strips_right) > 0 OR bays_stand
+                    AND num_nonnulls(r.parking_left, r.parking_right) > 0) AND r.type <> ALL (bays)
+                THEN streetgen._behind_strips(r.axis_offset, CASE WHEN bays_stand THEN CASE v.side WHEN 'left'
+                        THEN r.parking_left ELSE r.parking_right END END, CASE v.side WHEN 'left' THEN r.strips_left
                     ELSE r.strips_right END, (SELECT settings FROM setting_used)) ELSE r.axis_offset END AS aside,
             NULL::float8 AS corner_offset, NULL::float8 AS bay_length, NULL::float8 AS bay_width
         FROM ruled r, LATERAL generate_series(

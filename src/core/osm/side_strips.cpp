@@ -16,7 +16,7 @@ constexpr std::initializer_list<const char*> on_roadway = {
     "bollard",    "planter",     "jersey_barrier",    "parking_lane",   "separation_kerb"};
 constexpr std::initializer_list<const char*> on_verge = {"grass_verge", "tree_row", "hedge",
                                                          "ditch", "greenery"};
-constexpr std::initializer_list<const char*> yes = {"yes", "true", "1"};
+constexpr std::initializer_list<const char*> yes = {"yes", "true"};
 constexpr std::initializer_list<const char*> no = {"no", "none", "false", "0"};
 
 // Of a lane and a track in one value the lane counts.
@@ -36,11 +36,21 @@ std::string first_said(const std::vector<std::string>& keys, const WayTags& tags
   return "";
 }
 
-// What parts the track from the lanes or from who walks: one word of several.
-bool parted_by(RoadSide kerb, std::initializer_list<const char*> words, const WayTags& tags) {
-  for (const char* side : {"", ":both", ":left", ":right"})
-    for (const std::string& key :
-         keys_of("cycleway", kerb, std::string(":separation") + side, tags))
+// What lies beside a track: towards the lanes, or towards who walks.  A key without a side speaks
+// of the lanes.
+enum class TrackSide { lanes, walk };
+
+std::vector<std::string> ends_of(const std::string& base, RoadSide kerb, TrackSide side,
+                                 const WayTags& tags) {
+  const RoadSide other = kerb == RoadSide::near ? RoadSide::far : RoadSide::near;
+  if (side == TrackSide::walk) return {base + tags.key_of("", kerb), base + ":both"};
+  return {base + tags.key_of("", other), base + ":both", base};
+}
+
+bool parted_by(RoadSide kerb, TrackSide side, std::initializer_list<const char*> words,
+               const WayTags& tags) {
+  for (const std::string& end : ends_of(":separation", kerb, side, tags))
+    for (const std::string& key : keys_of("cycleway", kerb, end, tags))
       if (is_among(word_among(tags.value(key), words), words)) return true;
   return false;
 }
@@ -71,7 +81,9 @@ void add_verge(RoadSide kerb, bool by_track, std::vector<SideStrip>& strips, Way
   bool there = by_track;
   if (own.empty() && is_among(said, {"left", "right", "both"}))
     there |= said == "both" || tags.key_of("verge", kerb) == "verge:" + said;
-  else if (!said.empty() && !is_among(said, no) && said != "separate")
+  else if (said == "separate")
+    tags.name(own.empty() ? "verge" : own, "the source draws the verge apart from the street");
+  else if (!said.empty() && !is_among(said, no))
     there = true;
   const std::string wide = first_said(keys_of("verge", kerb, ":width", tags), tags);
   if (!there) {
@@ -82,8 +94,11 @@ void add_verge(RoadSide kerb, bool by_track, std::vector<SideStrip>& strips, Way
   strips.push_back({SideStripKind::verge, wide.empty() ? std::nullopt : metres_of(wide, tags)});
 }
 
-void add_buffer(RoadSide kerb, std::vector<SideStrip>& strips, WayTags& tags) {
-  const std::string key = first_said(keys_of("cycleway", kerb, ":buffer", tags), tags);
+void add_buffer(RoadSide kerb, TrackSide side, std::vector<SideStrip>& strips, WayTags& tags) {
+  std::vector<std::string> keys;
+  for (const std::string& end : ends_of(":buffer", kerb, side, tags))
+    for (const std::string& key : keys_of("cycleway", kerb, end, tags)) keys.push_back(key);
+  const std::string key = first_said(keys, tags);
   if (key.empty()) return;
   const std::string said = tags.value(key);
   if (is_among(said, no)) return;
@@ -99,7 +114,7 @@ void name_what_needs_a_track(RoadSide kerb, bool on_roadway_there, WayTags& tags
     if (speaks_of_side(key, kerb, "cycleway", any_track, tags) && !is_among(tags.value(key), no))
       tags.name(key, "no cycle track lies behind a kerb there");
   };
-  name(":buffer");
+  for (const char* end : {":buffer", ":buffer:both", ":buffer:left", ":buffer:right"}) name(end);
   if (!on_roadway_there) name(":separation");
 }
 
@@ -131,23 +146,24 @@ std::string cycle_track_key(RoadSide kerb, const WayTags& tags) {
 }
 
 bool track_is_on_roadway(RoadSide kerb, const WayTags& tags) {
-  return parted_by(kerb, on_roadway, tags) && !parted_by(kerb, on_verge, tags);
+  return parted_by(kerb, TrackSide::lanes, on_roadway, tags) &&
+         !parted_by(kerb, TrackSide::lanes, on_verge, tags);
 }
 
 bool cars_stand_before_track(RoadSide kerb, const WayTags& tags) {
-  return parted_by(kerb, {"parking_lane"}, tags);
+  return parted_by(kerb, TrackSide::lanes, {"parking_lane"}, tags);
 }
 
 std::vector<SideStrip> side_strips(RoadSide kerb, WayTags& tags) {
   std::vector<SideStrip> strips;
   const std::string key = cycle_track_key(kerb, tags);
   const bool track = !key.empty() && !track_is_on_roadway(kerb, tags);
-  add_verge(kerb, track && parted_by(kerb, on_verge, tags), strips, tags);
+  add_verge(kerb, track && parted_by(kerb, TrackSide::lanes, on_verge, tags), strips, tags);
   if (!track) {
     name_what_needs_a_track(kerb, !key.empty(), tags);
     return strips;
   }
-  add_buffer(kerb, strips, tags);
+  add_buffer(kerb, TrackSide::lanes, strips, tags);
   std::optional<double> width;
   for (const char* said : {":width", ":est_width"}) {
     const std::string wide = first_said(keys_of("cycleway", kerb, said, tags), tags);
@@ -157,6 +173,9 @@ std::vector<SideStrip> side_strips(RoadSide kerb, WayTags& tags) {
       first_said({tags.key_of("cycleway", kerb) + ":oneway", "cycleway:both:oneway"}, tags);
   const bool both = !oneway.empty() && is_among(tags.value(oneway), no);
   strips.push_back({both ? SideStripKind::two_way_cycle_track : SideStripKind::cycle_track, width});
+  add_buffer(kerb, TrackSide::walk, strips, tags);
+  if (parted_by(kerb, TrackSide::walk, on_verge, tags))
+    strips.push_back({SideStripKind::verge, {}});
   return strips;
 }
 

@@ -99,14 +99,15 @@ const std::vector<OsmTagUse>& osm_tag_uses() {
       {"cycleway[|:left|:right|:both]:separation[|:left|:right|:both]",
        "What parts a track from the lanes. Paint, posts, planters and parked cars stand on the "
        "roadway, and the track is a lane of it: behind a parking lane where parking_lane is said. "
-       "Grass, trees, hedges, ditches and greenery are a verge between the kerb and the track.",
+       "Grass, trees, hedges, ditches and greenery are a verge between the kerb and the track, or "
+       "with the side of the track between it and the sidewalk.",
        "solid_line dashed_line double_solid_line barred_area surface bump studs flex_post "
        "vertical_panel cone bollard planter jersey_barrier parking_lane separation_kerb "
        "grass_verge "
        "tree_row hedge ditch greenery kerb fence railing guard_rail structure yes no none"},
-      {"cycleway[|:left|:right|:both]:buffer",
-       "The strip between the kerb and the track, yes or metres. Without a track behind a kerb it "
-       "is named."},
+      {"cycleway[|:left|:right|:both]:buffer[|:left|:right|:both]",
+       "The strip between the kerb and the track, or with the side of the track between it and the "
+       "sidewalk: yes or metres. Without a track behind a kerb it is named."},
       {"verge[|:left|:right|:both]",
        "A verge between kerb and sidewalk, or kerb and track: columns strips_left and _right.",
        "left right both yes no none separate grass"},
