@@ -3,7 +3,7 @@
 \ir shared/content.sql
 -- A model made before lanes for both directions, sidewalks, merging lanes, double roundabouts, free places and ties of heights, and what it gets.  (name, holds)
 DO $$ BEGIN
-  PERFORM streetgen.create_model('older', 2154, subjects => '{interconnection,roundabout,object,height}', driving_side => 'right');
+  PERFORM streetgen.create_model('older', 2154, subjects => '{interconnection,roundabout,object,height,signal}', driving_side => 'right');
   INSERT INTO older.axis (axis_id, geom, width, lane_count, importance) SELECT id, ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000), 7, 2, id FROM (VALUES
     (1, 'LINESTRING(-80 0,0 0,80 0)'), (2, 'LINESTRING(0 -80,0 0)')) v(id, line);
   -- A roundabout of four arms, and a lamp.
@@ -57,6 +57,8 @@ ALTER TABLE older.lane_override DROP line CASCADE, DROP geom CASCADE;
 ALTER TABLE older.transition_override DROP geom CASCADE;
 ALTER TABLE older.section DROP borders CASCADE;
 DROP TABLE older.free_place CASCADE;
+-- Computed tables that came to a subject later.
+DROP TABLE older.intergreen, older.signal_group CASCADE;
 DROP INDEX older.edge_axis, older.lane_override_axis;
 DO $$ DECLARE said text; BEGIN
   FOR said IN SELECT format('COMMENT ON COLUMN %s.%I IS NULL', attrelid::regclass, attname) FROM pg_attribute JOIN pg_class c ON c.oid = attrelid WHERE relnamespace = 'older'::regnamespace AND relkind = 'r' AND attnum > 0 AND NOT attisdropped

@@ -38,10 +38,12 @@ CREATE OR REPLACE FUNCTION streetgen._add_tables(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
-    PERFORM streetgen._make_tables(model, '{input_table}', streetgen._rooms()),
-        streetgen._make_tables(model, '{kept_table}', ARRAY(SELECT DISTINCT t.room FROM streetgen.template t
-            WHERE t.part = 'kept_table' AND to_regclass(format('%I.%I', model, t.relation)) IS NOT NULL)),
-        streetgen._call_rooms('_mend_%s_tables', model, streetgen._rooms()),
+    PERFORM streetgen._make_tables(model, '{input_table}', streetgen._rooms());
+    -- A room of which one table stands has all of them: a subject of which one is missing counts as switched off.
+    PERFORM streetgen._make_tables(model, ARRAY[p.part], ARRAY(SELECT DISTINCT t.room FROM streetgen.template t
+            WHERE t.part = p.part AND to_regclass(format('%I.%I', model, t.relation)) IS NOT NULL))
+        FROM unnest('{kept_table,table}'::text[]) p(part);
+    PERFORM streetgen._call_rooms('_mend_%s_tables', model, streetgen._rooms()),
         streetgen._complete_tables(model);
 END $$;
 COMMENT ON FUNCTION streetgen._add_tables(name) IS

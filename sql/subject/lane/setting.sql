@@ -22,7 +22,7 @@ CREATE OR REPLACE FUNCTION streetgen._lane_setting()
     ('control_distance', '50', 'm',
         'a control point farther before its junction than this stands in the middle of its block', 0, 1000, NULL),
     ('queue_length', '25', 'm',
-        'on a road between two signals that is no longer no queue has room: they are one junction', 0, 1000, NULL),
+        'on a road between two signals that is no longer no queue has room: they are one junction', 0, 150, NULL),
     ('line_before_kerb', '0.5', 'm',
         'so far before the kerb of the street crossed, or of the ring, lies a line that no crossing moves', 0, 10,
         NULL),

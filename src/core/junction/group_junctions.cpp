@@ -140,6 +140,7 @@ class Grouping {
   }
 
   void append_signal_links(Chain& way, std::vector<Link>& links) {
+    poll_cancel();
     const int from = way.nodes.back();
     for (const int e : ends_[from]) {
       const int to = other_end(e, from);
