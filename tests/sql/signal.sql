@@ -163,3 +163,16 @@ UPDATE odd.controller_editing SET durations = array_fill(1::float8, ARRAY[cardin
 SELECT 'durations by hand that leave nobody time are told', count(*) = 1 FROM streetgen.check_model('odd') WHERE rule = 'green that begins before others have left, s';
 DELETE FROM odd.controller_editing WHERE by_hand;
 SELECT 'taken back, turns are by rule again', count(*) FILTER (WHERE kind = 'green') = 2 FROM odd_state WHERE place = 'wide';
+-- Signals in mid-block with a cycle by hand that go: the decision is about no other signals on the street.
+SELECT streetgen.create_model('held', 2154, subjects => '{signal}', driving_side => 'right') \g /dev/null
+INSERT INTO held.axis (axis_id, geom, width, importance) VALUES (1, 'SRID=2154;LINESTRING(649700 6860000,650000 6860000,650200 6860000)', 8, 4), (2, 'SRID=2154;LINESTRING(650000 6860000,650000 6860150)', 8, 4);
+INSERT INTO held.control_point (control_point_id, geom, kind) VALUES (1, 'SRID=2154;POINT(649994 6860000)', 'signals'), (2, 'SRID=2154;POINT(649880 6860000)', 'signals');
+CREATE FUNCTION pg_temp.held() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(concat_ws(' ', round(ST_X(geom)), cycle = 77), ', ' ORDER BY ST_X(geom)) FROM held.controller $$;
+UPDATE held.controller_editing SET cycle = 77 WHERE controller_id = (SELECT controller_id FROM held.controller ORDER BY ST_X(geom) LIMIT 1);
+SELECT 'a cycle by hand holds at its signals alone', pg_temp.held() = '649880 t, 650000 f';
+DELETE FROM held.control_point WHERE control_point_id = 2;
+SELECT 'and nowhere when they are gone, which is told', pg_temp.held() = '650000 f' AND (SELECT count(*) = 1 FROM streetgen.check_model('held') WHERE rule = 'controller override away from signals');
+SELECT FROM streetgen.generate('held', wait => true) \g /dev/null
+SELECT 'a run from scratch makes the same', pg_temp.held() = '650000 f';
+INSERT INTO held.control_point (control_point_id, geom, kind) VALUES (2, 'SRID=2154;POINT(649881 6860000)', 'signals');
+SELECT 'put back they have it again', pg_temp.held() = '649881 t, 650000 f' AND NOT EXISTS (SELECT FROM streetgen.check_model('held') WHERE rule = 'controller override away from signals');

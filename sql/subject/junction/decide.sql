@@ -13,7 +13,8 @@ BEGIN
     RETURN known;
 END $$;
 COMMENT ON FUNCTION streetgen._overrides_at_junction(name, name, bigint) IS
-    'The rows of an override table whose nearest node on their axis lies in a junction, the one that holds first.';
+    'The rows of an override table whose nearest node on their axis lies in a junction, no farther than '
+    'control_distance, the one that holds first.';
 
 CREATE OR REPLACE FUNCTION streetgen._lock_junctions(model name, junctions bigint[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -18,7 +18,9 @@ FROM {model}.edge e
 --{overrides_at_junction
 SELECT coalesce(array_agg(o.{override}_id ORDER BY o.{override}_id DESC), ARRAY[]::bigint[])
 FROM {model}.{override} o CROSS JOIN LATERAL (
-    SELECT v.node_id FROM {model}.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+    SELECT v.node_id, ST_Distance(n.geom, o.geom) AS metres
+    FROM {model}.edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
         JOIN {model}.node n USING (node_id) WHERE e.axis_id = o.axis_id
-    ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN {model}.junction_node m USING (node_id)
+    ORDER BY metres, v.node_id LIMIT 1) n JOIN {model}.junction_node m USING (node_id)
 WHERE m.junction_id = $1
+    AND metres <= (SELECT value::float8 FROM {model}.setting WHERE name = 'control_distance')

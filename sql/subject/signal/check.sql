@@ -71,6 +71,11 @@ BEGIN
         FROM controller_override o WHERE NOT EXISTS (SELECT FROM edge e JOIN axis a USING (axis_id)
             WHERE e.axis_id = o.axis_id AND streetgen._metres_beyond(ST_Force2D(a.geom), o.geom) <= 3 * tolerance)
     UNION ALL
+    SELECT 'warning', 'controller override away from signals', 'controller_override', o.controller_override_id, 0,
+        o.geom FROM controller_override o WHERE EXISTS (SELECT FROM edge e WHERE e.axis_id = o.axis_id)
+            AND o.controller_override_id NOT IN (SELECT unnest(streetgen._overrides_at_junction(model,
+                'controller_override', c.controller_id)) FROM controller c)
+    UNION ALL
     SELECT 'warning', 'signal head off its stop line, m', 'lane', h.lane_id, ST_Distance(h.geom, m.geom), h.geom
         FROM signal_head h JOIN lane l USING (lane_id) JOIN marking m ON (m.edge_id, m.kind, m.lane_position,
             m.along_axis) = (l.edge_id, 'stop', l.lane_position, h.along_axis)
@@ -115,6 +120,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'type the durations anew, or delete the decision'),
     ('controller override without its axis', 'the axis is gone, or ends before the place',
         'delete the row, or draw the axis'),
+    ('controller override away from signals', 'no signals stand within control_distance of the place any more',
+        'delete the row, or put the signals back'),
     ('green that begins before others have left, s', 'the junction is too long for signal_all_red, or durations by '
         'hand are too short: who begins has to let others out',
         'give signals more all red, or make two junctions of it'),

@@ -134,9 +134,11 @@ BEGIN
             SELECT DISTINCT ON (m.junction_id) m.junction_id, o.program, o.cycle, o.start_offset, o.durations,
                 o.turn_phases
             FROM controller_override o CROSS JOIN LATERAL (
-                SELECT v.node_id FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-                    JOIN node n USING (node_id) WHERE e.axis_id = o.axis_id
-                ORDER BY ST_Distance(n.geom, o.geom), v.node_id LIMIT 1) n JOIN junction_node m USING (node_id)
+                SELECT v.node_id, ST_Distance(n.geom, o.geom) AS metres
+                FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) JOIN node n USING (node_id)
+                WHERE e.axis_id = o.axis_id ORDER BY metres, v.node_id LIMIT 1) n JOIN junction_node m USING (node_id)
+            -- What was decided of signals that are gone is about no others on the street.
+            WHERE metres <= (SELECT value::float8 FROM setting WHERE name = 'control_distance')
             ORDER BY m.junction_id, o.controller_override_id DESC),
         -- Signals that nobody mapped and nobody decided: the classifier alone says that they stand there. Control
         -- points speak over nodes of two edges.
