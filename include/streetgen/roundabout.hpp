@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "streetgen/control_point.hpp"
 #include "streetgen/geometry.hpp"
 #include "streetgen/network.hpp"
 
@@ -22,10 +23,12 @@ struct RingAxis {
   int level = 0;
   OneWay one_way = OneWay::no;
   bool tagged = false;  // a source says that it is part of a roundabout
-  // These are those of a StreetAxis, by which an axis that lies on another has no edge.
+  // These are those of a StreetAxis, by which an axis that lies on another has no edge, and by
+  // which signals in mid-block cut one.
   double width = 0, width_end = 0, roadway_offset = 0;
   int importance = 99;
   bool leads_forward = true, leads_backward = true;
+  std::vector<ControlPoint> controls{};
 };
 
 struct RingSettings {
@@ -36,6 +39,7 @@ struct RingSettings {
   double radius_least = 3, radius_greatest = 60;
   double shape_least = 0.5;       // a ring of less compactness is none, unless it is tagged
   bool counter_clockwise = true;  // traffic goes round so: one drives on the right
+  ControlRules controls{};
 };
 
 // An edge of a ring, or of what meets it, named by its axis and place.

@@ -23,8 +23,8 @@ namespace streetgen {
 Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing,
                        const ControlRules& controls = {});
 
-// The same network, without reports of ends and nodes of signals.
-Network network_without_twins(const std::vector<StreetAxis>& axes, double tolerance,
-                              Crossing crossing);
+// The same network, without reports of ends.
+Network network_without_end_reports(const std::vector<StreetAxis>& axes, double tolerance,
+                                    Crossing crossing, const ControlRules& controls);
 
 }  // namespace streetgen

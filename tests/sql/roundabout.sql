@@ -198,3 +198,72 @@ SELECT 'they are again as the decision is taken back', (SELECT count(*) = 6 AND 
 SELECT 'and a run over all leaves what edits made of junctions', bool_and(inserted + updated + deleted = 0) FROM streetgen.generate('kinds') WHERE relation LIKE 'junction%';
 SELECT streetgen.switch_subject('kinds', 'roundabout', false) \g /dev/null
 SELECT 'without roundabouts the tags of the source decide', NOT EXISTS (SELECT FROM kinds.junction WHERE kind = 'roundabout');
+
+-- Signals in mid-block of an arm, and on a ring that no source tags.
+DO $$ BEGIN
+  PERFORM streetgen.create_model(name, 2154, subjects => '{interconnection,junction,roundabout}',
+    driving_side => 'right') FROM unnest('{signalled,signalled_anew}'::name[]) name;
+  INSERT INTO signalled.axis (axis_id, geom, width, lane_count, importance, roundabout_tag)
+    VALUES (1, circle(0, 0, 20), 6, 1, 4, 'roundabout'), (2, circle(900, 0, 50), 7, 2, 4, NULL);
+  INSERT INTO signalled.axis (axis_id, geom, width, lane_count, importance)
+    SELECT 10 * n + a, arm(900 * (n - 1), 0, radius, 120 * a, 220), 6, 2, 4
+    FROM (VALUES (1, 20), (2, 50)) r(n, radius), generate_series(0, 2) a;
+END $$;
+-- The ring of an axis: is it accepted, how many edges it has, its arms by axis and place, kinds of junctions on it.
+CREATE FUNCTION ring_of(axis bigint) RETURNS text LANGUAGE sql AS $$
+  SELECT format('%s, edges %s, arms %s, junctions %s', CASE WHEN accepted THEN 'accepted' ELSE 'none' END,
+    (SELECT count(*) FROM signalled.roundabout_edge n WHERE n.roundabout_id = r.roundabout_id),
+    (SELECT string_agg(format('%s:%s-%s', axis_id, round(start_abscissa), round(end_abscissa)), ' ' ORDER BY axis_id)
+      FROM signalled.roundabout_arm a JOIN signalled.edge USING (edge_id) WHERE a.roundabout_id = r.roundabout_id),
+    (SELECT string_agg(j.kind, ' ' ORDER BY j.kind) FROM signalled.junction_node JOIN signalled.node n USING (node_id)
+      JOIN signalled.junction j USING (junction_id) WHERE ST_DWithin(n.geom, r.geom, 0.01)))
+  FROM signalled.roundabout r WHERE EXISTS (SELECT FROM signalled.roundabout_edge n JOIN signalled.edge e
+    ON e.edge_id = n.edge_id WHERE n.roundabout_id = r.roundabout_id AND axis_id = axis) $$;
+CREATE FUNCTION ring_places() RETURNS bigint LANGUAGE sql AS
+  $$ SELECT count(*) FROM streetgen.export_symuvia('signalled') WHERE line LIKE '%<GIRATOIRE %' $$;
+CREATE FUNCTION followed() RETURNS boolean LANGUAGE sql AS $$ SELECT test.followed('signalled', 'signalled_anew') $$;
+CREATE TABLE unsignalled AS SELECT axis, ring_of(axis) AS ring FROM generate_series(1, 2) axis;
+SELECT 'without signals both rings have three arms', ring_places() = 2 AND array_agg(ring ORDER BY axis) = ARRAY[
+    'accepted, edges 3, arms 10:0-220 11:0-220 12:0-220, junctions roundabout roundabout roundabout',
+    'accepted, edges 3, arms 20:0-220 21:0-220 22:0-220, junctions roundabout roundabout roundabout']
+  FROM unsignalled;
+INSERT INTO signalled.control_point (geom, kind) VALUES ('SRID=2154;POINT(650150 6860000)', 'signals');
+SELECT 'signals on an arm leave it the piece at the ring', ring_places() = 2 AND followed()
+  AND ring_of(1) = replace(ring, '10:0-220', '10:0-130') FROM unsignalled WHERE axis = 1;
+UPDATE signalled.axis SET geom = ST_Reverse(geom) WHERE axis_id = 10;
+SELECT 'also where the arm is drawn to the ring', followed()
+  AND ring_of(1) = replace(ring, '10:0-220', '10:90-220') FROM unsignalled WHERE axis = 1;
+UPDATE signalled.control_point SET geom = 'SRID=2154;POINT(650180 6860000)';
+SELECT 'moved they move its end', followed()
+  AND ring_of(1) = replace(ring, '10:0-220', '10:60-220') FROM unsignalled WHERE axis = 1;
+UPDATE signalled.axis SET geom = ST_Reverse(geom) WHERE axis_id = 10;
+DELETE FROM signalled.control_point;
+SELECT 'without them the arm is whole', ring_places() = 2 AND followed() AND ring_of(1) = ring
+  FROM unsignalled WHERE axis = 1;
+INSERT INTO signalled.control_point (geom, kind, direction)
+  SELECT ST_StartPoint(arm(900, 0, 50, 36)), 'signals', 'direct';
+SELECT 'signals on a ring stand on a node of it, and it stays one', followed()
+  AND ring_of(2) = replace(ring, 'edges 3', 'edges 4') || ' signals' FROM unsignalled WHERE axis = 2;
+SELECT 'on all its pieces traffic goes round', count(*) = 8 AND bool_and(l.along_axis AND NOT both_ways)
+  FROM signalled.lane l JOIN signalled.edge USING (edge_id) WHERE axis_id = 2;
+SELECT 'and each arm still yields', count(*) = 3
+  FROM signalled.marking JOIN signalled.edge USING (edge_id) WHERE axis_id BETWEEN 20 AND 22 AND kind = 'yield';
+UPDATE signalled.control_point SET geom = ST_StartPoint(arm(900, 0, 50, 300)), direction = NULL;
+SELECT 'moved to another side too', followed()
+  AND ring_of(2) = replace(ring, 'edges 3', 'edges 4') || ' signals' FROM unsignalled WHERE axis = 2;
+UPDATE signalled.axis SET roundabout_tag = 'roundabout' WHERE axis_id = 2;
+SELECT 'a ring that its source tags is not cut', followed() AND ring_of(2) = ring FROM unsignalled WHERE axis = 2;
+UPDATE signalled.axis SET roundabout_tag = NULL WHERE axis_id = 2;
+DELETE FROM signalled.control_point;
+SELECT 'without them it is as before', followed() AND ring_of(2) = ring FROM unsignalled WHERE axis = 2;
+-- A road goes on behind an arm, and a street comes to it: that junction is within reach of the signals on the arm.
+INSERT INTO signalled.axis (axis_id, geom, width, lane_count, importance)
+  VALUES (30, 'SRID=2154;LINESTRING(650240 6860000, 650400 6860000)', 6, 2, 4);
+INSERT INTO signalled.control_point (geom, kind) VALUES ('SRID=2154;POINT(650210 6860000)', 'signals');
+SELECT 'signals far from the next junction cut an arm', followed() AND ring_of(1) LIKE '% arms 10:0-190 11%';
+INSERT INTO signalled.axis (axis_id, geom, width, lane_count, importance)
+  VALUES (31, 'SRID=2154;LINESTRING(650255 6860000, 650255 6860100)', 6, 2, 4);
+SELECT 'a junction that comes within their reach makes it whole', followed()
+  AND ring_of(1) LIKE '% arms 10:0-220 11%';
+DELETE FROM signalled.axis WHERE axis_id = 31;
+SELECT 'and parts it again as it goes', followed() AND ring_of(1) LIKE '% arms 10:0-190 11%';

@@ -3,7 +3,8 @@
 CREATE OR REPLACE FUNCTION streetgen._network_rings(axis_ids bigint[], lines bytea[], levels integer[],
     one_ways integer[], tagged boolean[], widths float8[], widths_end float8[], roadway_offsets float8[],
     importances integer[], lanes_forward integer[], lanes_backward integer[], tolerance float8, radius_least float8,
-    radius_greatest float8, shape_least float8, split boolean, counter_clockwise boolean)
+    radius_greatest float8, shape_least float8, split boolean, counter_clockwise boolean,
+    controls streetgen.street_control[], control_distance float8, queue_length float8)
     RETURNS TABLE(number integer, level integer, geom bytea, centre bytea, radius float8, on_circle float8,
         compactness float8, one_way float8, against float8, single_arm float8, arm_nodes integer, inside integer,
         edge_axes bigint[], edge_starts float8[], edge_ends float8[], edge_along boolean[],
@@ -11,7 +12,8 @@ CREATE OR REPLACE FUNCTION streetgen._network_rings(axis_ids bigint[], lines byt
         edge_faces integer[], faces bytea[], waist boolean)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100000 ROWS 100 AS 'MODULE_PATHNAME', 'streetgen_network_rings';
 COMMENT ON FUNCTION streetgen._network_rings(bigint[], bytea[], integer[], integer[], boolean[], float8[], float8[],
-    float8[], integer[], integer[], integer[], float8, float8, float8, float8, boolean, boolean) IS
+    float8[], integer[], integer[], integer[], float8, float8, float8, float8, boolean, boolean,
+    streetgen.street_control[], float8, float8) IS
     'The rings of the network of axes (LINESTRINGs, EWKB; one_ways: 1 along the axis, -1 against it, 0 unknown or '
     'both; tagged: a source says that it is part of a roundabout; widths and offsets in metres, importances and lanes '
     'by direction tell which axis lies on another and has no edge) that may be roundabouts, in the order of their '
@@ -25,8 +27,9 @@ COMMENT ON FUNCTION streetgen._network_rings(bigint[], bytea[], integer[], integ
     'of a double roundabout or a peanut (waist). one_way, against: share whose one-way traffic goes round, or the '
     'other way; single_arm: share of the nodes with arms (arm_nodes) that have one arm; inside: nodes of its level '
     'within, and loops that hang on it there. The edges of the ring, face by face, and its arms by axis and abscissas '
-    'in metres, along: whether traffic that goes round, or comes to the ring, drives along the axis. A value out of '
-    'range: 22023.';
+    'in metres, along: whether traffic that goes round, or comes to the ring, drives along the axis. Edges are those '
+    'of the model: signals among controls cut them in mid-block, by control_distance and queue_length in metres. '
+    'A value out of range: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._edges_on_rings(model name, edges bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -16,10 +16,15 @@ ring_found AS MATERIALIZED (
             array_agg(importance ORDER BY axis_id) AS importances,
             array_agg(lanes_forward + lanes_both ORDER BY axis_id) AS forward,
             array_agg(lanes_backward + lanes_both ORDER BY axis_id) AS backward FROM used) u, setting,
+        -- Signals in mid-block cut edges of rings and of arms as they do those of the model.
+        (SELECT ARRAY(SELECT ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
+            FROM {model}.control_point WHERE {whole} AND axis_id IS NOT NULL OR axis_id = ANY ($2)
+            ORDER BY control_point_id) AS controls) c,
         streetgen._network_rings(axis_ids, lines, levels, one_ways, tagged, widths, widths_end, offsets, importances,
             forward, backward, (v ->> 'tolerance')::float8,
             (v ->> 'roundabout_radius_least')::float8, (v ->> 'roundabout_radius_greatest')::float8,
-            (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split', v ->> 'driving_side' <> 'left') r),
+            (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split', v ->> 'driving_side' <> 'left',
+            controls, (v ->> 'control_distance')::float8, (v ->> 'queue_length')::float8) r),
 ring_pattern AS MATERIALIZED (SELECT coalesce(array_agg(pattern ORDER BY pattern), ARRAY[]::text[])
     AS patterns
     FROM {model}.roundabout_pattern),

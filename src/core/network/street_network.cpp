@@ -19,8 +19,6 @@ std::vector<const StreetAxis*> by_edge(const Network& network,
   return found;
 }
 
-}  // namespace
-
 Network network_without_twins(const std::vector<StreetAxis>& axes, double tolerance,
                               Crossing crossing) {
   std::vector<NetworkAxis> lines;
@@ -30,11 +28,21 @@ Network network_without_twins(const std::vector<StreetAxis>& axes, double tolera
   return out;
 }
 
+}  // namespace
+
 Network street_network(const std::vector<StreetAxis>& axes, double tolerance, Crossing crossing,
                        const ControlRules& controls) {
   Network out = network_without_twins(axes, tolerance, crossing);
   std::vector<const StreetAxis*> of_edges = by_edge(out, axes);
   report_missed_ends(out, of_edges, tolerance);
+  cut_at_signals(out, of_edges, controls);
+  return out;
+}
+
+Network network_without_end_reports(const std::vector<StreetAxis>& axes, double tolerance,
+                                    Crossing crossing, const ControlRules& controls) {
+  Network out = network_without_twins(axes, tolerance, crossing);
+  std::vector<const StreetAxis*> of_edges = by_edge(out, axes);
   cut_at_signals(out, of_edges, controls);
   return out;
 }

@@ -33,9 +33,12 @@ Network network_of(const std::vector<RingAxis>& axes, const RingSettings& settin
     street.importance = axis.importance;
     street.leads_forward = axis.leads_forward;
     street.leads_backward = axis.leads_backward;
+    street.on_ring = axis.tagged;
+    street.controls = axis.controls;
     streets.push_back(std::move(street));
   }
-  return network_without_twins(streets, settings.tolerance, settings.crossing);
+  return network_without_end_reports(streets, settings.tolerance, settings.crossing,
+                                     settings.controls);
 }
 
 // A closed way of a walk, which leaves out what hangs into the ground within.
@@ -135,8 +138,8 @@ class RingFinder {
       faces.push_back(*face);
     };
     for (const int level : levels)
-      for (const Walk& walk : walks(
-               network_, [&](const Edge& edge) { return edge.level == level && counts(edge); }))
+      for (const Walk& walk :
+           walks(network_, [&](const Edge& edge) { return edge.level == level && counts(edge); }))
         add(walk, 1);
     if (levels.size() > 1)
       for (const Walk& walk : walks(network_, counts)) add(walk, 2);

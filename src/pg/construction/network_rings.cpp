@@ -1,10 +1,12 @@
 // streetgen._network_rings: the rings of a network that may be roundabouts, a row each.
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "streetgen/roundabout.hpp"
+#include "value/control_rows.hpp"
 #include "value/line_array.hpp"
 
 extern "C" {
@@ -17,8 +19,9 @@ namespace {
 
 struct AxisColumns {
   LineArray lines;
-  Datum *axis_ids, *levels, *one_ways, *tagged, *widths, *widths_end, *offsets, *importances, *lanes_forward,
-      *lanes_backward;
+  Datum *axis_ids, *levels, *one_ways, *tagged, *widths, *widths_end, *offsets, *importances,
+      *lanes_forward, *lanes_backward;
+  ControlRows controls;
 };
 
 // Of a type that is passed by value, by its width in bytes.
@@ -39,19 +42,22 @@ Datum* take_column(FunctionCallInfo fcinfo, int argument, Oid type, int width, i
 
 std::vector<RingAxis> read_axes(const AxisColumns& columns, Form* form) {
   std::vector<Line> lines = read_lines(columns.lines, "axis", form);
+  std::unordered_map<std::int64_t, std::vector<ControlPoint>> controls;
+  for (const ControlPoint& control : read_controls(columns.controls))
+    controls[control.axis_id].push_back(control);
   std::vector<RingAxis> axes;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const int way = DatumGetInt32(columns.one_ways[i]);
-    axes.push_back({DatumGetInt64(columns.axis_ids[i]), std::move(lines[i]),
-                    DatumGetInt32(columns.levels[i]),
-                    way > 0   ? OneWay::along
-                    : way < 0 ? OneWay::against
-                              : OneWay::no,
-                    DatumGetBool(columns.tagged[i]), DatumGetFloat8(columns.widths[i]),
-                    DatumGetFloat8(columns.widths_end[i]), DatumGetFloat8(columns.offsets[i]),
-                    DatumGetInt32(columns.importances[i]),
-                    DatumGetInt32(columns.lanes_forward[i]) > 0,
-                    DatumGetInt32(columns.lanes_backward[i]) > 0});
+    axes.push_back(
+        {DatumGetInt64(columns.axis_ids[i]), std::move(lines[i]), DatumGetInt32(columns.levels[i]),
+         way > 0   ? OneWay::along
+         : way < 0 ? OneWay::against
+                   : OneWay::no,
+         DatumGetBool(columns.tagged[i]), DatumGetFloat8(columns.widths[i]),
+         DatumGetFloat8(columns.widths_end[i]), DatumGetFloat8(columns.offsets[i]),
+         DatumGetInt32(columns.importances[i]), DatumGetInt32(columns.lanes_forward[i]) > 0,
+         DatumGetInt32(columns.lanes_backward[i]) > 0,
+         controls[DatumGetInt64(columns.axis_ids[i])]});
   }
   return axes;
 }
@@ -123,7 +129,8 @@ STREETGEN_FUNCTION(streetgen_network_rings) {
   using namespace streetgen;
   using namespace streetgen::pg;
   const LineArray lines = take_lines(PG_GETARG_ARRAYTYPE_P(1), "axes");
-  const AxisColumns columns{lines, take_column(fcinfo, 0, INT8OID, 8, lines.count),
+  const AxisColumns columns{lines,
+                            take_column(fcinfo, 0, INT8OID, 8, lines.count),
                             take_column(fcinfo, 2, INT4OID, 4, lines.count),
                             take_column(fcinfo, 3, INT4OID, 4, lines.count),
                             take_column(fcinfo, 4, BOOLOID, 1, lines.count),
@@ -132,7 +139,9 @@ STREETGEN_FUNCTION(streetgen_network_rings) {
                             take_column(fcinfo, 7, FLOAT8OID, 8, lines.count),
                             take_column(fcinfo, 8, INT4OID, 4, lines.count),
                             take_column(fcinfo, 9, INT4OID, 4, lines.count),
-                            take_column(fcinfo, 10, INT4OID, 4, lines.count)};
+                            take_column(fcinfo, 10, INT4OID, 4, lines.count),
+                            take_controls(fcinfo, 17)};
+  const double control_distance = PG_GETARG_FLOAT8(18), queue_length = PG_GETARG_FLOAT8(19);
   double numbers[4];
   for (int i = 0; i < 4; ++i) numbers[i] = PG_GETARG_FLOAT8(11 + i);
   const bool split = PG_GETARG_BOOL(15), counter_clockwise = PG_GETARG_BOOL(16);
@@ -143,12 +152,14 @@ STREETGEN_FUNCTION(streetgen_network_rings) {
     GivenRings& found = *slot->value;
     Form form;
     const std::vector<RingAxis> axes = read_axes(columns, &form);
-    found.rings =
-        network_rings(axes, {in_range(numbers[0], 1e-6, 1000, "tolerance"),
-                             split ? Crossing::split : Crossing::over,
-                             in_range(numbers[1], 1e-3, 1000, "radius_least"),
-                             in_range(numbers[2], numbers[1], 1000, "radius_greatest"),
-                             in_range(numbers[3], 0, 1, "shape_least"), counter_clockwise});
+    found.rings = network_rings(axes, {in_range(numbers[0], 1e-6, 1000, "tolerance"),
+                                       split ? Crossing::split : Crossing::over,
+                                       in_range(numbers[1], 1e-3, 1000, "radius_least"),
+                                       in_range(numbers[2], numbers[1], 1000, "radius_greatest"),
+                                       in_range(numbers[3], 0, 1, "shape_least"),
+                                       counter_clockwise,
+                                       {in_range(control_distance, 0, 1000, "control_distance"),
+                                        in_range(queue_length, 0, 1000, "queue_length")}});
     for (const NetworkRing& ring : found.rings) {
       found.lines.push_back(write_line(ring.line, {form.srid, false}));
       std::vector<std::string>& faces = found.faces.emplace_back();

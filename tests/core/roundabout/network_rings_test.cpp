@@ -137,6 +137,23 @@ TEST(NetworkRings, LeaveOutAnAxisThatLiesOnAnother) {
     EXPECT_TRUE(edge.axis_id == 9 || edge.start_abscissa > 2 * pi * 20 / 4 - 1);
 }
 
+TEST(NetworkRings, HaveTheEdgesThatSignalsInMidBlockCut) {
+  std::vector<RingAxis> axes = roundabout({0, 0}, 20, OneWay::no);
+  axes[0].controls = {{1, 16}};
+  axes[1].controls = {{2, 40}};
+  RingSettings settings;
+  settings.controls = {10, 5};
+  const auto rings = network_rings(axes, settings);
+  ASSERT_EQ(rings.size(), 1u);
+  EXPECT_EQ(rings[0].edges.size(), 5u);
+  EXPECT_EQ(rings[0].edges[0].end_abscissa, 16);
+  EXPECT_EQ(rings[0].arm_nodes, 4);
+  ASSERT_EQ(rings[0].arms.size(), 4u);
+  EXPECT_EQ(rings[0].arms[0].end_abscissa, 40);
+  axes[0].tagged = true;
+  EXPECT_EQ(network_rings(axes, settings).at(0).edges.size(), 4u);
+}
+
 TEST(NetworkRings, KeepsToItsBounds) {
   EXPECT_TRUE(network_rings(roundabout({0, 0}, 2, OneWay::no), {}).empty());
   EXPECT_TRUE(network_rings(roundabout({0, 0}, 70, OneWay::no), {}).empty());
