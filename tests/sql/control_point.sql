@@ -102,6 +102,9 @@ SELECT 'without the word of the source the classes decide, where no subject look
 SELECT 'and again it is the same from scratch', test.followed('ring', 'ring_anew');
 UPDATE ring.axis SET roundabout_tag = 'roundabout' WHERE axis_id = 1;
 SELECT 'the word put back puts the lines back', ring_lines() = '2:yield 3:yield 4:stop 5:yield';
+INSERT INTO ring.control_point (geom, kind) SELECT 'SRID=2154;POINT(660000 6860034)', kind FROM unnest(ARRAY['signals', 'pedestrian_crossing']) kind;
+SELECT 'a crossing with lights on an arm leaves the ring its way', ring_lines() = '2:yield 3:stop 3:stop 3:yield 4:stop 5:yield';
+SELECT 'and the arm is the same from scratch', test.followed('ring', 'ring_anew');
 -- An arm that parts before its ring, whose entry has no section of its own.
 DO $$ BEGIN
   PERFORM streetgen.create_model('split', 2154, driving_side => 'right');
@@ -113,6 +116,19 @@ DO $$ BEGIN
 END $$;
 SELECT 'an entry without a section of its own yields at the ring', count(*) = 1 AND bool_and(e.axis_id = 3 AND ST_Distance(m.surface, 'SRID=2154;POINT(660000 6860000)') - 18 BETWEEN 0.1 AND 1.5) AND NOT EXISTS (SELECT FROM split.section s JOIN split.edge USING (edge_id) WHERE axis_id = 3 AND ST_Area(surface) > 0)
   FROM split.marking m JOIN split.edge e USING (edge_id) WHERE kind IN ('yield', 'stop');
+
+-- A crossing with lights that is of no arm: 40 m before a junction without signals.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('pelican', 2154, driving_side => 'right');
+  INSERT INTO pelican.axis (geom, width, importance, lane_count) VALUES
+    ('SRID=2154;LINESTRING(649700 6860000,650000 6860000)', 7, 2, 2), ('SRID=2154;LINESTRING(650000 6860000,650300 6860000)', 7, 2, 2), ('SRID=2154;LINESTRING(650000 6859700,650000 6860000)', 6, 6, 2);
+END $$;
+INSERT INTO pelican.control_point (geom, kind) SELECT 'SRID=2154;POINT(649960 6860000)', kind FROM unnest(ARRAY['signals', 'pedestrian_crossing']) kind;
+CREATE FUNCTION pelican_lines() RETURNS text LANGUAGE sql AS
+  $$ SELECT string_agg(format('%s:%s', axis_id, m.kind), ' ' ORDER BY axis_id, m.kind) FROM pelican.marking m JOIN pelican.edge USING (edge_id) WHERE m.kind <> 'arrow' $$;
+SELECT 'both ways stop before a crossing with lights 40 m before a junction, and there as without', pelican_lines() = '1:stop 1:stop 3:stop' AND (SELECT max(ST_Distance(m.geom, 'SRID=2154;POINT(649960 6860000)')) < 4 FROM pelican.marking m JOIN pelican.edge USING (edge_id) WHERE axis_id = 1);
+UPDATE pelican.control_point SET geom = 'SRID=2154;POINT(649985 6860000)';
+SELECT 'moved to an arm it is the junction''s', pelican_lines() = '1:stop 2:stop 3:stop';
 
 -- A layer of anybody.
 CREATE TABLE sign (id integer, place geometry, what text);

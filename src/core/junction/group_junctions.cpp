@@ -39,8 +39,9 @@ class Grouping {
         chains_(static_cast<int>(network.nodes.size())),
         groups_(static_cast<int>(network.nodes.size())) {
     for (const JunctionEdge& edge : network.edges) {
-      control_edges_.push_back(control_edge({edge.along, edge.against}, edge.importance, edge.width,
-                                            edge.width_end, edge.line));
+      control_edges_.push_back(control_edge({edge.along, edge.against, edge.on_ring},
+                                            edge.importance, edge.width, edge.width_end,
+                                            edge.line));
       edges_.push_back(rule_edge(edge, control_edges_.back()));
     }
     for (int e = 0; e < size(); ++e) {

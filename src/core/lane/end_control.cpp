@@ -15,26 +15,28 @@ constexpr int important = 3;          // streets of this importance and better h
 
 class Controls {
  public:
-  Controls(const Network& network, const std::vector<ControlEdge>& edges, const ControlRules& rules)
+  Controls(const Network& network, const std::vector<ControlEdge>& edges,
+           const std::vector<ControlPoint>& points, const ControlRules& rules)
       : network_(network),
         edges_(edges),
         rules_(rules),
-        reach_(network, ways_of(edges), rules),
+        reach_(network, ways_of(edges), points, rules),
         out_{std::vector<EndControl>(2 * edges.size()), {}} {}
 
   void put(const std::vector<ControlPoint>& points) {
-    for (const ControlPoint& point : points) {
-      const ControlledEnds found = reach_.ends_of(point);
-      out_.served.push_back(-1);
-      for (const int slot : found.slots)
-        if (speaks_to(point, slot, found)) put_at(slot, point.kind, out_.served.back());
-    }
+    out_.served.assign(points.size(), -1);
     for (const MidBlockSignals& place : reach_.mid_block_signals(points)) {
       const int node = node_at(place);
       if (node < 0) continue;
       for (const int point : place.points)
         for (const int slot : reach_.slots_at(node))
           put_at(slot, ControlKind::signals, out_.served[point]);
+    }
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (out_.served[p] >= 0) continue;
+      const ControlledEnds found = reach_.ends_of(points[p]);
+      for (const int slot : found.slots)
+        if (speaks_to(points[p], slot, found)) put_at(slot, points[p].kind, out_.served[p]);
     }
   }
 
@@ -190,7 +192,7 @@ ControlEdge control_edge(const EdgeWays& ways, int importance, double width, dou
 EndControls end_controls(const Network& network, const std::vector<ControlEdge>& edges,
                          const std::vector<ControlPoint>& points, const ControlRules& rules,
                          const std::vector<JunctionDecision>& decisions) {
-  Controls controls(network, edges, rules);
+  Controls controls(network, edges, points, rules);
   controls.put(points);
   for (const JunctionDecision& decision : decisions) controls.decide(decision);
   return controls.run();

@@ -351,7 +351,7 @@ class LaneBuilder {
     for (int e = 0; e < static_cast<int>(streets_.network.edges.size()); ++e) {
       const Edge& edge = streets_.network.edges[e];
       const Roadway& roadway = streets_.roadways[e];
-      EdgeWays ways{false, false};
+      EdgeWays ways{false, false, wishes_.on_ring(edge)};
       for (const LaneWish& lane : wishes_.of(edge).lanes) {
         if (!carries_traffic(lane.kind)) continue;
         ways.along = ways.along || lane.both_ways || lane.along_axis;

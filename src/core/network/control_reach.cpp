@@ -14,7 +14,10 @@ namespace {
 
 using Direction = ControlPoint::Direction;
 
-constexpr double least_room = 5;  // metres from a dead end, for what stops at signals
+constexpr double least_room = 5;    // metres from a dead end, for what stops at signals
+constexpr double own_crossing = 5;  // metres from signals to the crossing that they are there for
+constexpr double arm_reach = 20;    // metres from a node within which crossings are of its arms
+constexpr double ring_entry = 5;    // metres before a ring's node, where its stop lines lie
 
 // Whether it tells traffic to stop or to wait, wherever it does so.
 bool stops(ControlKind kind) {
@@ -37,13 +40,16 @@ double place_among(const std::vector<double>& crossings, double first, double la
 }  // namespace
 
 ControlReach::ControlReach(const Network& network, std::vector<EdgeWays> ways,
-                           const ControlRules& rules)
+                           const std::vector<ControlPoint>& points, const ControlRules& rules)
     : edges_(network.edges), ways_(std::move(ways)), rules_(rules), slots_(network.nodes.size()) {
   for (int e = 0; e < static_cast<int>(edges_.size()); ++e) {
     of_axis_[edges_[e].axis_id].push_back(e);
     slots_[edges_[e].from_node].push_back(2 * e);
     slots_[edges_[e].to_node].push_back(2 * e + 1);
   }
+  for (const ControlPoint& point : points)
+    if (point.kind == ControlKind::pedestrian_crossing)
+      crossings_[point.axis_id].push_back(point.abscissa);
 }
 
 const std::vector<int>& ControlReach::edges_of(std::int64_t axis_id) const {
@@ -124,18 +130,46 @@ void ControlReach::add_on_junction(const ControlPoint& point, int slot,
 void ControlReach::add_on_road(const ControlPoint& point, const Place& place,
                                ControlledEnds& found) const {
   const std::vector<bool> ways = ways_spoken_to(point, place);
-  for (const bool along : ways)
-    if (const auto ahead =
-            junction_ahead(place.edge, along, std::max(0.0, along ? place.to_end : place.to_start),
-                           rules_.farthest))
-      found.slots.push_back(ahead->slot);
+  std::vector<int> others;
+  const auto add = [&](bool along, double farthest, bool comes) {
+    const auto node = junction_ahead(
+        place.edge, along, std::max(0.0, along ? place.to_end : place.to_start), farthest);
+    if (!node) return;
+    const bool its = is_of_junction(point, place, along, *node, comes);
+    (its ? found.slots : others).push_back(node->slot);
+  };
+  for (const bool along : ways) add(along, rules_.farthest, true);
   if (!found.slots.empty() || point.kind != ControlKind::signals) return;
-  for (const bool along : ways)
-    if (const auto behind =
-            junction_ahead(place.edge, !along, std::max(0.0, along ? place.to_start : place.to_end),
-                           std::min(rules_.queue, rules_.farthest)))
-      found.slots.push_back(behind->slot);
-  found.mid_block = found.slots.empty() && !has_end_near(place);
+  for (const bool along : ways) add(!along, std::min(rules_.queue, rules_.farthest), false);
+  if (!found.slots.empty()) return;
+  found.mid_block = !has_end_near(place);
+  found.slots = std::move(others);
+}
+
+// The crossing that signals are there for, metres along the axis.
+std::optional<double> ControlReach::crossing_of(const ControlPoint& point) const {
+  std::optional<double> found;
+  const auto of_axis = crossings_.find(point.axis_id);
+  if (of_axis == crossings_.end()) return found;
+  const auto off = [&](double abscissa) { return std::abs(abscissa - point.abscissa); };
+  for (const double abscissa : of_axis->second)
+    if (off(abscissa) <= own_crossing && (!found || off(abscissa) < off(*found))) found = abscissa;
+  return found;
+}
+
+// Whether a point speaks at a node to which one comes who goes along its edge or against it.
+// `comes`: so goes the traffic to which it speaks.
+bool ControlReach::is_of_junction(const ControlPoint& point, const Place& place, bool along,
+                                  const Ahead& node, bool comes) const {
+  if (point.kind != ControlKind::signals) return true;
+  const std::optional<double> crossing = crossing_of(point);
+  const std::vector<int>& slots = slots_[node_of(node.slot)];
+  const bool ring =
+      std::any_of(slots.begin(), slots.end(), [&](int slot) { return ways_[slot / 2].on_ring; });
+  if (ring && !ways_[place.edge].on_ring) return comes && !crossing && node.metres <= ring_entry;
+  if (!crossing) return true;
+  const double nearer = along ? *crossing - point.abscissa : point.abscissa - *crossing;
+  return node.metres - nearer <= arm_reach;
 }
 
 bool ControlReach::has_end_near(const Place& place) const {
@@ -156,16 +190,18 @@ void ControlReach::add_ends(const ControlPoint& point, const Place& place,
 
 ControlledEnds ControlReach::ends_of(const ControlPoint& point) const {
   ControlledEnds found;
+  bool of_junction = false;
   for (const Place& place : places_of(point)) {
     ControlledEnds there;
     add_ends(point, place, there);
     found.slots.insert(found.slots.end(), there.slots.begin(), there.slots.end());
     if (there.junction) found.junction = there.junction;
     found.mid_block = found.mid_block || there.mid_block;
+    of_junction = of_junction || (!there.slots.empty() && !there.mid_block);
   }
   std::sort(found.slots.begin(), found.slots.end());
   found.slots.erase(std::unique(found.slots.begin(), found.slots.end()), found.slots.end());
-  found.mid_block = found.mid_block && found.slots.empty();
+  found.mid_block = found.mid_block && !of_junction;
   return found;
 }
 
@@ -194,21 +230,19 @@ std::vector<MidBlockSignals> ControlReach::mid_block_signals(
     if (points[i].kind == ControlKind::signals && ends_of(points[i]).mid_block)
       of_axis[points[i].axis_id].emplace_back(points[i].abscissa, i);
   if (of_axis.empty()) return {};
-  std::map<std::int64_t, std::vector<double>> crossings;
-  for (const ControlPoint& point : points)
-    if (point.kind == ControlKind::pedestrian_crossing)
-      crossings[point.axis_id].push_back(point.abscissa);
+  static const std::vector<double> none;
   std::vector<MidBlockSignals> found;
   for (auto& [axis_id, some] : of_axis) {
+    const auto crossings = crossings_.find(axis_id);
     std::sort(some.begin(), some.end());
     for (auto first = some.begin(); first != some.end();) {
       MidBlockSignals place{axis_id};
       auto last = first;
-      for (; last != some.end() &&
-             (last == first || last->first - std::prev(last)->first <= rules_.queue);
+      for (; last != some.end() && (last == first || last->first - first->first <= rules_.queue);
            ++last)
         place.points.push_back(last->second);
-      place.abscissa = place_among(crossings[axis_id], first->first, std::prev(last)->first);
+      place.abscissa = place_among(crossings == crossings_.end() ? none : crossings->second,
+                                   first->first, std::prev(last)->first);
       found.push_back(std::move(place));
       first = last;
     }

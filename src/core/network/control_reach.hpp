@@ -14,13 +14,16 @@ namespace streetgen {
 // Whether traffic runs along an edge, and against it.
 struct EdgeWays {
   bool along = true, against = true;
+  bool on_ring = false;  // of a roundabout
 };
 
 // What a control point speaks to.
 struct ControlledEnds {
-  std::vector<int> slots{};       // ends of edges by which that traffic comes, 2 * edge + at end
+  // Ends of edges by which that traffic comes, 2 * edge + at end; of signals in mid-block those at
+  // which they speak where they have no node of their own.
+  std::vector<int> slots{};
   std::optional<int> junction{};  // the node of three and more edges on which the point lies
-  bool mid_block = false;         // signals that no junction is near
+  bool mid_block = false;         // signals that are no junction's
 };
 
 // Signals of one axis that are one place in mid-block.
@@ -35,11 +38,15 @@ constexpr double on_node = 1.5;  // metres from a node within which a point lies
 // A signal, stop or yield sign belongs to the next node of three and more edges ahead of it, over
 // nodes of two, as far as `farthest`.  Signals without one belong to the junction that their
 // traffic left, as far behind as a queue before them would reach; else they stand in mid-block.
+// So do signals of a crossing that is none of the junction's arms, where traffic would stop behind
+// it, and signals beside a roundabout: they are the ring's at its very entry alone.
 // Other points belong to the node of two edges on which they lie.  A point beyond its axis, or on
 // an axis without an edge there, speaks to nobody.
 class ControlReach {
  public:
-  ControlReach(const Network& network, std::vector<EdgeWays> ways, const ControlRules& rules);
+  // `points`: all that stand on the edges.
+  ControlReach(const Network& network, std::vector<EdgeWays> ways,
+               const std::vector<ControlPoint>& points, const ControlRules& rules);
 
   ControlledEnds ends_of(const ControlPoint& point) const;
 
@@ -78,12 +85,16 @@ class ControlReach {
   void add_on_junction(const ControlPoint& point, int slot, ControlledEnds& found) const;
   void add_on_road(const ControlPoint& point, const Place& place, ControlledEnds& found) const;
   std::vector<bool> ways_spoken_to(const ControlPoint& point, const Place& place) const;
+  std::optional<double> crossing_of(const ControlPoint& point) const;
+  bool is_of_junction(const ControlPoint& point, const Place& place, bool along, const Ahead& node,
+                      bool comes) const;
 
   const std::vector<Edge>& edges_;
   std::vector<EdgeWays> ways_;
   ControlRules rules_;
   std::vector<std::vector<int>> slots_;  // by node
   std::unordered_map<std::int64_t, std::vector<int>> of_axis_;
+  std::unordered_map<std::int64_t, std::vector<double>> crossings_;  // by axis, metres along it
 };
 
 }  // namespace streetgen

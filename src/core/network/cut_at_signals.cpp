@@ -30,8 +30,9 @@ std::map<int, std::vector<double>> cuts_of(const Network& network,
   const std::vector<ControlPoint> points = points_of(axes);
   if (points.empty()) return cuts;
   std::vector<EdgeWays> ways;
-  for (const StreetAxis* axis : axes) ways.push_back({axis->leads_forward, axis->leads_backward});
-  const ControlReach reach(network, std::move(ways), rules);
+  for (const StreetAxis* axis : axes)
+    ways.push_back({axis->leads_forward, axis->leads_backward, axis->on_ring});
+  const ControlReach reach(network, std::move(ways), points, rules);
   for (const MidBlockSignals& place : reach.mid_block_signals(points))
     for (const int e : reach.edges_of(place.axis_id))
       if (place.abscissa > network.edges[e].start_abscissa + on_node &&

@@ -57,7 +57,7 @@ std::vector<bool> choices_lead_back(const LaneWishes& wishes, const Network& net
 std::vector<bool> near_controls(const StreetModelInput& input, const Network& network) {
   std::vector<bool> near(network.nodes.size());
   if (input.controls.empty()) return near;
-  const ControlReach reach(network, std::vector<EdgeWays>(network.edges.size()),
+  const ControlReach reach(network, std::vector<EdgeWays>(network.edges.size()), input.controls,
                            input.settings.controls);
   for (const ControlPoint& point : input.controls)
     for (const int node : reach.nodes_near(point)) near[node] = true;

@@ -190,6 +190,14 @@ TEST(EndControl, SignalsInMidBlockSpeakAtTheNodeThatTheyStandOn) {
   EXPECT_EQ(found.served, (std::vector<int>{6, 6}));
 }
 
+TEST(EndControl, SignalsInMidBlockWithoutANodeOfTheirOwnSpeakAtTheJunction) {
+  const auto found =
+      controls_in(street_between_junctions(),
+                  {{1, 160, ControlKind::signals}, {1, 160, ControlKind::pedestrian_crossing}});
+  EXPECT_EQ(found.ends[1].own, ControlKind::signals);
+  EXPECT_EQ(found.served, (std::vector<int>{1, 1}));
+}
+
 // A street of importance 3 crosses one of importance 4 at the node of two more edges.
 TEST(EndControl, ASignOnAJunctionBindsTheMinorArmsUnlessItSpeaksToBothDirections) {
   const Network network = street_between_junctions();

@@ -90,6 +90,46 @@ TEST(CutAtSignals, SignalsWithinAQueueAreOnePlaceAtTheCrossingBetweenThem) {
             (std::vector<double>{0, 120, 150}));
 }
 
+TEST(CutAtSignals, OnePlaceIsNoLongerThanAQueue) {
+  std::vector<ControlPoint> row;
+  for (const double abscissa : {100.0, 120.0, 140.0, 160.0})
+    row.push_back({1, abscissa, ControlKind::signals});
+  EXPECT_EQ(starts_of_first(of(block(row))), (std::vector<double>{0, 110, 150}));
+}
+
+// Signals with the crossing that they are there for.
+std::vector<ControlPoint> lit_crossing(double abscissa, double crossing,
+                                       ControlPoint::Direction direction = {}) {
+  return {{1, abscissa, ControlKind::signals, direction},
+          {1, crossing, ControlKind::pedestrian_crossing}};
+}
+
+TEST(CutAtSignals, SignalsOfACrossingThatIsOfNoArmStandInMidBlock) {
+  using Direction = ControlPoint::Direction;
+  EXPECT_EQ(starts_of_first(of(block(lit_crossing(260, 260)))), (std::vector<double>{0, 260}));
+  EXPECT_EQ(starts_of_first(of(block(lit_crossing(40, 37)))), (std::vector<double>{0, 40}));
+  EXPECT_EQ(starts_of_first(of(block(lit_crossing(22, 22, Direction::along)))),
+            (std::vector<double>{0, 22}));
+  for (const auto& [signals, crossing] : {std::pair{288.0, 288.0}, {278.0, 282.0}, {260.0, 240.0}})
+    EXPECT_EQ(starts_of_first(of(block(lit_crossing(signals, crossing)))), (std::vector<double>{0}))
+        << signals;
+}
+
+TEST(CutAtSignals, BesideARoundaboutTheyStandInMidBlockButForItsEntry) {
+  std::vector<StreetAxis> axes = block({});
+  axes[1].on_ring = axes[2].on_ring = true;
+  const auto starts = [&](std::vector<ControlPoint> controls) {
+    axes[0].controls = std::move(controls);
+    return starts_of_first(of(axes));
+  };
+  EXPECT_EQ(starts(lit_crossing(288, 288)), (std::vector<double>{0, 288}));
+  EXPECT_EQ(starts(lit_crossing(296, 296)), (std::vector<double>{0, 296}));
+  EXPECT_EQ(starts({{1, 288, ControlKind::signals}}), (std::vector<double>{0, 288}));
+  EXPECT_EQ(starts({{1, 3, ControlKind::signals, ControlPoint::Direction::along}}),
+            (std::vector<double>{0, 3}));
+  EXPECT_EQ(starts({{1, 296, ControlKind::signals}}), (std::vector<double>{0}));
+}
+
 TEST(CutAtSignals, SignalsWhereTwoAxesMeetStandThere) {
   std::vector<StreetAxis> axes = block({});
   axes[0].line = {{0, 0}, {150, 0}};
