@@ -1,12 +1,14 @@
 #include "network/cut_at_signals.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <unordered_set>
 #include <utility>
 
 #include "geometry/polyline.hpp"
+#include "geometry/tolerance.hpp"
 #include "network/control_reach.hpp"
 
 namespace streetgen {
@@ -41,17 +43,39 @@ std::map<int, std::vector<double>> cuts_of(const Network& network,
   return cuts;
 }
 
+// A vertex nearer than that to a place along the line takes the cut: ends so near to a vertex are
+// one place of the network.
+constexpr double vertex_reach = 0.5;  // metres
+
+double at_vertex(const Line& line, double at) {
+  double metres = 0, nearest = at, off = vertex_reach;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    metres += distance(line[i - 1], line[i]);
+    if (std::abs(metres - at) >= off) continue;
+    off = std::abs(metres - at);
+    nearest = metres;
+  }
+  return nearest;
+}
+
 // The piece of an edge from its start to a cut; the edge is what is left.
-Edge cut_off(Edge& edge, double abscissa, int node, Network& network) {
-  const double total = length(edge.line);
-  const double at =
-      total * (abscissa - edge.start_abscissa) / (edge.end_abscissa - edge.start_abscissa);
+Edge cut_off(Edge& edge, double place, int node, Network& network) {
+  const double total = length(edge.line), metres = edge.end_abscissa - edge.start_abscissa;
+  const double wanted = total * (place - edge.start_abscissa) / metres,
+               at = at_vertex(edge.line, wanted),
+               abscissa = at == wanted ? place : edge.start_abscissa + at / total * metres;
   Edge first = edge;
   first.line = substring(edge.line, 0, at);
   first.end_abscissa = edge.start_abscissa = abscissa;
   first.to_node = edge.from_node = node;
   edge.line = substring(edge.line, at, total);
-  edge.line.front() = first.line.back();
+  // A cut at a vertex of the axis gives it to both, once.
+  Line& before = first.line;
+  if (before.size() > 2 && distance(before.back(), before[before.size() - 2]) < same_place)
+    before.pop_back();
+  if (edge.line.size() > 2 && distance(edge.line[0], edge.line[1]) < same_place)
+    edge.line.erase(edge.line.begin());
+  edge.line.front() = before.back();
   network.nodes.push_back({first.line.back(), {{edge.axis_id, abscissa}}});
   return first;
 }

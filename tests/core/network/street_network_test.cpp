@@ -52,6 +52,18 @@ std::vector<double> starts_of_first(const Network& network) {
   return starts;
 }
 
+TEST(CutAtSignals, AVertexNearTheSignalsTakesTheCutOnce) {
+  for (const double place : {119.7, 120.0, 120.0 + 1e-10, 120.3}) {
+    std::vector<StreetAxis> axes = block({{1, place, ControlKind::signals}});
+    axes[0].line = {{0, 0}, {60, 0}, {120, 0}, {200, 0}, {300, 0}};
+    const Network cut = of(axes);
+    ASSERT_EQ(starts_of_first(cut), (std::vector<double>{0, 120})) << place;
+    EXPECT_EQ(cut.edges[0].line.size(), 3u);
+    EXPECT_EQ(cut.edges[1].line.size(), 3u);
+    EXPECT_EQ(cut.edges[1].line.front().x, 120);
+  }
+}
+
 TEST(CutAtSignals, SignalsInMidBlockStandOnANodeOfTheirOwn) {
   const Network cut = of(block({{1, 120, ControlKind::signals}}));
   EXPECT_EQ(starts_of_first(cut), (std::vector<double>{0, 120}));

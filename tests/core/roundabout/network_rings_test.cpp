@@ -139,14 +139,14 @@ TEST(NetworkRings, LeaveOutAnAxisThatLiesOnAnother) {
 
 TEST(NetworkRings, HaveTheEdgesThatSignalsInMidBlockCut) {
   std::vector<RingAxis> axes = roundabout({0, 0}, 20, OneWay::no);
-  axes[0].controls = {{1, 16}};
+  axes[0].controls = {{1, 12}};
   axes[1].controls = {{2, 40}};
   RingSettings settings;
   settings.controls = {10, 5};
   const auto rings = network_rings(axes, settings);
   ASSERT_EQ(rings.size(), 1u);
   EXPECT_EQ(rings[0].edges.size(), 5u);
-  EXPECT_EQ(rings[0].edges[0].end_abscissa, 16);
+  EXPECT_EQ(rings[0].edges[0].end_abscissa, 12);
   EXPECT_EQ(rings[0].arm_nodes, 4);
   ASSERT_EQ(rings[0].arms.size(), 4u);
   EXPECT_EQ(rings[0].arms[0].end_abscissa, 40);
