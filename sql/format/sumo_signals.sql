@@ -5,10 +5,10 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_signals(model name, options jsonb)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'signal' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    PERFORM streetgen._use_model(model);
     RETURN QUERY WITH crossed AS MATERIALIZED (SELECT * FROM streetgen._sumo_crossings(model, options)),
     -- A state for people alone goes where nobody can ask for it, unless a wave counts on it.
     state AS MATERIALIZED (

@@ -178,17 +178,16 @@ BEGIN
         INSERT INTO axis (geom, width, width_end, roadway_offset, lane_count, direction, speed, importance, name, level,
             kind, radius, lanes_forward, lanes_backward, lanes_both, kind_forward, kind_backward, lane_width_forward,
             lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, sidewalk_left,
-            sidewalk_right, flow, roundabout_tag, ref, access, parking_left, parking_right,
-            lane_markings, sidewalk_apart, paved, sidewalk_paved_left, sidewalk_paved_right, cycle_paved_left,
-            cycle_paved_right, strips_left, strips_right, source, source_ref, source_geom, source_hash)
-        SELECT coalesce(p.cleaned, p.source_geom), p.width, p.width_end, p.roadway_offset, p.lane_count,
-            coalesce(p.direction, 'both'), p.speed, p.importance, p.name, coalesce(p.level, 0), p.class, p.radius,
-            p.lanes_forward, p.lanes_backward, p.lanes_both, p.kind_forward, p.kind_backward, p.lane_width_forward,
-            p.lane_width_backward, p.turn_forward, p.turn_backward, p.change_forward, p.change_backward,
-            p.sidewalk_left, p.sidewalk_right, p.flow, p.roundabout_tag, p.ref, p.access, p.parking_left,
-            p.parking_right, p.lane_markings, p.sidewalk_apart, p.paved, p.sidewalk_paved_left,
-            p.sidewalk_paved_right, p.cycle_paved_left, p.cycle_paved_right, p.strips_left, p.strips_right, origin,
-            p.source_ref, p.source_geom, p.hash
+            sidewalk_right, flow, roundabout_tag, ref, access, parking_left, parking_right, lane_markings,
+            sidewalk_apart, paved, sidewalk_paved_left, sidewalk_paved_right, cycle_paved_left, cycle_paved_right,
+            strips_left, strips_right, source, source_ref, source_geom, source_hash)
+        SELECT coalesce(cleaned, source_geom), width, width_end, roadway_offset, lane_count, coalesce(direction,
+            'both'), speed, importance, name, coalesce(level, 0), class, radius, lanes_forward, lanes_backward,
+            lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward,
+            turn_backward, change_forward, change_backward, sidewalk_left, sidewalk_right, flow, roundabout_tag, ref,
+            access, parking_left, parking_right, lane_markings, sidewalk_apart, paved, sidewalk_paved_left,
+            sidewalk_paved_right, cycle_paved_left, cycle_paved_right, strips_left, strips_right, origin, source_ref,
+            source_geom, hash
         FROM pg_temp._import_part p WHERE NOT EXISTS (SELECT FROM delivered d
             WHERE (d.relation, d.source, d.source_ref) = ('axis', origin, p.source_ref))
         ORDER BY p.source_ref RETURNING axis_id, source_ref)
