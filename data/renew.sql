@@ -19,9 +19,11 @@ BEGIN
         EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(format('%I.%I', known.name, v), ', ')
             FROM (SELECT unnest(ARRAY['setting_used', 'axis_used', 'axis_to_mend', 'intersection_group', 'conflict', 'import_conflict', 'activity', 'roadway', 'override_place', 'lane_group', 'lane_driving', 'lane_interval', 'lane_adjacency', 'lane_extent',
                 'corner_on_kerb', 'cross_section', 'paving', 'road_arc', 'movement', 'ramp_path', 'right_of_way',
-                    'rim_marking', 'junction_link', 'signal_crossing', 'signal_green', 'junction_crossing', 'roundabout_block',
+                    'rim_marking', 'junction_link', 'signal_crossing', 'signal_green', 'junction_crossing',
+                    'roundabout_block',
                     'sidewalk_block', 'block_interior', 'footway_surface', 'rail_crossing', 'lane_track',
-                    'track_bed', 'rail', 'track_strip', 'area_surface', 'bus_stop_box', 'crossover', 'side_strip', 'walk_node',
+                    'track_bed', 'rail', 'track_strip', 'area_surface', 'bus_stop_box', 'crossover',
+                    'side_strip', 'walk_node',
                     'walk_link', 'axis_editing']) AS v
             UNION SELECT c.relname FROM pg_class c JOIN pg_trigger t ON t.tgrelid = c.oid JOIN pg_proc f ON f.oid = t.tgfoid
                 WHERE c.relnamespace = quote_ident(known.name)::regnamespace AND c.relkind = 'v' AND c.relname LIKE '%\_editing' AND f.proname LIKE '\_edit%') w

@@ -32,7 +32,7 @@ struct OsmSideParking {
   std::optional<int> capacity{};  // cars
 };
 
-// What lies between the kerb and the sidewalk of one side of a way.
+// A strip between the kerb and the sidewalk of one side of a way.
 enum class SideStripKind { verge, buffer, cycle_track, two_way_cycle_track };
 struct SideStrip {
   SideStripKind kind = SideStripKind::verge;

@@ -74,9 +74,9 @@ struct Intergreen {
 // next ask for. Phases follow each other so that this takes least. People on foot cross in phases
 // that leave them room; where none does, in a state of their own.
 // Greens are shared out by Webster's rule where flows are known, else by lanes and importance.
-// Where the longest cycle is too short for a walk beside one phase, the walk loses its time; where
-// it is too short for all phases turns lose theirs, then two phases at a time become one in which
-// less important approaches give way.
+// A walk loses its time where the longest cycle is too short for it beside one phase. Turns lose
+// their phases where it is too short for all; then two phases at a time become one in which less
+// important approaches give way.
 // Edges are told apart by their ids and ordered as they come.
 // Every movement has green once a cycle. No movements: no states. Refused (invalid_input): numbers
 // that are not finite or out of range, conflicts that name no movement.

@@ -39,7 +39,7 @@ BEGIN
         SELECT *, sum(duration) OVER w - duration AS starts, sum(duration) OVER w AS ends,
             sum(duration) OVER (PARTITION BY controller_id) AS cycle
         FROM state WINDOW w AS (PARTITION BY controller_id ORDER BY ordinality)),
-    -- Who steps on last is across before somebody drives there.
+    -- People who step on last are across before somebody drives there.
     walked AS MATERIALIZED (
         SELECT controller_id, number, starts, until
         FROM (SELECT c.controller_id, c.number, s.starts, least(s.ends, min(t.starts

@@ -24,14 +24,16 @@ SELECT p.edge_id, e.level, e.from_node, e.to_node, g.geom FROM :"model".profile 
     LATERAL (SELECT ST_LineInterpolatePoint(p.geom, n::float8 / steps) AS geom FROM generate_series(1, steps - 1) n) g;
 SELECT count(*) AS places, count(*) FILTER (WHERE off > 0.05) AS off, count(*) FILTER (WHERE off > 2) AS over_2_m
 FROM (SELECT p.edge_id, min(abs(ST_Z(p.geom) - ((1 - u - v) * az + u * bz + v * cz))) AS off
-    FROM place_of p JOIN meshed m ON m.flat && p.geom AND (m.edge_id = p.edge_id OR m.node_id IN (p.from_node, p.to_node))
+    FROM place_of p JOIN meshed m ON m.flat && p.geom
+        AND (m.edge_id = p.edge_id OR m.node_id IN (p.from_node, p.to_node))
         AND ST_Covers(m.flat, ST_Force2D(p.geom)) JOIN corner_of USING (id),
         LATERAL (SELECT (bx - ax) * (cy - ay) - (cx - ax) * (by - ay) AS twice) d,
         LATERAL (SELECT ((ST_X(p.geom) - ax) * (cy - ay) - (cx - ax) * (ST_Y(p.geom) - ay)) / twice AS u,
             ((bx - ax) * (ST_Y(p.geom) - ay) - (ST_X(p.geom) - ax) * (by - ay)) / twice AS v) w
     WHERE twice <> 0 GROUP BY p.edge_id, p.geom) o;
 WITH seam AS (
-    SELECT l.edge_id, n.node_id, ST_Force2D(p.geom) AS place FROM :"model".section_limit l JOIN :"model".edge e USING (edge_id)
+    SELECT l.edge_id, n.node_id, ST_Force2D(p.geom) AS place
+    FROM :"model".section_limit l JOIN :"model".edge e USING (edge_id)
         JOIN :"model".section s USING (edge_id) JOIN :"model".intersection n
             ON n.node_id = CASE l.which WHEN 'start' THEN e.from_node ELSE e.to_node END AND n.level <> s.level,
         LATERAL (VALUES (ST_StartPoint(l.border_line)), (ST_EndPoint(l.border_line))) p(geom)

@@ -23,8 +23,10 @@ FROM (SELECT array_agg(axis_id ORDER BY axis_id) AS ids, array_agg(ST_Force2D(ge
         array_agg(roadway_offset ORDER BY axis_id) AS offsets, array_agg(importance ORDER BY axis_id) AS importances, array_agg(lanes_forward + lanes_both ORDER BY axis_id) AS forward, array_agg(lanes_backward + lanes_both ORDER BY axis_id) AS backward FROM :"model".axis_used) u,
     (SELECT jsonb_object_agg(s.name, value) AS v FROM :"model".setting s) s,
     streetgen._network_rings(ids, lines, levels, one_ways, tagged, widths, widths_end, offsets, importances, forward, backward, (v ->> 'tolerance')::float8, (v ->> 'roundabout_radius_least')::float8, (v ->> 'roundabout_radius_greatest')::float8,
-        (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split', streetgen._driving_side(:'model') = 'right',
-        ARRAY(SELECT ROW (axis_id, abscissa, kind, direction)::streetgen.street_control FROM :"model".control_point WHERE axis_id IS NOT NULL ORDER BY control_point_id),
+        (v ->> 'roundabout_shape_least')::float8, v ->> 'crossing' = 'split',
+        streetgen._driving_side(:'model') = 'right',
+        ARRAY(SELECT ROW (axis_id, abscissa, kind, direction)::streetgen.street_control
+            FROM :"model".control_point WHERE axis_id IS NOT NULL ORDER BY control_point_id),
         (v ->> 'control_distance')::float8, (v ->> 'queue_length')::float8) r;
 CREATE TEMP TABLE known ON COMMIT DROP AS
 SELECT known, r.number, r.centre, r.radius, hit, floor(ST_X(r.centre))::bigint % 2 AS half,

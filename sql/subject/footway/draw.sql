@@ -18,11 +18,9 @@ COMMENT ON FUNCTION streetgen._footway_drawn(name, geometry, text[]) IS
 INSERT INTO streetgen.symbol_rule (theme, layer, to_scale, place, fill, line, width, unit, meaning)
     SELECT theme, 'footway', to_scale, place, fill, line, width, unit, 'footway' FROM streetgen.symbol_rule
     WHERE layer = 'sidewalk' AND kind = '';
-INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning) VALUES
-    ('street', 'footway', 'cycle', 5000, 0, '#a94f3d', '#a94f3d', 0.7, 'pixel', 'cycle track'),
-    ('dark', 'footway', 'cycle', 5000, 0, '#a04c38', '#a04c38', 0.7, 'pixel', 'cycle track'),
-    ('print', 'footway', 'cycle', 5000, 0, '#a8a8a8', '#a8a8a8', 0.7, 'pixel', 'cycle track'),
-    ('construction', 'footway', 'cycle', 11000, 0, '#a94f3d', '#a94f3d', 0.4, 'pixel', 'cycle track');
+INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)
+    SELECT theme, 'footway', 'cycle', to_scale, 0, fill, line, width, unit, meaning FROM streetgen.symbol_rule
+    WHERE (layer, kind) = ('side_strip', 'cycle_track');
 
 -- Areas on which one walks or cycles look as footways do.
 INSERT INTO streetgen.symbol_rule (theme, layer, kind, to_scale, place, fill, line, width, unit, meaning)

@@ -74,7 +74,7 @@ found_source AS MATERIALIZED (
             < (s.only_apart, s.distance, s.footway_id, s.start_abscissa)
         AND least(o.end_abscissa, s.end_abscissa) - greatest(o.start_abscissa, s.start_abscissa)
             > (s.end_abscissa - s.start_abscissa) / 2)),
--- Where tracks begin and end behind the kerb of a side along which they run.
+-- Tracks along a side: how far behind its kerb they begin and end.
 beside_track AS MATERIALIZED (
     SELECT number AS track_number, max(near) FILTER (WHERE side = 'left') AS near_left,
         max(far) FILTER (WHERE side = 'left') AS far_left, max(near) FILTER (WHERE side = 'right') AS near_right,

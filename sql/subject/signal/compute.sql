@@ -137,7 +137,7 @@ BEGIN
                 SELECT v.node_id, ST_Distance(n.geom, o.geom) AS metres
                 FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) JOIN node n USING (node_id)
                 WHERE e.axis_id = o.axis_id ORDER BY metres, v.node_id LIMIT 1) n JOIN junction_node m USING (node_id)
-            -- What was decided of signals that are gone is about no others on the street.
+            -- A decision on signals that are gone is about no others on the street.
             WHERE metres <= (SELECT value::float8 FROM setting WHERE name = 'control_distance')
             ORDER BY m.junction_id, o.controller_override_id DESC),
         -- Signals that nobody mapped and nobody decided: the classifier alone says that they stand there. Control

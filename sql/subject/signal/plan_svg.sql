@@ -57,7 +57,7 @@ BEGIN
         UNION ALL SELECT signal_group, 'clear', green_until, clear_until FROM shown WHERE aspect = 'walk'
         UNION ALL SELECT signal_group, 'amber', s.ends - s.duration, s.ends FROM shown h
             JOIN state s ON s.green = h.ordinality AND s.kind = 'amber' WHERE aspect <> 'walk'),
-    -- What goes on in the next cycle is drawn at its start.
+    -- A green that goes on in the next cycle is drawn at its start.
     drawn AS (
         SELECT signal_group, aspect, greatest(starts - turn * cycle, 0) AS starts, least(ends - turn * cycle, cycle)
             AS ends, cycle FROM bar, whole, generate_series(-1, 1) turn
