@@ -41,11 +41,12 @@ COMMENT ON FUNCTION streetgen._behind_strips(float8, text, text, jsonb) IS
     'Where a thing stands that a rule puts so many metres behind a kerb, with the bays (parking_left or parking_right; '
     'NULL: no bays are made) and strips of that side: in the middle of the first verge, else so far behind both.';
 
+-- Inlined: the network on foot asks for each kerb, and few axes say strips.
 CREATE OR REPLACE FUNCTION streetgen._walk_width(sidewalk float8, said text, settings jsonb) RETURNS float8
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
-    AS $$ SELECT CASE WHEN said IS NULL OR sidewalk IS NULL THEN sidewalk
-            -- The stones of the kerb alone are no way.
-            WHEN behind <= (settings ->> 'kerb_stone_width')::float8 + 1e-6 THEN 0 ELSE behind END
-        FROM (SELECT sidewalk - streetgen._strips_width(said, settings) AS behind) b $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN said IS NULL OR sidewalk IS NULL THEN sidewalk
+        -- The stones of the kerb alone are no way.
+        WHEN sidewalk - streetgen._strips_width(said, settings) <= (settings ->> 'kerb_stone_width')::float8 + 1e-6
+            THEN 0 ELSE sidewalk - streetgen._strips_width(said, settings) END;
 COMMENT ON FUNCTION streetgen._walk_width(float8, text, jsonb) IS
     'What strips_left or strips_right leaves of the width of a sidewalk from the kerb for people to walk on, metres.';
