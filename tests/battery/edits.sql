@@ -162,7 +162,8 @@ END $$;
 -- One edit about junctions: what stands before them, what somebody decides of them, carriageways and ramps that make them.
 CREATE FUNCTION edits.junction_edit(a edited.axis) RETURNS text[] LANGUAGE plpgsql VOLATILE AS $$
 DECLARE
-  edit text := edits.one_of('control', 'control', 'move control', 'no control', 'kind', 'kind', 'inside', 'inside', 'no decision', 'carriageway', 'ramp', 'ramp', 'decide ramp', 'decide ramp', 'change', 'change', 'no change');
+  edit text := edits.one_of('control', 'control', 'move control', 'no control', 'kind', 'kind', 'inside', 'inside', 'no decision', 'carriageway', 'ramp', 'ramp', 'decide ramp', 'decide ramp', 'change', 'change', 'no change',
+    'duration', 'duration');
   fresh bigint := coalesce((SELECT max(axis_id) FROM edited.axis), 0) + 1;
   other record;
   beside geometry;
@@ -204,6 +205,9 @@ BEGIN
     WHEN 'change' THEN
       RETURN ARRAY[format('INSERT INTO edited.lane_adjacency_override (axis_id, abscissa, lane_from, lane_to, change) VALUES (%s, %s, %s, %s, %L)',
                           a.axis_id, edits.between(0, ST_Length(a.geom)), edits.one_of('1', '2', '3'), edits.one_of('1', '2', '3', '4'), edits.one_of('allowed', 'forbidden'))];
+    WHEN 'duration' THEN
+      RETURN ARRAY[edits.one_of(format('UPDATE edited.controller_editing SET durations[1] = %s, durations[cardinality(durations)] = 4', edits.one_of('31', '17')), 'UPDATE edited.controller_editing SET durations = NULL',
+                                'DELETE FROM edited.controller_editing WHERE by_hand')];
     WHEN 'no change' THEN
       RETURN ARRAY[edits.one_of('DELETE FROM edited.lane_adjacency_editing WHERE by_hand', format('DELETE FROM edited.lane_adjacency_override WHERE axis_id = %s', a.axis_id), $q$UPDATE edited.lane_adjacency_editing SET change = 'forbidden' WHERE change = 'allowed'$q$)];
   END CASE;

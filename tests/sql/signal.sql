@@ -176,3 +176,31 @@ SELECT FROM streetgen.generate('held', wait => true) \g /dev/null
 SELECT 'a run from scratch makes the same', pg_temp.held() = '650000 f';
 INSERT INTO held.control_point (control_point_id, geom, kind) VALUES (2, 'SRID=2154;POINT(649881 6860000)', 'signals');
 SELECT 'put back they have it again', pg_temp.held() = '649881 t, 650000 f' AND NOT EXISTS (SELECT FROM streetgen.check_model('held') WHERE rule = 'controller override away from signals');
+-- Durations by hand stay with the streets that a phase serves: of five arms, whose phases take turns by the way across.
+DO $$ BEGIN PERFORM streetgen.create_model('five', 2154, subjects => '{signal}', driving_side => 'right'); END $$;
+CREATE FUNCTION arm(degrees float8, east float8 DEFAULT 0) RETURNS geometry LANGUAGE sql AS $$ SELECT line(east, 0, 120 * cos(radians(degrees)), 120 * sin(radians(degrees))) $$;
+INSERT INTO five.axis (axis_id, geom, width, lane_count, importance, speed) SELECT k, arm(degrees), 8, 2, 3, 50 FROM (VALUES (1, 0), (2, 75), (3, 140), (4, 215), (5, 290)) v(k, degrees);
+INSERT INTO five.control_point (geom, kind) VALUES ('SRID=2154;POINT(650000 6860000)', 'signals');
+CREATE VIEW five_green AS SELECT s.ordinality, min(duration) AS duration, string_agg(DISTINCT axis_id::text, '+' ORDER BY axis_id::text) AS axes FROM five.signal_state s JOIN five.signal_movement USING (controller_id, ordinality) JOIN five.lane ON lane_id = lane_in JOIN five.edge USING (edge_id) GROUP BY s.ordinality;
+UPDATE five.controller_editing SET durations[1] = 33, durations[3] = 5;
+CREATE TABLE typed AS SELECT axes, ordinality FROM five_green;
+SELECT 'a duration is typed for a phase', array_agg(concat_ws(' ', axes, duration)) = '{3+5 33}' FROM five_green WHERE ordinality = 1;
+UPDATE five.axis SET geom = arm(320) WHERE axis_id = 5;
+SELECT 'phases turn their order when a street is moved', count(*) > 0 FROM five_green g JOIN typed t USING (axes) WHERE g.ordinality <> t.ordinality;
+CREATE FUNCTION pg_temp.typed() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(axes, ', ' ORDER BY axes) FROM five_green WHERE duration = 33 $$;
+SELECT 'and the duration stays with its street', pg_temp.typed() = '3+5';
+SELECT 'all red stays between its phases, and is computed between others', count(*) FILTER (WHERE duration = 5) = 0 FROM five.signal_state WHERE kind = 'all_red';
+SELECT FROM streetgen.generate('five', wait => true) \g /dev/null
+SELECT 'also from scratch', pg_temp.typed() = '3+5' AND NOT EXISTS (SELECT FROM streetgen.check_model('five') WHERE rule = 'durations by hand without their street');
+UPDATE five.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (2, 3);
+UPDATE five.axis SET geom = ST_LineSubstring(geom, 0.94, 1) WHERE axis_id = 3;
+SELECT 'on streets turned round and shortened too', pg_temp.typed() = '3+5';
+UPDATE five.axis SET geom = ST_SetPoint(geom, CASE WHEN ST_X(ST_StartPoint(geom)) = 650000 THEN 0 ELSE -1 END, 'SRID=2154;POINT(650008 6860006)');
+SELECT 'and where the place moves and another street goes with the one, with the other', pg_temp.typed() = '5';
+DELETE FROM five.axis WHERE axis_id IN (3, 5);
+INSERT INTO five.axis (axis_id, geom, width, lane_count, importance, speed) VALUES (6, arm(180, 8), 8, 2, 3, 50);
+SELECT 'it goes to no other street, and check_model tells of it', pg_temp.typed() IS NULL AND (SELECT count(*) = 1 FROM streetgen.check_model('five') WHERE rule = 'durations by hand without their street');
+UPDATE five.controller_editing SET cycle = 100;
+SELECT 'what is typed beside leaves it', array_length(durations, 1) = array_length(phases, 1) AND cycle = 100 FROM five.controller_override;
+UPDATE five.controller_editing SET durations = NULL;
+SELECT 'taken back, nothing is told', (durations, phases, approaches) IS NULL AND NOT EXISTS (SELECT FROM streetgen.check_model('five') WHERE rule = 'durations by hand without their street') FROM five.controller_override;

@@ -64,8 +64,14 @@ BEGIN
         cardinality(o.durations), c.geom FROM controller c JOIN controller_override o
             ON o.controller_override_id
                 = (streetgen._overrides_at_junction(model, 'controller_override', c.controller_id))[1]
-        WHERE cardinality(o.durations) <> (SELECT count(*) FROM signal_state s
+        WHERE o.phases IS NULL AND cardinality(o.durations) <> (SELECT count(*) FROM signal_state s
             WHERE s.controller_id = c.controller_id)
+    UNION ALL
+    SELECT 'warning', 'durations by hand without their street', 'controller', c.controller_id, lost, c.geom
+        FROM controller c JOIN controller_override o ON o.controller_override_id
+                = (streetgen._overrides_at_junction(model, 'controller_override', c.controller_id))[1]
+            CROSS JOIN LATERAL streetgen._lost_phases(model, c.controller_id, o.phases, o.approaches) lost
+        WHERE o.durations IS NOT NULL AND lost > 0
     UNION ALL
     SELECT 'warning', 'controller override without its axis', 'controller_override', o.controller_override_id, 0, o.geom
         FROM controller_override o WHERE NOT EXISTS (SELECT FROM edge e JOIN axis a USING (axis_id)
@@ -117,6 +123,8 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'amber, all red and the shortest greens need more than the cycle by hand',
         'type a longer cycle'),
     ('durations by hand of another number of states', 'the program has other states since',
+        'type the durations anew, or delete the decision'),
+    ('durations by hand without their street', 'no phase serves any more what they were typed for',
         'type the durations anew, or delete the decision'),
     ('controller override without its axis', 'the axis is gone, or ends before the place',
         'delete the row, or draw the axis'),

@@ -132,7 +132,7 @@ BEGIN
             WHERE j.kind = 'signals' AND j.junction_id = ANY (junctions)),
         decided AS MATERIALIZED (
             SELECT DISTINCT ON (m.junction_id) m.junction_id, o.program, o.cycle, o.start_offset, o.durations,
-                o.turn_phases
+                o.turn_phases, o.phases, o.approaches
             FROM controller_override o CROSS JOIN LATERAL (
                 SELECT v.node_id, ST_Distance(n.geom, o.geom) AS metres
                 FROM edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) JOIN node n USING (node_id)
@@ -166,10 +166,13 @@ BEGIN
                 d.turn_phases, t.ordinality, t.duration, t.kind, t.lane_in, t.lane_out, t.along_in, t.along_out,
                 t.right_of_way
             FROM place p LEFT JOIN decided d USING (junction_id) LEFT JOIN unnest(asked) r USING (junction_id)
-                LEFT JOIN LATERAL streetgen._timed(ARRAY(SELECT a FROM streetgen._signal_answers(current_schema(),
+                LEFT JOIN LATERAL (SELECT ARRAY(SELECT a FROM streetgen._signal_answers(current_schema(),
                     coalesce(d.program, rules.program), p.junction_id, r.movements, rules.cycle, rules.all_red,
-                    rules.step, rules.walk, rules.importance, d.turn_phases) a), d.cycle, d.durations, rules.step) t
-                ON r.movements IS NOT NULL),
+                    rules.step, rules.walk, rules.importance, d.turn_phases) a) AS answers OFFSET 0) s
+                    ON r.movements IS NOT NULL
+                LEFT JOIN LATERAL streetgen._timed(s.answers, d.cycle, CASE WHEN d.durations IS NOT NULL
+                    THEN streetgen._kept_durations(current_schema(), r.movements, s.answers, d.durations, d.phases,
+                        d.approaches) END, rules.step) t ON r.movements IS NOT NULL),
         request AS (SELECT m.lane_in, m.lane_out, m.along_in, m.along_out, m.approach, m.precedence, m.number
             FROM unnest(asked) r, unnest(r.movements) WITH ORDINALITY m(lane_in, lane_out, along_in, along_out,
                 approach, exit, turn, length, speed, lanes, importance, flow, precedence, conflicts, reaches, walks,

@@ -9,14 +9,16 @@ BEGIN
     PERFORM streetgen._use_model(model);
     DELETE FROM controller_override WHERE controller_override_id = ANY (known[2:]);
     IF known = '{}' AND jsonb_strip_nulls(decided) <> '{}' THEN
-        INSERT INTO controller_override (axis_id, geom, program, cycle, start_offset, durations, turn_phases)
-        SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations, d.turn_phases
+        INSERT INTO controller_override (axis_id, geom, program, cycle, start_offset, durations, turn_phases, phases,
+            approaches)
+        SELECT e.axis_id, ST_Force2D(n.geom), d.program, d.cycle, d.start_offset, d.durations, d.turn_phases, d.phases,
+            d.approaches
         FROM junction_node m JOIN node n USING (node_id) JOIN edge e ON n.node_id IN (e.from_node, e.to_node),
             jsonb_populate_record(NULL::controller_override, decided) d
         WHERE m.junction_id = controller ORDER BY e.edge_id LIMIT 1;
     ELSE
-        UPDATE controller_override o SET (program, cycle, start_offset, durations, turn_phases)
-            = ROW (d.program, d.cycle, d.start_offset, d.durations, d.turn_phases)
+        UPDATE controller_override o SET (program, cycle, start_offset, durations, turn_phases, phases, approaches)
+            = ROW (d.program, d.cycle, d.start_offset, d.durations, d.turn_phases, d.phases, d.approaches)
         FROM controller_override k, jsonb_populate_record(k, decided) d
         WHERE o.controller_override_id = known[1] AND k.controller_override_id = known[1];
         DELETE FROM controller_override WHERE controller_override_id = known[1]
@@ -24,13 +26,15 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._decide_controller(name, bigint, jsonb) IS
-    'Writes what is decided of a controller (program, cycle, start_offset, durations, turn_phases; others stay as '
-    'decided before; NULL takes back).';
+    'Writes what is decided of a controller (columns of controller_override; others stay as decided before; NULL takes '
+    'back).';
 
 CREATE OR REPLACE FUNCTION streetgen._edit_controller() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    -- Another program has other states.
+    none constant jsonb := streetgen._typed_durations(TG_TABLE_SCHEMA, NULL, NULL);
     subject text;
     taken_back boolean := TG_OP = 'DELETE';
     decided jsonb := '{}';
@@ -63,10 +67,10 @@ BEGIN
                 hint => 'phases or paper; a function of your own is for setting signal_program. NULL takes back what '
                     'was decided by hand.');
         END IF;
-        decided := decided || jsonb_build_object('program', NEW.program, 'durations', NULL);
+        decided := decided || jsonb_build_object('program', NEW.program) || none;
     END IF;
     IF NEW.turn_phases IS DISTINCT FROM OLD.turn_phases THEN
-        decided := decided || jsonb_build_object('turn_phases', NEW.turn_phases, 'durations', NULL);
+        decided := decided || jsonb_build_object('turn_phases', NEW.turn_phases) || none;
     END IF;
     IF NEW.cycle IS DISTINCT FROM OLD.cycle THEN
         PERFORM streetgen._check_edit_number('the cycle of ' || subject, NEW.cycle, 10, 3600, 's',
@@ -86,7 +90,7 @@ BEGIN
             PERFORM streetgen._refuse('22023', format('the durations of %s are %s', subject, NEW.durations::text),
                 hint => format('It has %s states of 0.1 to 3600 s each.', cardinality(OLD.durations)));
         END IF;
-        decided := decided || jsonb_build_object('durations', NEW.durations);
+        decided := decided || streetgen._typed_durations(TG_TABLE_SCHEMA, OLD.controller_id, NEW.durations);
     END IF;
     IF decided <> '{}' THEN
         PERFORM streetgen._decide_controller(TG_TABLE_SCHEMA, OLD.controller_id, decided);
@@ -203,7 +207,9 @@ CREATE OR REPLACE FUNCTION streetgen._signal_decision()
         hash_place integer, hash text)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
-    ('controller_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', '{}'::jsonb, true, 9,
-        'ROW(o.geom::bytea, o.program, o.cycle, o.start_offset, o.durations, o.turn_phases)') $$;
+    ('controller_override'::name, 'vertex', '{axis_id}'::name[], '3 * {tolerance}', jsonb_build_object(
+        'approaches', 'ST_Translate(o.approaches, ST_X(n.geom) - ST_X(o.geom), ST_Y(n.geom) - ST_Y(o.geom))'), true, 9,
+        'ROW(o.geom::bytea, o.program, o.cycle, o.start_offset, o.durations, o.turn_phases, o.phases, '
+            'o.approaches::bytea)') $$;
 COMMENT ON FUNCTION streetgen._signal_decision() IS
     'The anchors of decisions about signals, and which of their columns follow the axes.';

@@ -29,9 +29,23 @@ COMMENT ON CONSTRAINT controller_override_cycle_check ON :"model".controller_ove
 COMMENT ON COLUMN :"model".controller_override.start_offset IS 'seconds; NULL: 0';
 COMMENT ON CONSTRAINT controller_override_start_offset_check ON :"model".controller_override IS
     '0 to 3600 s. Leave it empty for 0.';
-COMMENT ON COLUMN :"model".controller_override.durations IS 'seconds of the states in order; NULL in it: computed';
+COMMENT ON COLUMN :"model".controller_override.durations IS
+    'seconds of the states in order, each with what it serves by phases';
 ALTER TABLE :"model".controller_override ADD COLUMN IF NOT EXISTS turn_phases boolean;
 COMMENT ON COLUMN :"model".controller_override.turn_phases IS
     'do turns across others have a phase of their own? NULL: as lanes and speed say';
+ALTER TABLE :"model".controller_override ADD COLUMN IF NOT EXISTS phases text[],
+    ADD COLUMN IF NOT EXISTS approaches geometry(MultiPoint, :srid) CONSTRAINT approaches_are_finite
+        CHECK (NOT ST_IsEmpty(approaches) AND ST_XMin(approaches) BETWEEN -1e12 AND 1e12 AND ST_XMax(approaches)
+        BETWEEN -1e12 AND 1e12 AND ST_YMin(approaches) BETWEEN -1e12 AND 1e12 AND ST_YMax(approaches)
+        BETWEEN -1e12 AND 1e12);
+COMMENT ON COLUMN :"model".controller_override.phases IS
+    'what each of these states serves: numbers in approaches with turns, such as 1 left|1 through, or its kind; its '
+    'duration stays with that. NULL: durations are those of the states by their numbers';
+COMMENT ON COLUMN :"model".controller_override.approaches IS
+    'a place on each street that traffic came by when durations were typed';
+COMMENT ON CONSTRAINT approaches_are_finite ON :"model".controller_override IS
+    'a place on each street, every coordinate a number within 1e12. Leave phases and approaches empty for durations by '
+    'number.';
 COMMENT ON CONSTRAINT durations_are_seconds ON :"model".controller_override IS
     '0.1 to 3600 s for each state. Leave it empty to have them computed.';
