@@ -42,13 +42,12 @@ CREATE OR REPLACE FUNCTION streetgen._import_objects(model name, source text, qu
 DECLARE
     origin constant text COLLATE "default" := source;
     touched bigint[];
-    alike text := 'CASE WHEN lower(a.name) = lower(o.name) THEN 1 ELSE 0 END';
+    folding text;
+    snap float8;
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF (SELECT value = 'fuzzy' FROM setting WHERE name = 'object_names') THEN
-        alike := format('coalesce(%I.similarity(lower(a.name), lower(o.name)), 0)',
-            streetgen._require_extension('pg_trgm', 'object_names'));
-    END IF;
+    folding := streetgen._setting_text(model, 'object_names');
+    snap := streetgen._setting_number(model, 'object_snap');
     PERFORM streetgen._take_points('_import_object', query);
     PERFORM streetgen._check_objects(model);
     RETURN QUERY SELECT 'object without geometry, left out', o.type, count(*), array_agg(o.label)
@@ -60,9 +59,9 @@ BEGIN
         source_hash = hash_record_extended(ROW(o.type, o.geom::bytea, o.orientation, o.name), 0)
         FROM streetgen.model m WHERE m.name = model;
     -- The nearest axis; one of its own name counts as half as far, and one of a name nearly alike as that much nearer.
-    EXECUTE format('UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM axis a WHERE ST_DWithin('
-        'a.geom, o.geom, (SELECT value::float8 FROM setting WHERE name = ''object_snap'')) '
-        'ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * %s), a.axis_id LIMIT 1)', alike);
+    UPDATE pg_temp._import_object o SET axis_id = (SELECT a.axis_id FROM axis a WHERE ST_DWithin(a.geom, o.geom, snap)
+        ORDER BY ST_Distance(a.geom, o.geom) * (1 - 0.5 * coalesce(
+            streetgen._name_likeness(a.name, o.name, folding, 'object_names'), 0)), a.axis_id LIMIT 1);
     IF crossings_on_axes THEN
         RETURN QUERY WITH elsewhere AS (
             DELETE FROM pg_temp._import_object o WHERE o.type = ANY (_types_below('crossing')) AND NOT EXISTS (
@@ -135,7 +134,7 @@ COMMENT ON FUNCTION streetgen.import_objects(name, regclass, jsonb) IS
     'to the control point of their kind within a metre, each to one of its own, and move with it. With a source_ref, '
     'importing again follows the source; what is by hand stays as setting delivery_wins says, deleted objects too. '
     'Reports counts by type, objects off all axes, which stay where they lie, and objects nearer to another one than '
-    'distance_least of their type. pg_trgm that is asked for and missing: 0A000. A missing column: 42703; a bad '
+    'distance_least of their type. An extension that is asked for and missing: 0A000. A missing column: 42703; a bad '
     'row or mapping: 22023; a model without the subject: 55000; then the model stays as it was. Needs the rights of '
     'the owner (42501).';
 

@@ -103,3 +103,19 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._require_subject(name, text) IS
     'Raises 55000 for a model that does not compute a subject.';
+
+CREATE OR REPLACE FUNCTION streetgen._require_extension(extension name, setting text) RETURNS name
+    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    schema name := (SELECT nspname FROM pg_extension JOIN pg_namespace n ON n.oid = extnamespace
+        WHERE extname = extension);
+BEGIN
+    IF schema IS NULL THEN
+        RAISE EXCEPTION 'extension % is missing', extension USING ERRCODE = '0A000',
+            HINT = format('CREATE EXTENSION %I; or set %s to plain.', extension, setting);
+    END IF;
+    RETURN schema;
+END $$;
+COMMENT ON FUNCTION streetgen._require_extension(name, text) IS
+    'The schema of an extension that a setting asks for; 0A000 with the line that makes it where it is missing.';

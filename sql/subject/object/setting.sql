@@ -8,8 +8,8 @@ CREATE OR REPLACE FUNCTION streetgen._object_setting()
         'a rule of one''s own that places objects: none, or a function (model name, edges bigint[]) returning SETOF '
         'streetgen.placement, with its schema', NULL::float8, NULL::float8, ARRAY['none']),
     ('object_names', 'plain', NULL,
-        'how import_objects compares names of streets: plain (alike but for capital letters) or fuzzy (by the '
-        'similarity of pg_trgm)', NULL, NULL, ARRAY['plain', 'fuzzy']),
+        'how import_objects compares names of streets: plain (alike but for capital letters), unaccent (but for '
+        'accents too) or fuzzy (by the similarity of pg_trgm)', NULL, NULL, ARRAY['plain', 'unaccent', 'fuzzy']),
     ('line_sight', '5', 'm', 'rules place no object along a border or a corner so near to a stop or yield line', 0, 30,
         NULL),
     ('bay_roadway_one_way', '3', 'm', 'so much roadway for driving parking bays of rules leave in a one-way street', 0,

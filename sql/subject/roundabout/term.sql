@@ -49,41 +49,21 @@ COMMENT ON FUNCTION streetgen.roundabout_name(text[], text[], text) IS
     'the line that makes it. Of a name the first 200 letters count. A pattern that is no regular expression: 2201B. '
     'NULL for NULL. StreetGen paper, 2.8.';
 
-CREATE OR REPLACE FUNCTION streetgen._require_extension(extension name, setting text) RETURNS name
-    LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    AS $$
-DECLARE
-    schema name := (SELECT nspname FROM pg_extension JOIN pg_namespace n ON n.oid = extnamespace
-        WHERE extname = extension);
-BEGIN
-    IF schema IS NULL THEN
-        RAISE EXCEPTION 'extension % is missing', extension USING ERRCODE = '0A000',
-            HINT = format('CREATE EXTENSION %I; or set %s to plain.', extension, setting);
-    END IF;
-    RETURN schema;
-END $$;
-COMMENT ON FUNCTION streetgen._require_extension(name, text) IS
-    'The schema of an extension that a setting asks for; 0A000 with the line that makes it where it is missing.';
-
 CREATE OR REPLACE FUNCTION streetgen._names_roundabout(given text, pattern text, folding text) RETURNS boolean
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    folded text := given;
-    alike real;
+    folded text;
 BEGIN
     IF given ~* pattern OR folding = 'plain' THEN
         RETURN given ~* pattern;
     END IF;
-    EXECUTE format('SELECT %I.unaccent($1)', streetgen._require_extension('unaccent',
-        'roundabout_names')) INTO folded USING given;
+    folded := streetgen._without_accents(given, 'roundabout_names');
     IF folded ~* pattern OR folding = 'unaccent' THEN
         RETURN folded ~* pattern;
     END IF;
-    EXECUTE format('SELECT %I.word_similarity($1, $2)', streetgen._require_extension('pg_trgm',
-        'roundabout_names')) INTO alike
-        USING regexp_replace(pattern, '\\[a-zA-Z]|[^[:alpha:] ]', '', 'g'), folded;
-    RETURN alike > 0.6;
+    RETURN streetgen._trigrams_alike('word_similarity', regexp_replace(pattern, '\\[a-zA-Z]|[^[:alpha:] ]', '', 'g'),
+        folded, 'roundabout_names') > 0.6;
 END $$;
 COMMENT ON FUNCTION streetgen._names_roundabout(text, text, text) IS
     'Does a pattern fit a name, with accents folded or words nearly alike as folding says?';

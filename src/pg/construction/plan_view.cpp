@@ -37,18 +37,18 @@ double number_of(const PlanPiece& piece, int column) {
   return numbers[column];
 }
 
-using Numbers = std::vector<std::vector<double>>;
+using PlanColumns = std::vector<std::vector<double>>;
 
 // A column of pieces for each number.
-Numbers columns_of(const std::vector<PlanPiece>& chain) {
-  Numbers columns(chain_columns);
+PlanColumns columns_of(const std::vector<PlanPiece>& chain) {
+  PlanColumns columns(chain_columns);
   for (const PlanPiece& piece : chain)
     for (int i = 0; i < chain_columns; ++i) columns[i].push_back(number_of(piece, i));
   return columns;
 }
 
 // One row of arrays; none of a chain without a piece.
-void give_row(const Numbers& columns, ReturnSetInfo* result) {
+void give_row(const PlanColumns& columns, ReturnSetInfo* result) {
   if (columns.empty() || columns.front().empty()) return;
   const int count = static_cast<int>(columns.size());
   auto* values = static_cast<Datum*>(palloc0(count * sizeof(Datum)));
@@ -116,9 +116,9 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   const NumberArray from = take_numbers(fcinfo, 1), to = take_numbers(fcinfo, 2);
   const double tolerance = PG_GETARG_FLOAT8(3);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
-  Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
+  Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new Numbers;
+    slot->value = new PlanColumns;
     const std::vector<double> a = read_numbers(from, 3, "place_from");
     const std::vector<double> b = read_numbers(to, 3, "place_to");
     const auto chain = path_view(read_line(path, "path").line, {{a.at(0), a.at(1), 0}, a.at(2)},
@@ -198,9 +198,9 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
   const ValueArray widths = take_values(fcinfo, 5, FLOAT8OID, lines.count, "widths");
   const double tolerance = PG_GETARG_FLOAT8(6);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
-  Slot<Numbers>* slot = make_slot<Numbers>(CurrentMemoryContext);
+  Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new Numbers;
+    slot->value = new PlanColumns;
     std::vector<LaneGround> lanes;
     for (int i = 0; i < lines.count && i < surfaces.count; ++i) {
       const std::string number = std::to_string(i + 1);
@@ -212,7 +212,7 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
     auto course = course_beside(elements_of(alignment), line, in_range(reach, 0, 1e3, "reach"));
     const RoadLanes road = course.empty() ? road_lanes(line, lanes, tolerance_of(tolerance))
                                           : road_lanes(std::move(course), lanes);
-    Numbers& columns = *slot->value;
+    PlanColumns& columns = *slot->value;
     columns = columns_of(road.chain);
     columns.push_back(road.stations);
     columns.emplace_back();
