@@ -19,8 +19,15 @@ CREATE OR REPLACE FUNCTION streetgen._axis_setting()
     ('importance_default', '5', NULL, 'importance of an axis of which nothing is known', 1, 99, NULL),
     ('speed_by_importance', '{"1": 90, "2": 70, "3": 50, "4": 50, "5": 30}', 'km/h',
         'speed by importance; an entry holds up to the next one, the first also before itself', NULL, NULL, NULL),
+    ('class_ways_minimal', '10', NULL,
+        'learn_classes takes what so many axes of a class state, and more', 1, 1000000, NULL),
     ('speed_per_width', '6', 'km/h per m', 'speed of an axis of unknown importance, from its width', 0, 50, NULL) $$;
 COMMENT ON FUNCTION streetgen._axis_setting() IS 'The settings of axes, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._axis_setting_beside() RETURNS TABLE(name text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('class_ways_minimal') $$;
+COMMENT ON FUNCTION streetgen._axis_setting_beside() IS 'The settings of axes that streets do not depend on.';
 
 CREATE OR REPLACE FUNCTION streetgen._axis_setting_function()
     RETURNS TABLE(setting text, arguments text, result text, many boolean, expected text)
