@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "geometry/box_index.hpp"
@@ -19,10 +20,12 @@ const double opposite = std::cos(M_PI / 6);      // of the directions of two car
 const double nearly_along = std::cos(M_PI / 4);  // of two that part
 const double spread = std::cos(M_PI / 3);        // of two at the end of a median
 constexpr double longer_than_wide = 2;           // a median; else it may be a block
-constexpr double places_apart = 5;               // metres along an edge, at most
-constexpr double least_stretch = 15;             // metres of an edge that have a kind of their own
-constexpr double largest_island = 300;           // square metres between kerbs
-constexpr double least_turn = M_PI / 8;          // of a ring within the reach, radians
+constexpr double goes_on_to = 1.5;       // a median, beyond its greatest width, where it goes on
+constexpr double separator = 4;          // metres: the widest between carriageways of one direction
+constexpr double places_apart = 5;       // metres along an edge, at most
+constexpr double least_stretch = 15;     // metres of an edge that have a kind of their own
+constexpr double largest_island = 400;   // square metres between kerbs
+constexpr double least_turn = M_PI / 8;  // of a ring within the reach, radians
 
 // Traffic runs along a side of a face, which is walked counter-clockwise, or against it.
 enum class Flow { along, against, both };
@@ -46,7 +49,7 @@ class GroundBeside {
       widest_ = std::max(widest_, farthest_kerb(static_cast<int>(boxes.size()) - 1));
     }
     index_ = BoxIndex(boxes);
-    walk_small_faces();
+    look_at_small_faces();
   }
 
   BesideEdges find() const {
@@ -103,7 +106,7 @@ class GroundBeside {
     for (const bool ahead : {true, false}) {
       std::vector<int> passed{end.edge};
       EdgeEnd last = end;
-      for (double along = here / 2; along < layout_.settings.reach;) {
+      for (double along = here / 2; along < reach();) {
         const std::optional<EdgeEnd> next = along_ring(last, ahead);
         if (!next || std::count(passed.begin(), passed.end(), next->edge) > 0) break;
         passed.push_back(next->edge);
@@ -161,41 +164,35 @@ class GroundBeside {
     return runs;
   }
 
-  // Each face is walked about once.
-  void walk_small_faces() {
+  // Each side walks about its face, as far as it knows it.
+  void look_at_small_faces() {
     small_.resize(2 * edges_.size());
-    std::vector<bool> seen(2 * edges_.size());
     for (int n = 0; n < static_cast<int>(layout_.junctions.size()); ++n) {
       poll_cancel();
       const auto& ends = layout_.junctions[n].ends;
       for (std::size_t gap = 0; gap < ends.size(); ++gap) {
-        if (seen[slot(ends[gap])]) continue;
-        StreetFace face = face_about(layout_, {n, gap});
-        if (!on_one_level(layout_, face)) face.clear();
-        const std::optional<Beside> beside = beside_small(face);
-        for (const FaceSide& side : face) {
-          seen[slot(side.end)] = true;
-          small_[slot(side.end)] = beside;
-        }
+        const StreetFace face = face_beside(layout_, {n, gap});
+        if (on_one_level(layout_, face)) small_[slot(ends[gap])] = beside_small(face);
       }
     }
   }
 
-  // A small face is of one kind all about.
+  // A small face is of one kind all about, for the sides that know it.
   std::optional<Beside> beside_small(const StreetFace& face) const {
     if (face.empty()) return {};
     const Ring ring = ring_of(layout_, face);
     const double size = ring.empty() ? 0 : signed_area(ring);
-    if (size <= 0) return {};
+    if (size < layout_.settings.least_island()) return {};
     const std::vector<Run> runs = runs_of(face);
     const auto one_way = [](const Run& run) { return run.flow != Flow::both; };
     if (std::none_of(runs.begin(), runs.end(), one_way)) return {};
-    if (is_lens(runs)) return Beside::median;
-    if (runs.size() == 3) {
-      if (parts(runs)) return Beside::splitter;
-      if (size < layout_.settings.island_area) return Beside::island;
-    }
-    if (size - under_roadway(face) < largest_island) return Beside::island;
+    const double ground = size - under_roadway(face);
+    double about = 0;
+    for (const Run& run : runs) about += run.length;
+    if (is_lens(runs) && ground <= widest_median() * about / 2) return Beside::median;
+    if (runs.size() == 3 && size < layout_.settings.island_area)
+      return parts(runs) ? Beside::splitter : Beside::island;
+    if (ground < largest_island) return Beside::island;
     return {};
   }
 
@@ -237,9 +234,16 @@ class GroundBeside {
     if (flow_of(end) == Flow::both) return {};
     const double size = length(layout_.arm(end).line);
     const int count = std::max(1, static_cast<int>(std::ceil(size / places_apart)));
-    std::vector<bool> beside;
-    for (int k = 0; k < count; ++k)
-      beside.push_back(faces_other(end, size, (k + 0.5) / count * size));
+    std::vector<bool> beside, goes_on;
+    for (int k = 0; k < count; ++k) {
+      const std::optional<Hit> other = other_carriageway(end, size, (k + 0.5) / count * size);
+      beside.push_back(other && begins_median(*other));
+      goes_on.push_back(other.has_value());
+    }
+    for (int k = 1; k < count; ++k)
+      if (beside[k - 1] && goes_on[k]) beside[k] = true;
+    for (int k = count - 1; k > 0; --k)
+      if (beside[k] && goes_on[k - 1]) beside[k - 1] = true;
     if (!end.at_start) std::reverse(beside.begin(), beside.end());
     join_short(beside, static_cast<int>(std::ceil(least_stretch / size * count)));
     std::vector<double> stretches;
@@ -270,34 +274,48 @@ class GroundBeside {
 
   struct Hit {
     int edge;
-    double away;      // metres
-    Point direction;  // of the edge
+    double away;         // metres
+    Point direction;     // of the edge
+    double ground = 0;   // metres between the kerbs
+    double against = 0;  // cosine of the angle at which traffic there runs against that here
   };
 
-  bool faces_other(const EdgeEnd& end, double size, double abscissa) const {
+  // The carriageway of the same street beyond the ground on the left, where one may be.
+  std::optional<Hit> other_carriageway(const EdgeEnd& end, double size, double abscissa) const {
     const Arm& arm = layout_.arm(end);
     const LinePosition at = position_at(arm.line, abscissa);
-    const double own = half_at(arm, abscissa, +1);
-    const std::optional<Hit> hit = first_across(
-        end.edge, planar(at.point), unit(planar(at.direction)),
-        std::min(own + layout_.settings.median_width_maximal + widest_, layout_.settings.reach));
-    if (!hit) return false;
+    const double own = half_at(arm, abscissa, +1), most = goes_on_to * widest_median();
+    std::optional<Hit> hit = first_across(end.edge, planar(at.point), unit(planar(at.direction)),
+                                          own, std::min(own + most + widest_, reach()));
+    if (!hit) return {};
     const EdgeEnd other{hit->edge, true};
-    if (flow_of(other) == Flow::both) return false;
-    const double flows = (flow_of(end) == Flow::along ? 1 : -1) *
-                         (flow_of(other) == Flow::along ? 1 : -1) *
-                         dot(unit(planar(at.direction)), hit->direction);
-    if (flows > -opposite) return false;
+    if (flow_of(other) == Flow::both) return {};
+    hit->against = -(flow_of(end) == Flow::along ? 1 : -1) *
+                   (flow_of(other) == Flow::along ? 1 : -1) *
+                   dot(unit(planar(at.direction)), hit->direction);
+    hit->ground = hit->away - own - farthest_kerb(hit->edge);
     const std::int64_t street = layout_.axis_of(end.edge).street,
                        other_street = layout_.axis_of(hit->edge).street;
-    if (!may_be_one(street, other_street)) return false;
     const bool named = street != 0 && other_street != 0;
-    if (!named && size < longer_than_wide * hit->away) return false;
-    return hit->away - own - farthest_kerb(hit->edge) <= layout_.settings.median_width_maximal;
+    if (hit->ground > goes_on_to * widest_beside(*hit) || !may_be_one(street, other_street) ||
+        (!named && size < longer_than_wide * hit->away))
+      return {};
+    return hit;
   }
+  bool begins_median(const Hit& other) const {
+    return std::abs(other.against) >= opposite && other.ground <= widest_beside(other);
+  }
+  // Ground to the other direction, and to a carriageway that runs along; none where they cross.
+  double widest_beside(const Hit& other) const {
+    if (std::abs(other.against) < spread) return -std::numeric_limits<double>::infinity();
+    return other.against > 0 ? widest_median() : std::min(separator, widest_median());
+  }
+  double widest_median() const { return layout_.settings.median_width_maximal; }
+  double reach() const { return layout_.settings.reach; }
 
-  // The first edge on the left of a place.
-  std::optional<Hit> first_across(int own, const Point& at, const Point& along, double far) const {
+  // The first edge on the left of a place that lies off the roadway there.
+  std::optional<Hit> first_across(int own, const Point& at, const Point& along, double kerb,
+                                  double far) const {
     const Point across = left_normal(along);
     Box box;
     box.add(at);
@@ -311,7 +329,7 @@ class GroundBeside {
         const double sine = cross(across, side);
         if (sine == 0) continue;
         const double away = cross(from, side) / sine, share = cross(from, across) / sine;
-        if (share < 0 || share > 1 || away < 0 || away > far) continue;
+        if (share < 0 || share > 1 || away < kerb || away > far) continue;
         if (!first || away < first->away || (away == first->away && e < first->edge))
           first = Hit{e, away, unit(planar(side))};
       }
@@ -333,7 +351,7 @@ class GroundBeside {
     // Carriageways spread towards a roundabout, so those of one name may lie farther apart there.
     const std::int64_t street = layout_.axis_of(after.edge).street;
     const bool named = street != 0 && street == layout_.axis_of(before.edge).street;
-    const double most = (named ? 2 : 1) * layout_.settings.median_width_maximal;
+    const double most = (named ? 2 : 1) * widest_median();
     // Both lie on the left of it.
     const bool beyond = cross(across.back() - across.front(), away) > 0 &&
                         cross(across.back() - across.front(), away_too) > 0;
@@ -369,7 +387,8 @@ class GroundBeside {
   bool lies_at_median(const EdgeEnd& end, bool at_far_end) const {
     if (flow_of(end) == Flow::both) return false;
     const double size = length(layout_.arm(end).line), near = std::min(places_apart, size / 2);
-    return faces_other(end, size, at_far_end ? size - near : near);
+    const std::optional<Hit> other = other_carriageway(end, size, at_far_end ? size - near : near);
+    return other && begins_median(*other);
   }
 
   const Layout& layout_;

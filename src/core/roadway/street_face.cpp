@@ -41,6 +41,21 @@ bool is_near(const Layout& layout, int node, const EdgeEnd& end) {
                      [&](const Point& p) { return distance(from, p) <= layout.settings.reach; });
 }
 
+// Of a side: each segment lies within reach of one of the other side, whose distance is greatest at
+// an end.
+bool is_near_side(const Layout& layout, const EdgeEnd& from, const EdgeEnd& end) {
+  const Line &own = layout.arm(from).line, &line = layout.arm(end).line;
+  const double reach = layout.settings.reach;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    bool near = false;
+    for (std::size_t k = 1; k < own.size() && !near; ++k)
+      near = distance_to_segment(line[i - 1], own[k - 1], own[k]) <= reach &&
+             distance_to_segment(line[i], own[k - 1], own[k]) <= reach;
+    if (!near) return false;
+  }
+  return true;
+}
+
 class Faces {
  public:
   explicit Faces(Layout& layout) : layout_(layout) {
@@ -123,6 +138,19 @@ StreetFace face_about(const Layout& layout, const CornerPlace& start) {
   for (const FaceSide& from : face)
     for (const FaceSide& side : face)
       if (!is_near(layout, from.corner.node, side.end)) return {};
+  return face;
+}
+
+StreetFace face_beside(const Layout& layout, const CornerPlace& start) {
+  StreetFace face;
+  const EdgeEnd& first = layout.junctions[start.node].ends[start.gap];
+  CornerPlace at = start;
+  do {
+    const EdgeEnd& end = layout.junctions[at.node].ends[at.gap];
+    if (!is_near_side(layout, first, end)) return {};
+    face.push_back({end, at});
+    at = onwards(layout, at);
+  } while (!(at == start));
   return face;
 }
 

@@ -37,6 +37,9 @@ FaceSide side_before(const Layout& layout, const FaceSide& side);
 // The face at a corner, counter-clockwise about an inner one; none where a part of it lies beyond
 // reach of one of its nodes.
 StreetFace face_about(const Layout& layout, const CornerPlace& corner);
+// The face beside the first side from a corner; none where a part of it lies beyond reach of that
+// side, so that a long side knows a longer face than a short one.
+StreetFace face_beside(const Layout& layout, const CornerPlace& corner);
 bool on_one_level(const Layout& layout, const StreetFace& face);
 
 // The row of a corner, once corners are solved.

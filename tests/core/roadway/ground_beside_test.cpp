@@ -104,6 +104,39 @@ TEST(GroundBeside, IsTheCityBetweenStreetsOfOneDirection) {
                                                                              {2, {outer, outer}}}));
 }
 
+// Two estimated sidewalks have no room on it.
+TEST(GroundBeside, IsAMedianWhereASeparatorPartsLanesOfOneDirection) {
+  const auto along_each_other = [](double apart) {
+    std::vector<StreetAxis> axes = pair(apart, 5, 5);
+    std::swap(axes[1].line.front(), axes[1].line.back());
+    return beside(axes);
+  };
+  EXPECT_EQ(along_each_other(10.9), (std::map<std::int64_t, std::pair<Beside, Beside>>{
+                                        {1, {median, outer}}, {2, {outer, median}}}));
+  EXPECT_EQ(along_each_other(11.1), (std::map<std::int64_t, std::pair<Beside, Beside>>{
+                                        {1, {outer, outer}}, {2, {outer, outer}}}));
+}
+
+// A source draws one carriageway twice: the copy on the roadway is no street beside it.
+TEST(GroundBeside, IsAMedianBesideACarriagewayDrawnTwice) {
+  std::vector<StreetAxis> axes = pair(14, 5, 5);
+  axes.push_back(axis(3, {{300, 13.5, 0}, {0, 13.5, 0}}, along, 5, 5));
+  const auto found = beside(axes);
+  EXPECT_EQ(found.at(1).first, median);
+  EXPECT_EQ(found.at(2).first, median);
+}
+
+// It begins where the ground is 20 m wide at most, and goes on up to 30 m.
+TEST(GroundBeside, IsAMedianAsCarriagewaysSpread) {
+  const auto spreading = [](double widest) {
+    return beside({axis(1, {{0, 0, 0}, {300, 0, 0}}, along, 5),
+                   axis(2, {{300, 7 + widest, 0}, {0, 7 + 15, 0}}, along, 5)});
+  };
+  EXPECT_EQ(spreading(29), (std::map<std::int64_t, std::pair<Beside, Beside>>{
+                               {1, {median, outer}}, {2, {median, outer}}}));
+  EXPECT_EQ(spreading(70).at(1).first, outer);
+}
+
 TEST(GroundBeside, IsNoMedianBeyondAStreetBetween) {
   std::vector<StreetAxis> axes = pair(24, 5, 5);
   axes.push_back(axis(3, {{0, 12, 0}, {300, 12, 0}}, both, 5, 5));
@@ -181,6 +214,19 @@ TEST(GroundBeside, IsAnIslandWithinASlipLane) {
        axis(4, {{-100, 0, 0}, {-30, 0, 0}}, both), axis(5, {{0, -30, 0}, {0, -100, 0}}, both)},
       {{1, {outer, island}},
        {2, {outer, island}},
+       {3, {island, outer}},
+       {4, {outer, outer}},
+       {5, {outer, outer}}});
+}
+
+// Its long sides lie beside each other. The short one does not know what is 90 m away.
+TEST(GroundBeside, IsAnIslandWithinALongSlipLane) {
+  expect_beside(
+      {axis(1, {{-90, 0, 0}, {0, 0, 0}}, both), axis(2, {{0, 0, 0}, {0, -14, 0}}, both),
+       axis(3, {{-90, 0, 0}, {0, -14, 0}}, along, 0, 4), axis(4, {{-190, 0, 0}, {-90, 0, 0}}, both),
+       axis(5, {{0, -14, 0}, {0, -100, 0}}, both)},
+      {{1, {outer, island}},
+       {2, {outer, outer}},
        {3, {island, outer}},
        {4, {outer, outer}},
        {5, {outer, outer}}});
