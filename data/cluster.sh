@@ -24,7 +24,7 @@ as_server() { if [ "$(id -u)" = 0 ]; then runuser -u streetgen -- "$@"; else "$@
 # PostgreSQL is the one that the distribution has.
 install_packages() {
   install_missing g++ cmake make postgresql postgresql-server-dev-all postgresql-postgis postgresql-postgis-scripts \
-    postgis libgeos-dev libboost-dev osm2pgsql osmium-tool bzip2 gdal-bin librsvg2-bin fonts-dejavu-core
+    postgis libgeos-dev libboost-dev libeigen3-dev osm2pgsql osmium-tool bzip2 gdal-bin librsvg2-bin fonts-dejavu-core
 }
 
 install_qgis() { install_missing python3-qgis qgis-providers; }

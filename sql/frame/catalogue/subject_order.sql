@@ -43,7 +43,9 @@ CREATE OR REPLACE FUNCTION streetgen._subject()
     (17, 'bridge', '{overpass}'::text[], 'group', false, false, 'little',
         'bridges and tunnels: stretches of edges over others, or off the ground by their level'),
     (18, 'object', '{kerb}'::text[], 'group', false, false, 'by the number of objects',
-        'what stands at streets: objects that follow their axes, and the edge at which each stands') $$;
+        'what stands at streets: objects that follow their axes, and the edge at which each stands'),
+    (19, 'fit', '{surface}'::text[], 'group', false, false, 'by the number of observations',
+        'how far observed kerbs lie from those of the streets, and proposals that bring streets nearer to them') $$;
 COMMENT ON FUNCTION streetgen._subject() IS
     'The subjects of models in the order in which they are computed. needs: the subjects whose rows a subject reads. '
     'reach: how far what a row is computed from lies. near: within the reach around the axis. chain: as far as roads '

@@ -20,8 +20,10 @@ DECLARE
     emptied constant boolean := NEW.width IS NULL
         AND (NEW.width_end IS NULL OR NEW.width_end IS NOT DISTINCT FROM OLD.width_end);
 BEGIN
-    -- Importers write what the source says with its line and its hash, one of which is another then.
-    IF (NEW.source_hash, NEW.source_geom) IS DISTINCT FROM (OLD.source_hash, OLD.source_geom) THEN
+    -- Importers write what the source says with its line and its hash, one of which is another then. Who puts back
+    -- what was writes all of it.
+    IF (NEW.source_hash, NEW.source_geom) IS DISTINCT FROM (OLD.source_hash, OLD.source_geom)
+        OR current_setting('streetgen.puts_back', true) = 'on' THEN
         RETURN NEW;
     END IF;
     IF OLD.width_by_hand AND (emptied OR NOT NEW.width_by_hand) THEN

@@ -2,19 +2,12 @@
 // streetgen._walk_parts: the network on foot.
 #include "streetgen/walk_network.hpp"
 
-#include <cstring>
-
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
+#include "value/given_rows.hpp"
 #include "value/line_array.hpp"
-#include "value/stored.hpp"
 #include "value/value_array.hpp"
 #include "value/wkb.hpp"
-
-extern "C" {
-#include <funcapi.h>
-#include <utils/tuplestore.h>
-}
 
 namespace {
 
@@ -27,28 +20,6 @@ int index_of(Datum number, int count, const char* name) {
   if (index < -1 || index >= count)
     throw Error(ErrorKind::invalid_input, std::string(name) + " has a number beyond the last");
   return index;
-}
-
-Datum line_datum(const Line& line, int srid) {
-  Slot<Stored>* slot = make_slot<Stored>(CurrentMemoryContext);
-  report(compute([&] { slot->value = new Stored(stored_line(line, {srid, false})); }));
-  void* out = palloc(VARSIZE(slot->value->get()));
-  memcpy(out, slot->value->get(), VARSIZE(slot->value->get()));
-  return PointerGetDatum(out);
-}
-
-// Puts a row of values for each of `all`, made in a memory of its own.
-template <class Given, class Put>
-void put_rows(FunctionCallInfo fcinfo, const std::vector<Given>& all, Put put) {
-  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
-  MemoryContext per_row =
-      AllocSetContextCreate(CurrentMemoryContext, "streetgen row", ALLOCSET_DEFAULT_SIZES);
-  for (const Given& one : all) {
-    MemoryContext before = MemoryContextSwitchTo(per_row);
-    put(one, result);
-    MemoryContextSwitchTo(before);
-    MemoryContextReset(per_row);
-  }
 }
 
 struct GivenKerbs {
@@ -159,7 +130,7 @@ STREETGEN_FUNCTION(streetgen_built_walks) {
   put_rows(fcinfo, *slot->value, [&](const BuiltWalk& walk, ReturnSetInfo* result) {
     Datum values[5] = {Int32GetDatum(walk.kerb + 1), Int32GetDatum(walk.arm + 1),
                        BoolGetDatum(walk.loose_start), BoolGetDatum(walk.loose_end),
-                       line_datum(walk.line, srid)};
+                       line_datum(walk.line, {srid, false})};
     bool nulls[5] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
@@ -181,10 +152,13 @@ STREETGEN_FUNCTION(streetgen_walk_network) {
   Slot<std::vector<WalkLink>>* slot = make_slot<std::vector<WalkLink>>(CurrentMemoryContext);
   report(compute([&] { slot->value = new std::vector<WalkLink>(walk_network(lines_of(given))); }));
   put_rows(fcinfo, *slot->value, [&](const WalkLink& link, ReturnSetInfo* result) {
-    Datum values[7] = {Int32GetDatum(link.line + 1),   Int32GetDatum(link.part),
-                       Int32GetDatum(link.parts),      Int64GetDatum(link.id),
-                       Int64GetDatum(link.from_node),  Int64GetDatum(link.to_node),
-                       line_datum(link.geometry, srid)};
+    Datum values[7] = {Int32GetDatum(link.line + 1),
+                       Int32GetDatum(link.part),
+                       Int32GetDatum(link.parts),
+                       Int64GetDatum(link.id),
+                       Int64GetDatum(link.from_node),
+                       Int64GetDatum(link.to_node),
+                       line_datum(link.geometry, {srid, false})};
     bool nulls[7] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
@@ -206,7 +180,7 @@ STREETGEN_FUNCTION(streetgen_walks_over_area) {
   report(compute([&] { slot->value = new std::vector<AreaWalk>(area_walks_of(given, detour)); }));
   put_rows(fcinfo, *slot->value, [&](const AreaWalk& walk, ReturnSetInfo* result) {
     Datum values[3] = {Int32GetDatum(walk.from + 1), Int32GetDatum(walk.to + 1),
-                       line_datum(walk.line, srid)};
+                       line_datum(walk.line, {srid, false})};
     bool nulls[3] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });

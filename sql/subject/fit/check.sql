@@ -1,0 +1,37 @@
+-- Checks and counts of the fit.
+
+CREATE OR REPLACE FUNCTION streetgen._check_fit(model name) RETURNS SETOF streetgen.finding
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT 'notice', 'proposal of a fit whose axis was edited since', 'fit_proposal', p.fit_proposal_id,
+            NULL::float8, coalesce(a.geom, p.geom)::geometry
+        FROM fit_proposal p LEFT JOIN axis a USING (axis_id)
+        WHERE p.state = 'proposed' AND p.axis_hash IS DISTINCT FROM streetgen._fit_hash(a.geom, a.width, a.width_end,
+            a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
+    UNION ALL
+    SELECT 'notice', 'kerb far from where it was observed, m', 'kerb_distance', k.kerb_distance_id, k.median, k.geom
+        FROM kerb_distance k WHERE k.median > 0.5 AND k.observations >= 10;
+END $$;
+COMMENT ON FUNCTION streetgen._check_fit(name) IS 'The rows of streetgen.check_model for the fit.';
+
+CREATE OR REPLACE FUNCTION streetgen._fit_summary()
+    RETURNS TABLE(place integer, subject text, query text)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES
+    (80, 'fit', $part$
+    SELECT 'observations', count(*)::numeric, NULL FROM %1$I.observation
+    UNION ALL SELECT 'proposals of fits that nobody settled', count(*), NULL FROM %1$I.fit_proposal
+        WHERE state = 'proposed'
+    UNION ALL SELECT 'mean distance of observed kerbs', round((sum(mean * observations) / sum(observations))::numeric,
+        3), 'm' FROM %1$I.kerb_distance HAVING count(*) > 0$part$) $$;
+COMMENT ON FUNCTION streetgen._fit_summary() IS 'What streetgen.summary counts of the fit.';
+
+INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
+    ('proposal of a fit whose axis was edited since',
+        'the axis is not as the fit knew it, and streetgen.accept_fit leaves it',
+        '`streetgen.fit` anew, or `streetgen.reject_fit`'),
+    ('kerb far from where it was observed, m',
+        'half of the points observed of a kerb lie over 0.5 m beside that of the street',
+        '`streetgen.fit`, then `streetgen.accept_fit`; `fit_change` shows what it would change');

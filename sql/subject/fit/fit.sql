@@ -1,0 +1,157 @@
+-- The fit of streets to observations: it writes proposals, and no axis.
+
+CREATE OR REPLACE FUNCTION streetgen._fit_hash(geom geometry, width float8, width_end float8, roadway_offset float8,
+    sidewalk_left float8, sidewalk_right float8) RETURNS bigint
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT hash_record_extended(ROW(geom::bytea, width, width_end, roadway_offset, sidewalk_left,
+        sidewalk_right), 0) $$;
+COMMENT ON FUNCTION streetgen._fit_hash(geometry, float8, float8, float8, float8, float8) IS
+    'A number of what a fit changes of an axis: of an axis that was edited it is another.';
+
+CREATE OR REPLACE FUNCTION streetgen._fit_moves(options jsonb) RETURNS text
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    unknown text;
+    moves text;
+BEGIN
+    IF jsonb_typeof(options) IS DISTINCT FROM 'object' THEN
+        RAISE EXCEPTION 'the options are %, expected an object', coalesce(options::text, 'NULL') USING
+            ERRCODE = '22023', HINT = 'For example {"moves": "axis"}.';
+    END IF;
+    SELECT key INTO unknown FROM jsonb_object_keys(options) key WHERE key <> 'moves' LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'there is no option "%"', unknown USING ERRCODE = '22023',
+            HINT = 'The option is moves; bounds and weights are settings, whose names begin with fit_.';
+    END IF;
+    moves := coalesce(options ->> 'moves', 'roadway');
+    IF moves NOT IN ('roadway', 'axis') THEN
+        RAISE EXCEPTION 'option moves is "%", expected roadway or axis', moves USING ERRCODE = '22023',
+            HINT = 'roadway changes widths and offsets, axis also moves the axes.';
+    END IF;
+    RETURN moves;
+END $$;
+COMMENT ON FUNCTION streetgen._fit_moves(jsonb) IS
+    'Option moves of a fit: roadway or axis. Another option or value: 22023.';
+
+CREATE OR REPLACE FUNCTION streetgen._require_axes(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    unknown bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT u INTO unknown FROM unnest(axes) u WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = u) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'there is no axis %', coalesce(unknown::text, 'NULL') USING ERRCODE = '22023',
+            HINT = 'Leave axes out for all.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_axes(name, bigint[]) IS 'Raises 22023 for the first id that is no axis.';
+
+CREATE OR REPLACE FUNCTION streetgen._propose_fit(model name, of_axes bigint[], moves text) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    rules constant float8[] := streetgen._fit_rules(model, moves = 'axis');
+    changed constant float8 := 0.005;
+    model_name constant name := model;
+    what_moves constant text := moves;
+    run bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    WITH given AS MATERIALIZED (SELECT * FROM streetgen._fit_axes(model_name, of_axes)),
+    seen AS MATERIALIZED (SELECT * FROM streetgen._fit_observations(model_name, of_axes, false)),
+    fitted AS MATERIALIZED (
+        SELECT f.* FROM given g, seen s, streetgen._fit_streets(g.lines, g.widths, g.lanes, g.moves, g.stretch_axes,
+            g.stretches, g.nodes, s.kinds, s.relations, s.x, s.y, s.confidence, s.weight, s.width, rules,
+            (SELECT value FROM setting WHERE name = 'fit_loss')) f),
+    new AS MATERIALIZED (
+        SELECT a.axis_id, a.geom AS line, f.geom, f.used, f.mean_before, f.mean_after,
+            round((CASE WHEN tapers THEN f.new_width ELSE (f.new_width + f.new_width_end) / 2 END)::numeric, 3)::float8
+                AS width, CASE WHEN tapers THEN round(f.new_width_end::numeric, 3)::float8 END AS width_end,
+            round(f.new_offset::numeric, 3)::float8 AS roadway_offset,
+            CASE WHEN abs(f.new_sidewalk_left - coalesce(a.sidewalk_left, -1)) > changed
+                THEN round(f.new_sidewalk_left::numeric, 2)::float8 END AS sidewalk_left,
+            CASE WHEN abs(f.new_sidewalk_right - coalesce(a.sidewalk_right, -1)) > changed
+                THEN round(f.new_sidewalk_right::numeric, 2)::float8 END AS sidewalk_right,
+            streetgen._fit_hash(a.geom, a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
+                AS axis_hash, u.width AS width_before, u.width_end AS width_end_before, u.roadway_offset AS offset_before
+        FROM fitted f JOIN given g ON f.number > 0 JOIN axis a ON a.axis_id = g.axis_ids[f.number]
+            JOIN axis_used u ON u.axis_id = a.axis_id,
+            -- A taper of centimetres is none.
+            LATERAL (SELECT abs(f.new_width - f.new_width_end) > 0.05 AS tapers) t
+        WHERE g.moves[f.number]),
+    proposed AS MATERIALIZED (
+        SELECT * FROM new WHERE abs(width - width_before) > changed
+            OR abs(coalesce(width_end, width) - width_end_before) > changed
+            OR abs(roadway_offset - offset_before) > changed OR sidewalk_left IS NOT NULL
+            OR sidewalk_right IS NOT NULL OR geom::bytea <> line::bytea),
+    run AS (
+        INSERT INTO fit_run (moves, axes, observations, used, mean_before, median_before, mean_after, median_after,
+                iterations)
+        SELECT what_moves, (SELECT count(*) FROM proposed), cardinality(s.kinds), f.used, f.mean_before,
+            f.median_before, f.mean_after, f.median_after, f.iterations
+        FROM fitted f, seen s WHERE f.number = 0 RETURNING fit_run),
+    written AS (
+        INSERT INTO fit_proposal (fit_run, axis_id, geom, width, width_end, roadway_offset, sidewalk_left,
+                sidewalk_right, before, after, observations, nodes, axis_hash)
+        SELECT r.fit_run, p.axis_id, p.geom, p.width, p.width_end, p.roadway_offset, p.sidewalk_left,
+            p.sidewalk_right, p.mean_before, p.mean_after, p.used, CASE WHEN p.geom::bytea = p.line::bytea THEN '{}'
+                ELSE ARRAY(SELECT DISTINCT n.node_id FROM edge e JOIN node n ON n.node_id IN (e.from_node, e.to_node)
+                    WHERE e.axis_id = p.axis_id AND NOT EXISTS (SELECT FROM ST_DumpPoints(p.geom) d
+                        WHERE ST_DWithin(d.geom, n.geom, 0.001)) ORDER BY 1) END, p.axis_hash
+        FROM run r, proposed p ORDER BY p.axis_id)
+    SELECT r.fit_run INTO run FROM run r;
+    RETURN run;
+END $$;
+COMMENT ON FUNCTION streetgen._propose_fit(name, bigint[], text) IS
+    'Fits axes of a model (NULL: all), writes the run and a proposal for each axis that would change by over 5 mm, and '
+    'gives the run. Widths are rounded to millimetres, sidewalks to centimetres.';
+
+CREATE OR REPLACE FUNCTION streetgen._fit(model name, of_axes bigint[], options jsonb) RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    moves constant text := streetgen._fit_moves(options);
+    run bigint;
+BEGIN
+    PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
+        streetgen._require_axes(model, of_axes);
+    run := streetgen._propose_fit(model, of_axes, moves);
+    PERFORM FROM streetgen._update_fit(model, of_axes, NULL, NULL);
+    RETURN run;
+END $$;
+COMMENT ON FUNCTION streetgen._fit(name, bigint[], jsonb) IS
+    'As streetgen.fit, and gives the run; distances in kerb_distance are brought up to date too.';
+
+CREATE OR REPLACE FUNCTION streetgen._fit_run_of(model name, run bigint)
+    RETURNS TABLE(fit_run bigint, axes bigint, observations bigint, used bigint, mean_before float8,
+        median_before float8, mean_after float8, median_after float8, iterations integer)
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    wanted constant bigint := run;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT r.fit_run, r.axes, r.observations, r.used, r.mean_before, r.median_before, r.mean_after,
+        r.median_after, r.iterations FROM fit_run r WHERE r.fit_run = wanted;
+END $$;
+COMMENT ON FUNCTION streetgen._fit_run_of(name, bigint) IS 'A run of streetgen.fit as that function tells of it.';
+
+-- SQL, since PL/pgSQL refuses a column that has the name of an argument.
+CREATE OR REPLACE FUNCTION streetgen.fit(model name, axes bigint[] DEFAULT NULL, options jsonb DEFAULT '{}')
+    RETURNS TABLE(fit_run bigint, axes bigint, observations bigint, used bigint, mean_before float8,
+        median_before float8, mean_after float8, median_after float8, iterations integer)
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    AS $$ SELECT * FROM streetgen._fit_run_of($1, streetgen._fit($1, $2, $3)) $$;
+COMMENT ON FUNCTION streetgen.fit(name, bigint[], jsonb) IS
+    'Fits streets to what table observation holds, and writes proposals to fit_proposal, one for each axis that would '
+    'change; no axis changes before streetgen.accept_fit. axes: those that may change, NULL: all. options: moves is '
+    'roadway (widths and where the roadway lies beside its axis; the default) or axis (also nodes and vertices). Gives '
+    'a row: the run, its proposals, points observed and used, mean and median distance (metres) of kerbs observed to '
+    'those of the model, before and as proposed, and rounds of the solver. Bounds and weights are settings fit_…; '
+    'StreetGen paper, section 4.8. Tells its progress and can be cancelled. An unknown option or axis: 22023; without '
+    'the subject: 55000; without rights to edit: 42501.';

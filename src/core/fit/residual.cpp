@@ -1,0 +1,134 @@
+#include "fit/residual.hpp"
+
+#include <cmath>
+
+namespace streetgen {
+
+namespace {
+
+constexpr double full_turn = 6.283185307179586;
+
+// Adds the slope of an offset from the axis by the vertices of its segment.
+void depend_on_vertices(const Course& course, const FitMatch& match, double factor,
+                        Residual& residual) {
+  const double shares[2] = {1 - match.along, match.along};
+  for (int i = 0; i < 2; ++i) {
+    const int x = course.vertices[match.segment + i].x;
+    if (x == not_free) continue;
+    residual.depends(x, -factor * shares[i] * match.normal.x);
+    residual.depends(x + 1, -factor * shares[i] * match.normal.y);
+  }
+}
+
+// Adds the slope of a width at an abscissa.
+void depend_on_width(const Course& course, double abscissa, double factor, Residual& residual) {
+  const double share = abscissa / course.total;
+  if (course.width_end == course.width_start) return residual.depends(course.width_start, factor);
+  residual.depends(course.width_start, factor * (1 - share));
+  residual.depends(course.width_end, factor * share);
+}
+
+// The border between equally wide lanes that is nearest to an offset: its share of the width, from
+// the right kerb.
+double nearest_border(const FittedCourse& fitted, int lanes, const FitMatch& match) {
+  const double width = fitted.width(match.abscissa);
+  const double share = (match.offset - fitted.offset() + width / 2) / width;
+  return std::round(std::clamp(share, 0.0, 1.0) * lanes) / lanes;
+}
+
+struct Turn {
+  double angle;
+  Point slopes[3];  // by each of three vertices
+};
+
+// The angle at the middle one of three vertices.
+Turn turn_at(const Point& a, const Point& b, const Point& c) {
+  const Point before = b - a, behind = c - b;
+  const Point by_before = left_normal(before) * (1 / dot(before, before));
+  const Point by_behind = left_normal(behind) * (1 / dot(behind, behind));
+  return {std::atan2(cross(before, behind), dot(before, behind)),
+          {by_before, (by_before + by_behind) * -1, by_behind}};
+}
+
+}  // namespace
+
+bool residual_of(const Observation& observation, const FitMatch& match, const FitAxis& axis,
+                 const Course& course, const std::vector<double>& values, const FitRules& rules,
+                 double scale, Residual& residual) {
+  if (match.axis < 0 || observation.kind == ObservationKind::sidewalk_back) return false;
+  const FittedCourse fitted(axis, course, values);
+  residual.count = 0;
+  residual.weight = observation.weight;
+  residual.loss = {rules.loss, scale};
+  if (observation.kind == ObservationKind::width) {
+    const double factor = observation.confidence * rules.observed_width;
+    residual.value = factor * (fitted.width(match.abscissa) - observation.width);
+    depend_on_width(course, match.abscissa, factor, residual);
+    return true;
+  }
+  const bool object = observation.kind == ObservationKind::object;
+  const double factor = observation.confidence * (object ? rules.object : rules.observation);
+  if (observation.kind == ObservationKind::marking) {
+    const double share = nearest_border(fitted, axis.lanes, match) - 0.5;
+    residual.value =
+        factor * (match.offset - fitted.offset() - share * fitted.width(match.abscissa));
+    residual.depends(course.offset, -factor);
+    depend_on_width(course, match.abscissa, -factor * share, residual);
+    depend_on_vertices(course, match, factor, residual);
+    return true;
+  }
+  double beyond = match.side * match.offset - fitted.to_kerb(match.abscissa, match.side);
+  if (object && observation.relation == ObservationRelation::in)
+    beyond = std::max(0.0, beyond + rules.object_margin);
+  if (object && observation.relation == ObservationRelation::out)
+    beyond = std::min(0.0, beyond - rules.object_margin);
+  if (object && beyond == 0 && observation.relation != ObservationRelation::border) return false;
+  residual.value = factor * beyond;
+  residual.depends(course.offset, -factor * match.side);
+  depend_on_width(course, match.abscissa, -factor / 2, residual);
+  depend_on_vertices(course, match, factor * match.side, residual);
+  return true;
+}
+
+Residual spacing_residual(const FitAxis& axis, const Course& course, std::size_t segment,
+                          const std::vector<double>& values, const FitRules& rules) {
+  const FittedCourse fitted(axis, course, values);
+  const CourseVertex &from = course.vertices[segment], &to = course.vertices[segment + 1];
+  const Point along = fitted.vertex(segment + 1) - fitted.vertex(segment);
+  Residual residual;
+  residual.loss = {FitLoss::soft_l1, rules.scale};
+  residual.value = rules.spacing * (norm(along) - distance(from.origin, to.origin));
+  const Point slope = unit(along) * rules.spacing;
+  if (to.x != not_free) {
+    residual.depends(to.x, slope.x);
+    residual.depends(to.x + 1, slope.y);
+  }
+  if (from.x != not_free) {
+    residual.depends(from.x, -slope.x);
+    residual.depends(from.x + 1, -slope.y);
+  }
+  return residual;
+}
+
+Residual angle_residual(const FitAxis& axis, const Course& course, std::size_t vertex,
+                        const std::vector<double>& values, const FitRules& rules) {
+  const FittedCourse fitted(axis, course, values);
+  const auto& vertices = course.vertices;
+  const Turn turn =
+      turn_at(fitted.vertex(vertex - 1), fitted.vertex(vertex), fitted.vertex(vertex + 1));
+  const double before =
+      turn_at(vertices[vertex - 1].origin, vertices[vertex].origin, vertices[vertex + 1].origin)
+          .angle;
+  Residual residual;
+  residual.loss = {FitLoss::soft_l1, rules.scale};
+  residual.value = rules.angle * std::remainder(turn.angle - before, full_turn);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const int x = vertices[vertex + i - 1].x;
+    if (x == not_free) continue;
+    residual.depends(x, rules.angle * turn.slopes[i].x);
+    residual.depends(x + 1, rules.angle * turn.slopes[i].y);
+  }
+  return residual;
+}
+
+}  // namespace streetgen
