@@ -8,16 +8,27 @@ namespace {
 
 constexpr double full_turn = 6.283185307179586;
 
-// Adds the slope of an offset from the axis by the vertices of its segment.
-void depend_on_vertices(const Course& course, const FitMatch& match, double factor,
-                        Residual& residual) {
-  const double shares[2] = {1 - match.along, match.along};
-  for (int i = 0; i < 2; ++i) {
-    const int x = course.vertices[match.segment + i].x;
-    if (x == not_free) continue;
-    residual.depends(x, -factor * shares[i] * match.normal.x);
-    residual.depends(x + 1, -factor * shares[i] * match.normal.y);
-  }
+// Adds the slopes by the vertices of the segment: those of the offset from it, and those of the
+// abscissa, times what a metre of each changes.
+void depend_on_vertices(const FittedCourse& fitted, const Course& course, const FitMatch& match,
+                        double by_offset, double by_abscissa, Residual& residual) {
+  const CourseVertex &from = course.vertices[match.segment],
+                     &to = course.vertices[match.segment + 1];
+  if (from.x == not_free && to.x == not_free) return;
+  const Point along =
+      planar(fitted.vertex(match.segment + 1)) - planar(fitted.vertex(match.segment));
+  const Point across = match.normal * match.offset;
+  const bool clamped = match.along == 0 || match.along == 1;
+  const double stretched =
+      clamped ? 0 : by_abscissa * (to.abscissa - from.abscissa) / dot(along, along);
+  const auto depend = [&](int x, double share, const Point& by_share) {
+    if (x == not_free) return;
+    const Point slope = match.normal * (-by_offset * share) + by_share * stretched;
+    residual.depends(x, slope.x);
+    residual.depends(x + 1, slope.y);
+  };
+  depend(from.x, 1 - match.along, along * (match.along - 1) - across);
+  depend(to.x, match.along, across - along * match.along);
 }
 
 // Adds the slope of a width at an abscissa.
@@ -57,6 +68,8 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
                  double scale, Residual& residual) {
   if (match.axis < 0 || observation.kind == ObservationKind::sidewalk_back) return false;
   const FittedCourse fitted(axis, course, values);
+  // Metres that the width grows by in each metre along the axis.
+  const double taper = (fitted.width_end() - fitted.width_start()) / course.total;
   residual.count = 0;
   residual.weight = observation.weight;
   residual.loss = {rules.loss, scale};
@@ -64,6 +77,7 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
     const double factor = observation.confidence * rules.observed_width;
     residual.value = factor * (fitted.width(match.abscissa) - observation.width);
     depend_on_width(course, match.abscissa, factor, residual);
+    depend_on_vertices(fitted, course, match, 0, factor * taper, residual);
     return true;
   }
   const bool object = observation.kind == ObservationKind::object;
@@ -74,7 +88,7 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
         factor * (match.offset - fitted.offset() - share * fitted.width(match.abscissa));
     residual.depends(course.offset, -factor);
     depend_on_width(course, match.abscissa, -factor * share, residual);
-    depend_on_vertices(course, match, factor, residual);
+    depend_on_vertices(fitted, course, match, factor, -factor * share * taper, residual);
     return true;
   }
   double beyond = match.side * match.offset - fitted.to_kerb(match.abscissa, match.side);
@@ -86,7 +100,7 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
   residual.value = factor * beyond;
   residual.depends(course.offset, -factor * match.side);
   depend_on_width(course, match.abscissa, -factor / 2, residual);
-  depend_on_vertices(course, match, factor * match.side, residual);
+  depend_on_vertices(fitted, course, match, factor * match.side, -factor / 2 * taper, residual);
   return true;
 }
 
