@@ -37,22 +37,16 @@ COMMENT ON FUNCTION streetgen._check_observations() IS
     'Raises 22023 for the first observation of the import of an unknown kind or relation, with a bad number or place, '
     'and for a source_ref that comes twice.';
 
-CREATE OR REPLACE FUNCTION streetgen.observe(model name, source regclass, mapping jsonb)
+CREATE OR REPLACE FUNCTION streetgen._observe(model name, source text)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
-    origin text COLLATE "default" := source::text;
+    origin constant text COLLATE "default" := source;
     model_name constant name := model;
-    mapped constant jsonb := mapping;
 BEGIN
-    PERFORM streetgen._require_owner(model_name), streetgen._check_given('source', origin, 'mapping', mapped::text),
-        streetgen._require_subject(model_name, 'fit');
-    PERFORM streetgen._use_model(model_name);
-    PERFORM streetgen._take_points('_import_observation', streetgen._point_query('observation',
-            '{geom,kind,confidence,weight,relation,source_ref}', '{geom}', origin::regclass, mapped)),
-        streetgen._check_observations();
+    PERFORM streetgen._use_model(model), streetgen._check_observations();
     RETURN QUERY SELECT 'observation without geometry, left out', i.kind, count(*), (array_agg(i.label))[:1000]
         FROM pg_temp._import_observation i WHERE i.geom IS NULL OR ST_IsEmpty(i.geom) GROUP BY i.kind ORDER BY i.kind;
     CREATE TEMPORARY TABLE _observed ON COMMIT DROP AS
@@ -73,6 +67,20 @@ BEGIN
     RETURN QUERY SELECT 'observations', i.kind, count(*), NULL::text[] FROM pg_temp._observed i
         GROUP BY i.kind ORDER BY i.kind;
     DROP TABLE pg_temp._observed;
+END $$;
+COMMENT ON FUNCTION streetgen._observe(name, text) IS
+    'Brings the observations of a source up to date with those that were read, and reports them.';
+
+CREATE OR REPLACE FUNCTION streetgen.observe(model name, source regclass, mapping jsonb)
+    RETURNS TABLE(what text, class text, count bigint, source_refs text[])
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._require_owner(model), streetgen._check_given('source', source::text, 'mapping', mapping::text);
+    PERFORM streetgen._require_subject(model, 'fit'), streetgen._take_points('_import_observation',
+        streetgen._point_query('observation', '{geom,kind,confidence,weight,relation,source_ref}', '{geom}', source,
+            mapping));
+    RETURN QUERY SELECT * FROM streetgen._observe(model, source::text);
 END $$;
 COMMENT ON FUNCTION streetgen.observe(name, regclass, jsonb) IS
     'Takes a table of points, lines or areas as observations of streets, for streetgen.fit. mapping: geom, kind, '

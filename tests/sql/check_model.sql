@@ -75,7 +75,7 @@ BEGIN
   EXECUTE format('SELECT count(*) FROM edge e, (SELECT NULL::%I) r(old) WHERE %s', marked, replace(edges, '$1', 'old')) INTO counted;
   RETURN counted IN (0, 2);
 END $$;
-SELECT 'rows of every table belong to edges', count(*) = 37 AND bool_and(pg_temp.belongs(relname,
+SELECT 'rows of every table belong to edges', count(*) = 38 AND bool_and(pg_temp.belongs(relname,
     encode(substring(tgargs FOR octet_length(tgargs) - 1), 'escape')))
   FROM pg_trigger JOIN pg_class c ON c.oid = tgrelid WHERE relnamespace = 'every'::regnamespace AND tgname = 'by_hand' AND relname NOT IN ('axis', 'axis_class');
 UPDATE every.overpass SET clearance = 1;

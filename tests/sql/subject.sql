@@ -32,7 +32,7 @@ SELECT 'a model of no subject has the roadway', array_agg(subject ORDER BY subje
 SELECT streetgen.create_model('full', 2154, subjects => '{all}'), streetgen.create_model('named', 2154, subjects => '{default,kerb}'), streetgen.create_model('seen', 2154, subjects => '{drawn}') \g /dev/null
 SELECT 'the word all stands for every subject', bool_and(wanted) AND count(*) >= 16 FROM streetgen.subject('full');
 SELECT 'the word default for those of a model of which nothing is said, beside others', array_agg(subject ORDER BY subject) = '{interconnection,kerb,lane,network,surface}' FROM streetgen.subject('named') WHERE wanted;
-SELECT 'the word drawn for those that pictures show', array_agg(subject ORDER BY subject) = '{height,ramp}' FROM streetgen.subject('seen') WHERE NOT wanted;
+SELECT 'the word drawn for those that pictures show', array_agg(subject ORDER BY subject) = '{fit,height,ramp}' FROM streetgen.subject('seen') WHERE NOT wanted;
 SELECT 'none of them is a subject that can be switched', (test.refusal(format('SELECT FROM streetgen.switch_subject(''named'', %L, true)', word))).state = '22023' FROM (VALUES ('all'), ('default'), ('drawn')) v(word);
 DO $$ BEGIN PERFORM streetgen.drop_model('full'), streetgen.drop_model('named'), streetgen.drop_model('seen'); END $$;
 SELECT 'tables and views of a subject are there only with it', pg_temp.relations('bare') = 'section' AND pg_temp.relations('laned') = 'lane lane_editing lane_separator marking section'

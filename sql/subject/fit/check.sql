@@ -21,9 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen._fit_summary()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     (80, 'fit', $part$
-    SELECT 'observations', count(*)::numeric, NULL FROM %1$I.observation
-    UNION ALL SELECT 'proposals of fits that nobody settled', count(*), NULL FROM %1$I.fit_proposal
-        WHERE state = 'proposed'
+    SELECT 'proposals of fits, not settled', count(*)::numeric, NULL FROM %1$I.fit_proposal WHERE state = 'proposed'
     UNION ALL SELECT 'mean distance of observed kerbs', round((sum(mean * observations) / sum(observations))::numeric,
         3), 'm' FROM %1$I.kerb_distance HAVING count(*) > 0$part$) $$;
 COMMENT ON FUNCTION streetgen._fit_summary() IS 'What streetgen.summary counts of the fit.';

@@ -55,7 +55,7 @@ CREATE OR REPLACE FUNCTION streetgen._propose_fit(model name, of_axes bigint[], 
 #variable_conflict use_column
 DECLARE
     rules constant float8[] := streetgen._fit_rules(model, moves = 'axis');
-    changed constant float8 := 0.005;
+    changed constant float8 := 0.01;
     model_name constant name := model;
     what_moves constant text := moves;
     run bigint;
@@ -77,7 +77,8 @@ BEGIN
             CASE WHEN abs(f.new_sidewalk_right - coalesce(a.sidewalk_right, -1)) > changed
                 THEN round(f.new_sidewalk_right::numeric, 2)::float8 END AS sidewalk_right,
             streetgen._fit_hash(a.geom, a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
-                AS axis_hash, u.width AS width_before, u.width_end AS width_end_before, u.roadway_offset AS offset_before
+                AS axis_hash, u.width AS width_before, u.width_end AS width_end_before,
+            u.roadway_offset AS offset_before
         FROM fitted f JOIN given g ON f.number > 0 JOIN axis a ON a.axis_id = g.axis_ids[f.number]
             JOIN axis_used u ON u.axis_id = a.axis_id,
             -- A taper of centimetres is none.
@@ -107,7 +108,7 @@ BEGIN
     RETURN run;
 END $$;
 COMMENT ON FUNCTION streetgen._propose_fit(name, bigint[], text) IS
-    'Fits axes of a model (NULL: all), writes the run and a proposal for each axis that would change by over 5 mm, and '
+    'Fits axes of a model (NULL: all), writes the run and a proposal for each axis that would change by over 1 cm, and '
     'gives the run. Widths are rounded to millimetres, sidewalks to centimetres.';
 
 CREATE OR REPLACE FUNCTION streetgen._fit(model name, of_axes bigint[], options jsonb) RETURNS bigint

@@ -22,8 +22,7 @@ CREATE OR REPLACE FUNCTION streetgen._fit_setting()
     ('fit_weight_observed_width', '2', NULL, 'factor of a width observed', 0, 1000, NULL),
     ('fit_weight_object', '50', NULL, 'factor of an object observed', 0, 1000, NULL),
     ('fit_weight_width', '0.2', NULL, 'factor by which a width keeps its value', 0, 1000, NULL),
-    ('fit_weight_origin', '0.5', NULL, 'factor by which places of an axis, and roadways beside it, keep theirs', 0, 1000,
-        NULL),
+    ('fit_weight_origin', '0.5', NULL, 'factor by which axes, and roadways beside them, stay', 0, 1000, NULL),
     ('fit_weight_spacing', '0.5', NULL, 'factor by which pieces of an axis keep their length', 0, 1000, NULL),
     ('fit_weight_angle', '2', NULL, 'factor by which an axis keeps its angles', 0, 1000, NULL) $$;
 COMMENT ON FUNCTION streetgen._fit_setting() IS 'The settings of the fit, with their defaults and ranges.';

@@ -7,7 +7,7 @@ DECLARE
     wanted constant bigint := run;
     unknown bigint[];
 BEGIN
-    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._use_model(model), streetgen._require_reader(model), streetgen._require_subject(model, 'fit');
     IF NOT EXISTS (SELECT FROM fit_run r WHERE r.fit_run = wanted) THEN
         RAISE EXCEPTION 'there is no run % of fit', coalesce(run::text, 'NULL') USING ERRCODE = '22023',
             HINT = format('SELECT * FROM %I.fit_run lists them.', model);
@@ -20,7 +20,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_fit_run(name, bigint, bigint[]) IS
-    'Raises 22023 for a run that is none, and for axes of which it has no proposal.';
+    'Raises what streetgen._require_reader raises, 55000 for a model without the subject, and 22023 for a run that is '
+    'none, and for axes of which it has no proposal.';
 
 CREATE OR REPLACE FUNCTION streetgen._require_unedited(model name, proposals bigint[], done text) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -75,9 +76,7 @@ DECLARE
     of_axes constant bigint[] := axes;
     proposals bigint[];
 BEGIN
-    PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
-        streetgen._require_fit_run(model, run, of_axes);
-    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._use_model(model), streetgen._require_fit_run(model, run, of_axes);
     proposals := ARRAY(SELECT fit_proposal_id FROM fit_proposal p WHERE p.fit_run = run AND p.state = 'proposed'
         AND (of_axes IS NULL OR p.axis_id = ANY (of_axes)) ORDER BY 1);
     PERFORM FROM axis a JOIN fit_proposal p USING (axis_id) WHERE p.fit_proposal_id = ANY (proposals)
@@ -112,9 +111,7 @@ DECLARE
     of_axes constant bigint[] := axes;
     rejected bigint;
 BEGIN
-    PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
-        streetgen._require_fit_run(model, run, of_axes);
-    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._use_model(model), streetgen._require_fit_run(model, run, of_axes);
     UPDATE fit_proposal p SET state = 'rejected' WHERE p.fit_run = run AND p.state = 'proposed'
         AND (of_axes IS NULL OR p.axis_id = ANY (of_axes));
     GET DIAGNOSTICS rejected = ROW_COUNT;
@@ -132,9 +129,7 @@ DECLARE
     run constant bigint := fit_run;
     proposals bigint[];
 BEGIN
-    PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
-        streetgen._require_fit_run(model, run, NULL);
-    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._use_model(model), streetgen._require_fit_run(model, run, NULL);
     proposals := ARRAY(SELECT fit_proposal_id FROM fit_proposal p WHERE p.fit_run = run AND p.state = 'accepted'
         ORDER BY 1);
     PERFORM FROM axis a JOIN fit_proposal p USING (axis_id) WHERE p.fit_proposal_id = ANY (proposals)

@@ -86,6 +86,9 @@ BEGIN
         c.surface::text, c.stripes::text, c.island::text, b.angle, b.surface::text) FROM @.street_object o LEFT JOIN
         @.pedestrian_crossing c USING (street_object_id)
       LEFT JOIN @.parking_bay b USING (street_object_id)$q$ END
+    || CASE WHEN to_regclass(format('%I.kerb_distance', model)) IS NULL THEN '' ELSE $q$
+    UNION ALL SELECT concat_ws(' ', 'kerb distance', e.axis_id, e.start_abscissa, k.side, k.observations, k.mean,
+        k.median, k.geom::text) FROM @.kerb_distance k JOIN @.edge e USING (edge_id)$q$ END
     || CASE WHEN to_regclass(format('%I.bridge', model)) IS NULL THEN '' ELSE $q$
     UNION ALL SELECT concat_ws(' ', 'bridge', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.bridge b JOIN @.edge e USING (edge_id)
     UNION ALL SELECT concat_ws(' ', 'tunnel', e.axis_id, e.start_abscissa, b.start_abscissa, b.end_abscissa, b.method, b.surface::text) FROM @.tunnel b JOIN @.edge e USING (edge_id)$q$ END,

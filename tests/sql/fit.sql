@@ -1,0 +1,100 @@
+\set ECHO none
+\ir shared/truths.sql
+\ir shared/content.sql
+-- Streets fitted to observations: proposals, what they write, and what comes back.  (name, holds)
+CREATE FUNCTION pg_temp.line(text) RETURNS geometry LANGUAGE sql AS $$ SELECT ST_Translate(ST_GeomFromText($1, 2154), 650000, 6860000) $$;
+-- A street of two axes and a side street, 6 m wide by the class; their kerbs were surveyed.
+CREATE PROCEDURE pg_temp.draw(model name, driving_side text DEFAULT 'right') LANGUAGE plpgsql AS $$ BEGIN
+  PERFORM streetgen.create_model(model, 2154, subjects => '{interconnection,kerb,sidewalk,fit}', driving_side => driving_side);
+  EXECUTE format($q$INSERT INTO %I.axis (axis_id, geom, width, radius, source, source_ref) VALUES (1, pg_temp.line('LINESTRING(0 0,120 0)'), 6, 5, 'city', '1'),
+    (2, pg_temp.line('LINESTRING(120 0,240 0)'), 6, 5, 'city', '2'), (3, pg_temp.line('LINESTRING(120 0,120 100)'), 6, 5, NULL, NULL)$q$, model); END $$;
+CREATE TABLE survey AS SELECT * FROM (VALUES (1, 'kerb', pg_temp.line('LINESTRING(20 5.2,100 5.2)')), (2, 'kerb', pg_temp.line('LINESTRING(20 -3.1,100 -3.1)')),
+  (3, 'kerb', pg_temp.line('LINESTRING(130 4,230 5)')), (4, 'kerb', pg_temp.line('LINESTRING(130 -4,230 -5)')), (5, 'sidewalk_back', pg_temp.line('LINESTRING(20 7.7,100 7.7)')),
+  (6, 'kerb', pg_temp.line('LINESTRING(20 60,40 60)'))) v(id, what, place);
+CALL pg_temp.draw('town');
+\set mapping '{"geom": "place", "kind": "what", "source_ref": "id"}'
+SELECT 'observations are counted by kind', string_agg(concat_ws(' ', what, class, count), ', ' ORDER BY class) = 'observations kerb 5, observations sidewalk_back 1' FROM streetgen.observe('town', 'survey', :'mapping');
+SELECT 'each side tells how far its observed kerb lies', (SELECT string_agg(concat_ws(' ', axis_id, side, round(mean::numeric, 1)), ', ' ORDER BY axis_id, side) FROM town.kerb_distance JOIN town.edge USING (edge_id)) = '1 left 2.2, 1 right 0.1, 2 left 1.5, 2 right 1.5';
+SELECT 'what no street takes says why', (SELECT string_agg(concat_ws(' ', observation_id, why, points), ', ') FROM town.observation_unused) = '6 no street within fit_reach of its kerb 20';
+CREATE TABLE was AS SELECT * FROM test.content('town');
+CREATE TABLE axis_was AS SELECT * FROM town.axis;
+CREATE TABLE told AS SELECT * FROM streetgen.fit('town');
+SELECT 'a fit tells of its run', (fit_run, axes, observations) = (1, 2, 460) AND used = 440 AND mean_before > 1.2 AND mean_after < 0.01 AND median_after < 0.01 AND iterations > 0 FROM told;
+SELECT 'it changes no axis', NOT EXISTS (TABLE town.axis EXCEPT TABLE axis_was);
+SELECT 'it proposes widths, offsets and sidewalks', abs(width - 8.3) < 0.01 AND width_end IS NULL AND abs(roadway_offset - 1.05) < 0.01 AND abs(sidewalk_left - 2.5) < 0.02 AND sidewalk_right IS NULL FROM town.fit_proposal WHERE axis_id = 1;
+SELECT 'and widths that change along a street', abs(width - 7.8) < 0.1 AND abs(width_end - 10.2) < 0.1 AND abs(roadway_offset) < 0.01 FROM town.fit_proposal WHERE axis_id = 2;
+SELECT 'arrows lead from each kerb to its new place', ST_NumGeometries(geom) = 6 AND abs(ST_Length(geom) - 3 * 2.3) < 0.05 AND abs(wider - 2.3) < 0.01 FROM town.fit_change WHERE axis_id = 1;
+SELECT 'accepted, streets follow at once', streetgen.accept_fit('town', 1) = 2;
+SELECT 'their edges are as wide', abs(width - 8.3) < 0.01 FROM town.edge WHERE axis_id = 1;
+SELECT 'and stand where kerbs were observed', bool_and(mean < 0.02) FROM town.kerb_distance;
+SELECT 'as an edit by hand', width_by_hand AND source_width = 6 FROM town.axis WHERE axis_id = 1;
+SELECT 'a second time there is nothing to accept', streetgen.accept_fit('town', 1) = 0;
+SELECT 'and nothing to propose', axes = 0 FROM streetgen.fit('town');
+CREATE TABLE edited AS SELECT * FROM test.content('town');
+UPDATE town.edge SET input_hash = 0; SELECT 'as from scratch', count(*) > 0 FROM streetgen.generate('town', wait => true);
+SELECT 'as from scratch, row by row', NOT EXISTS ((TABLE edited EXCEPT ALL SELECT * FROM test.content('town')) UNION ALL (SELECT * FROM test.content('town') EXCEPT ALL TABLE edited));
+SELECT 'undone', streetgen.undo_fit('town', 1) = 2;
+SELECT 'all is exactly what it was', NOT EXISTS (TABLE town.axis EXCEPT TABLE axis_was) AND NOT EXISTS ((TABLE was EXCEPT ALL SELECT * FROM test.content('town')) UNION ALL (SELECT * FROM test.content('town') EXCEPT ALL TABLE was));
+SELECT 'states are told', (SELECT string_agg(DISTINCT state, ',') FROM town.fit_proposal) = 'undone';
+
+-- An axis that was edited since.
+CREATE TABLE again AS SELECT * FROM streetgen.fit('town');
+UPDATE town.axis SET width = 7 WHERE axis_id = 2;
+SELECT 'it is told by check_model', (SELECT count(*) FROM streetgen.check_model('town') WHERE rule = 'proposal of a fit whose axis was edited since') = 1;
+SELECT fit_run AS run FROM again \gset
+SELECT 'it is refused', test.state(format('SELECT streetgen.accept_fit(''town'', %s)', :run)) = '55000';
+SELECT 'the others are accepted', streetgen.accept_fit('town', :run, '{1}') = 1;
+UPDATE town.axis SET name = 'Main Street' WHERE axis_id = 1;
+UPDATE town.axis SET width = 8 WHERE axis_id = 1;
+SELECT 'nor is it undone', test.state(format('SELECT streetgen.undo_fit(''town'', %s)', :run)) = '55000';
+SELECT 'the rest is rejected', streetgen.reject_fit('town', :run) = 1;
+SELECT 'and says so', state = 'rejected' FROM town.fit_proposal WHERE fit_run = :run AND axis_id = 2;
+SELECT 'a delivery leaves what was accepted', (SELECT width = 8 AND abs(roadway_offset - 1.05) < 0.01 FROM town.axis WHERE axis_id = 1);
+
+-- Axes that move.
+CALL pg_temp.draw('moved');
+SELECT 'taken', count(*) > 0 FROM streetgen.observe('moved', 'survey', :'mapping');
+CREATE TABLE moved_was AS SELECT * FROM moved.axis;
+SELECT fit_run AS run FROM streetgen.fit('moved', NULL, '{"moves": "axis"}') \gset
+SELECT 'vertices move to the middle of the kerbs', abs(ST_Y(ST_LineInterpolatePoint(geom, 0.5)) - 6860001.05) < 0.1 AND roadway_offset = 0 FROM moved.fit_proposal WHERE axis_id = 1;
+SELECT 'pieces are at most as long as the setting', bool_and(metres < 30.5) FROM (SELECT ST_Distance(d.geom, lag(d.geom) OVER (PARTITION BY axis_id ORDER BY path)) AS metres FROM moved.fit_proposal p, ST_DumpPoints(p.geom) d) m;
+SELECT 'axes that share a node that moves are accepted together', test.state(format('SELECT streetgen.accept_fit(''moved'', %s, ''{1}'')', :run)) = '55000';
+SELECT 'all of them are', streetgen.accept_fit('moved', :run) = 3;
+SELECT 'and keep the network', (SELECT count(*) FROM moved.node) = 4 AND (SELECT count(*) FROM moved.edge) = 3 AND NOT EXISTS (SELECT FROM streetgen.check_model('moved') WHERE severity = 'error');
+SELECT 'undone', streetgen.undo_fit('moved', :run) = 3;
+SELECT 'axes are what they were', NOT EXISTS (TABLE moved.axis EXCEPT TABLE moved_was);
+SELECT 'some alone leave the nodes of others', axes = 1 FROM streetgen.fit('moved', '{1}', '{"moves": "axis"}');
+SELECT 'so they are accepted alone', streetgen.accept_fit('moved', (SELECT max(fit_run) FROM moved.fit_run)) = 1;
+SELECT 'and the network stands', count(*) = 4 FROM moved.node;
+
+-- By hand, and objects.
+CALL pg_temp.draw('hand', 'left');
+INSERT INTO hand.observation (geom) VALUES (pg_temp.line('POINT(60 4.5)'));
+SELECT 'a point by hand counts a hundred times', weight = 100 AND kind = 'kerb' FROM hand.observation;
+SELECT 'and is enough', axes = 1 AND mean_after < 0.05 FROM streetgen.fit('hand');
+DELETE FROM hand.observation;
+SELECT 'without observations nothing is proposed', (axes, observations, used) = (0, 0, 0) AND mean_before IS NULL FROM streetgen.fit('hand');
+INSERT INTO hand.observation (kind, relation, geom) VALUES ('object', 'out', pg_temp.line('POINT(60 2)'));
+SELECT 'an object out of the roadway', axes = 1 FROM streetgen.fit('hand');
+SELECT 'moves its kerb', bool_and(width / 2 + roadway_offset < 2) FROM hand.fit_proposal WHERE fit_run = (SELECT max(fit_run) FROM hand.fit_run);
+INSERT INTO hand.observation (geom) SELECT pg_temp.line('POINT(61 3.5)') FROM generate_series(1, 20000);
+SELECT 'many points on one place are no harm', used = 20001 FROM streetgen.fit('hand', '{1}');
+
+-- Again, and what is wrong.
+DELETE FROM survey WHERE id IN (5, 6); UPDATE survey SET place = ST_Translate(place, 0, 0.5) WHERE id = 1;
+CREATE TABLE ids AS SELECT observation_id, source_ref FROM town.observation;
+SELECT 'observed again', count(*) = 1 FROM streetgen.observe('town', 'survey', :'mapping');
+SELECT 'what is gone goes, and the rest keeps its ids', (SELECT count(*) FROM town.observation) = 4 AND NOT EXISTS (SELECT observation_id, source_ref FROM town.observation EXCEPT TABLE ids);
+CREATE VIEW bare AS SELECT place FROM survey;
+SELECT 'without a source_ref', count(*) = 1 FROM streetgen.observe('town', 'bare', '{"geom": "place"}');
+SELECT 'again', count(*) = 1 FROM streetgen.observe('town', 'bare', '{"geom": "place"}');
+SELECT 'all are replaced', count(*) = 4 FROM town.observation WHERE source = 'bare';
+CREATE TABLE wrong AS SELECT 1 AS id, 'NaN'::text AS confidence, '7'::text AS weight, 'wall'::text AS kind, pg_temp.line('POINT(0 0)') AS geom;
+SELECT 'bad rows are refused', test.state($$SELECT streetgen.observe('town', 'wrong', '{"kind": "kind"}')$$) = '22023' AND test.state($$SELECT streetgen.observe('town', 'wrong', '{"confidence": "confidence", "kind": {"value": "kerb"}}')$$) = '22023'
+  AND test.state($$SELECT streetgen.observe('town', 'wrong', '{"confidence": "weight", "kind": {"value": "kerb"}}')$$) = '22023' AND test.state($$SELECT streetgen.observe('town', 'wrong', '{"kind": {"value": "object"}}')$$) = '22023';
+SELECT 'and leave the model', (SELECT count(*) FROM town.observation WHERE source = 'wrong') = 0;
+SELECT 'unknown options, axes and runs are refused', test.state($$SELECT streetgen.fit('town', NULL, '{"move": "axis"}')$$) = '22023' AND test.state($$SELECT streetgen.fit('town', NULL, '{"moves": "all"}')$$) = '22023' AND test.state($$SELECT streetgen.fit('town', NULL, '[]')$$) = '22023'
+  AND test.state($$SELECT streetgen.fit('town', '{99}')$$) = '22023' AND test.state($$SELECT streetgen.accept_fit('town', 99)$$) = '22023' AND test.state($$SELECT streetgen.accept_fit('town', 1, '{3}')$$) = '22023';
+SELECT 'a model without the subject says how to get it', test.state($$SELECT streetgen.create_model('plain', 2154), streetgen.fit('plain')$$) = '55000';
+SELECT 'switched off', count(*) >= 0 FROM streetgen.switch_subject('town', 'fit', false);
+SELECT 'observations and proposals stay', to_regclass('town.kerb_distance') IS NULL AND (SELECT count(*) FROM town.observation) = 8 AND (SELECT count(*) FROM town.fit_proposal) > 0;
