@@ -133,6 +133,12 @@ def finding(look):
     return rules(*((severity, f"severity = '{severity}'", point(look.knob(severity), 'triangle', size)) for severity, size in (('notice', 3), ('warning', 3.6), ('error', 4.2))))
 
 
+def off_its_kerb(look):
+    """Kerbs, by how far from them theirs were observed."""
+    return rules(*((label, condition, line(look.handle(severity), width)) for label, condition, severity, width in (
+        ('within 0.2 m', 'median <= 0.2', 'proposed', 0.4), ('within 1 m', 'median > 0.2 AND median <= 1', 'warning', 0.6), ('farther', 'median > 1', 'error', 0.8))))
+
+
 def proposed(look):
     """Axes as they would be."""
     return rules(*((proposal, f"proposal = '{proposal}'", line(look.handle('proposed'), width, dashes)) for proposal, width, dashes in (
@@ -206,6 +212,7 @@ EDITED = (
     Layer('edit', 'footway_kerb', 'footway_kerb_id', 'geom', mark('diamond', 2), ('kerb', 'source', 'source_ref'), scale=1000),
     Layer('edit', 'footway', 'footway_id', 'geom', lambda look: single(line(look.handle(), 0.5, '2;1')), ('kind', 'role', 'marking', 'width', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'street_area', 'street_area_id', 'geom', drawn('area', outline, 'kind'), ('kind', 'level', 'name', 'surface', 'foot', 'source', 'source_ref'), shown=True, scale=5000),
+    Layer('edit', 'observation', 'observation_id', 'geom', mark('cross2', 3), ('kind', 'confidence', 'weight', 'relation', 'source', 'source_ref'), kind='Point', scale=5000),
     Layer('edit', 'rail_track', 'rail_track_id', 'geom', lambda look: single(line(look.handle(), 0.6, '3;1')), ('kind', 'gauge', 'tracks', 'level', 'name', 'source', 'source_ref'), shown=True, scale=2500),
     Layer('edit', 'axis', 'axis_id', 'geom', axis,
           ('width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'ref', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
@@ -268,6 +275,8 @@ CHECKED = (
           tip=f'<b>{escaped("severity")}: {escaped("rule")}[% coalesce(\', \' || round("measure", 2), \'\') %]</b><br>{escaped("relation")} [% "id" %]<br>{escaped("hint")}'),
     Layer('checks', 'axis_to_mend', 'id', 'geom', proposed, shown=True,
           tip=f'<b>[% "proposal" %]: {escaped("rule")}, [% round("measure", 2) %] m</b><br>id [% "id" %]'),
+    Layer('checks', 'fit_change', 'fit_proposal_id', 'geom', lambda look: single(with_arrow(line(look.handle('proposed'), 0.4), 1.8)), scale=5000),
+    Layer('checks', 'kerb_distance', 'kerb_distance_id', 'geom', off_its_kerb, tip='[% round("median", 2) %] m of [% "observations" %] points'),
     Layer('checks', 'report', 'report_id', 'geom', mark('cross2', 3, 'error'), query=REPORT, kind='Point', shown=True),
     Layer('checks', 'activity', 'activity_id', 'extent', border(), shown=True),
     Layer('checks', 'edit_log', 'edit_log_id', 'extent', border(), shown=True),

@@ -22,8 +22,7 @@ CREATE OR REPLACE FUNCTION streetgen._fit_summary()
     AS $$ VALUES
     (80, 'fit', $part$
     SELECT 'proposals of fits, not settled', count(*)::numeric, NULL FROM %1$I.fit_proposal WHERE state = 'proposed'
-    UNION ALL SELECT 'mean distance of observed kerbs', round((sum(mean * observations) / sum(observations))::numeric,
-        3), 'm' FROM %1$I.kerb_distance HAVING count(*) > 0$part$) $$;
+    UNION ALL SELECT 'mean distance to observed kerbs', avg(mean)::numeric(9,3), 'm' FROM %1$I.kerb_distance$part$) $$;
 COMMENT ON FUNCTION streetgen._fit_summary() IS 'What streetgen.summary counts of the fit.';
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES

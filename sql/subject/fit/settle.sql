@@ -7,7 +7,8 @@ DECLARE
     wanted constant bigint := run;
     unknown bigint[];
 BEGIN
-    PERFORM streetgen._use_model(model), streetgen._require_reader(model), streetgen._require_subject(model, 'fit');
+    PERFORM streetgen._use_model(model), streetgen._require_reader(model),
+        streetgen._check_given('fit_run', run::text), streetgen._require_subject(model, 'fit');
     IF NOT EXISTS (SELECT FROM fit_run r WHERE r.fit_run = wanted) THEN
         RAISE EXCEPTION 'there is no run % of fit', coalesce(run::text, 'NULL') USING ERRCODE = '22023',
             HINT = format('SELECT * FROM %I.fit_run lists them.', model);
