@@ -11,7 +11,7 @@ BEGIN
         WHERE p.state = 'proposed' AND p.axis_hash IS DISTINCT FROM streetgen._fit_hash(a.geom, a.width, a.width_end,
             a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
     UNION ALL
-    SELECT 'notice', 'kerb far from where it was observed, m', 'kerb_distance', k.kerb_distance_id, k.median, k.geom
+    SELECT 'notice', 'kerb far from its observations, m', 'kerb_distance', k.kerb_distance_id, k.median, k.geom
         FROM kerb_distance k WHERE k.median > 0.5 AND k.observations >= 10;
 END $$;
 COMMENT ON FUNCTION streetgen._check_fit(name) IS 'The rows of streetgen.check_model for the fit.';
@@ -21,14 +21,14 @@ CREATE OR REPLACE FUNCTION streetgen._fit_summary()
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
     AS $$ VALUES
     (80, 'fit', $part$
-    SELECT 'proposals of fits, not settled', count(*)::numeric, NULL FROM %1$I.fit_proposal WHERE state = 'proposed'
-    UNION ALL SELECT 'mean distance to observed kerbs', avg(mean)::numeric(9,3), 'm' FROM %1$I.kerb_distance$part$) $$;
+    SELECT 'open proposals of fits', count(*)::numeric, NULL FROM %1$I.fit_proposal WHERE state = 'proposed'
+    UNION ALL SELECT 'mean distance to observations', avg(mean)::numeric(9,3), 'm' FROM %1$I.kerb_distance$part$) $$;
 COMMENT ON FUNCTION streetgen._fit_summary() IS 'What streetgen.summary counts of the fit.';
 
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('proposal of a fit whose axis was edited since',
         'the axis is not as the fit knew it, and streetgen.accept_fit leaves it',
         '`streetgen.fit` anew, or `streetgen.reject_fit`'),
-    ('kerb far from where it was observed, m',
+    ('kerb far from its observations, m',
         'half of the points observed of a kerb lie over 0.5 m beside that of the street',
         '`streetgen.fit`, then `streetgen.accept_fit`; `fit_change` shows what it would change');

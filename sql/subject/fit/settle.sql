@@ -16,7 +16,7 @@ BEGIN
     unknown := ARRAY(SELECT u FROM unnest(axes) u WHERE NOT EXISTS (SELECT FROM fit_proposal p
         WHERE p.fit_run = wanted AND p.axis_id = u) ORDER BY u);
     IF unknown <> '{}' THEN
-        RAISE EXCEPTION 'run % proposes nothing for axis %', run, coalesce(unknown[1]::text, 'NULL')
+        RAISE EXCEPTION 'run % has no proposal for axis %', run, coalesce(unknown[1]::text, 'NULL')
             USING ERRCODE = '22023', HINT = format('Leave out axes %s.', array_to_string(unknown, ', ', 'NULL'));
     END IF;
 END $$;
