@@ -132,10 +132,10 @@ CREATE OR REPLACE FUNCTION streetgen._typed_durations(model name, controller big
 DECLARE
     typed jsonb;
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF durations IS NULL THEN
         RETURN '{"durations": null, "phases": null, "approaches": null}';
     END IF;
-    PERFORM streetgen._use_model(model);
     SELECT jsonb_build_object('durations', durations, 'approaches', a.places::text, 'phases',
             streetgen._numbered_phases(streetgen._phases(r.movements, streetgen._answers_of(model, controller)),
                 a.edges, a.numbers))
