@@ -21,6 +21,8 @@ constexpr double short_chord = 3;           // metres
 constexpr double turn_of_point = M_PI / 3;  // radians, the most
 constexpr double share_of_point = 0.45;     // of an arc's turn, the most
 constexpr double share_of_height = 0.1;     // of an arc's height, the most that a point leaves it
+constexpr double times_noise = 1.75;        // of the points of an arc, off which another is none
+constexpr double share_of_tolerance = 0.2;  // that counts as such noise in any case
 constexpr double vote_cell = 2;             // metres: centres in one cell vote for one circle
 constexpr int least_support = 4;
 
@@ -55,6 +57,7 @@ class ArcSearch {
       poll_cancel();
       if (is_taken(seed)) continue;
       grow(seed);
+      leave_tangents(seed);
       if (is_taken(seed) || !is_arc(seed)) continue;
       for (int i = seed.first; i < seed.last; ++i) taken_[i % sides_] = true;
       found_.push_back(seed);
@@ -151,6 +154,32 @@ class ArcSearch {
         ++run.first;
       if (run.first == before.first && run.last == before.last) return;
     }
+  }
+
+  // Ends that lie beside the circle of the others, by far more than these do, are on the straight
+  // lines before and behind the arc: they would make it flatter or tighter.
+  void leave_tangents(Run& run) const {
+    while (run.count() > least_support + 1) {
+      const Run without_first = without(run, 1, 0), without_last = without(run, 0, 1);
+      const double first = beside(without_first, run.first), last = beside(without_last, run.last);
+      if (std::max(first, last) <= 1) return;
+      run = first > last ? without_first : without_last;
+    }
+  }
+
+  Run without(const Run& run, int before, int behind) const {
+    Run rest{run.first + before, run.last - behind, run.circle};
+    if (const auto circle = fit_circle(&points_[rest.first], rest.count())) rest.circle = *circle;
+    return rest;
+  }
+
+  // How far point i lies off the circle of a run, by what the points of that may lie off.
+  double beside(const Run& run, int i) const {
+    double squares = 0;
+    for (int k = run.first; k <= run.last; ++k) squares += std::pow(deviation(run.circle, k), 2);
+    const double noise = std::sqrt(squares / std::max(1, run.count() - 3));
+    return deviation(run.circle, i) /
+           std::max(times_noise * noise, share_of_tolerance * bounds_.tolerance);
   }
 
   double turn(const Run& run) const {

@@ -118,5 +118,26 @@ TEST(DetectArcs, HasNoneWithoutFourPoints) {
   EXPECT_TRUE(detect_arcs({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}}, {}).empty());
 }
 
+// The straight lines before and behind the arc come within the tolerance of its circle.
+TEST(DetectArcs, LeavesTheTangentsOfAKerbAway) {
+  for (const double turn : {50.0, 70.0, 90.0, 120.0}) {
+    const double angle = turn * pi / 180, radius = 3;
+    Line kerb{{-8, 0, 0}, {-0.5, 0, 0}};
+    const int chords = static_cast<int>(turn / 12);
+    for (int i = 0; i <= chords; ++i) {
+      const double at = angle * i / chords;
+      kerb.push_back({radius * std::sin(at), radius * (1 - std::cos(at)), 0});
+    }
+    const Point end = kerb.back(), along = {std::cos(angle), std::sin(angle), 0};
+    kerb.push_back(end + along * 0.5);
+    kerb.push_back(end + along * 8);
+    ArcBounds bounds;
+    bounds.tolerance = 0.05;
+    const std::vector<DetectedArc> arcs = detect_arcs(kerb, bounds);
+    ASSERT_EQ(arcs.size(), 1u);
+    EXPECT_NEAR(arcs[0].radius, radius, 0.01);
+  }
+}
+
 }  // namespace detect_arcs_test
 }  // namespace streetgen
