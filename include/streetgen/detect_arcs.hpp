@@ -28,9 +28,11 @@ struct DetectedArc {
 // them has more than 60 degrees, or more than 0.45 of all, and none leaves the arc by more than a
 // tenth of the arc's height over its chord (of half the circle at most).  Between points more than
 // 3 m apart the chord leaves the arc by at most twice the tolerance, so that corners of blocks make
-// no arc. The centre is that of the least squares of distances.  With noise of e metres in n points
-// that turn by a, its error is about 10 e / (a^2 sqrt(n)), a in radians, and half of that from a
-// half circle on.  A line with less than four distinct points has no arc.
+// no arc. Ends that leave the circle of the others by far more than these do lie on the tangents
+// before and behind it, and are no part of the arc. The centre is that of the least squares of
+// distances.  With noise of e metres in n points that turn by a, its error is about 10 e / (a^2
+// sqrt(n)), a in radians, and half of that from a half circle on.  A line with less than four
+// distinct points has no arc.
 std::vector<DetectedArc> detect_arcs(const Line& line, const ArcBounds& bounds);
 
 }  // namespace streetgen

@@ -20,6 +20,7 @@ COMMENT ON FUNCTION streetgen.detect_arcs(geometry, float8, float8, float8, floa
     'four or more) and deviation (metres, the most by which one of them leaves the arc, up to tolerance and to a '
     'tenth of the arc''s height). Quadruplets of points vote for circles; a fit of least squares follows. turn_least: '
     'degrees that an arc turns at least. Between points over 3 m apart the chord leaves its arc by at most twice the '
-    'tolerance, so that corners of blocks make no arc. With noise of e metres in n points that turn by a radians, a '
+    'tolerance, so that corners of blocks make no arc. Ends on the straight lines before and behind an arc are no part '
+    'of it. With noise of e metres in n points that turn by a radians, a '
     'centre is off by about 10 e / (a^2 sqrt(n)). Radii from 0.001 to 1e6 m, tolerance from 1e-6 to 1000 m. A line '
     'that is no LINESTRING, a number out of range: 22023. NULL for anything: no row. StreetGen paper, 2.8.';

@@ -160,6 +160,7 @@ class ArcSearch {
   // lines before and behind the arc: they would make it flatter or tighter.
   void leave_tangents(Run& run) const {
     while (run.count() > least_support + 1) {
+      poll_cancel();
       const Run without_first = without(run, 1, 0), without_last = without(run, 0, 1);
       const double first = beside(without_first, run.first), last = beside(without_last, run.last);
       if (std::max(first, last) <= 1) return;
