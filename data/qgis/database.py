@@ -97,9 +97,10 @@ class Database:
         uri = QgsDataSourceUri(self.uri)
         if layer.query:
             uri.setDataSource('', '(%s)' % of_model(layer.query, model), layer.geometry, '', layer.key)
-            uri.setWkbType(QgsWkbTypes.parseType(layer.kind))
         else:
             uri.setDataSource(model, layer.relation, layer.geometry, '', layer.key)
+        if layer.kind:
+            uri.setWkbType(QgsWkbTypes.parseType(layer.kind))
         if layer.geometry:
             uri.setSrid(str(layer.srid or srid))
             uri.setUseEstimatedMetadata(True)

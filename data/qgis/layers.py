@@ -17,9 +17,9 @@ class Layer:
     writable: typing.Optional[tuple] = None
     shown: bool = False  # in the map theme of its group
     scale: int = 0  # drawn only when nearer than 1 : scale
-    # A layer that no relation holds has these rows, @ being the model and @name its name as a value, and this type of geometry; it is there with a relation.
+    # A layer that no relation holds has these rows, @ being the model and @name its name as a value; it is there with a relation.
     query: typing.Optional[str] = None
-    kind: typing.Optional[str] = None
+    kind: typing.Optional[str] = None  # the type of geometry, of such a layer, and of a relation that holds several
     srid: typing.Optional[int] = None  # where it is not that of the model
     needs: typing.Optional[str] = None
     labels: typing.Optional[typing.Callable] = None  # of the rules of a theme
