@@ -84,7 +84,8 @@ DECLARE
   edit text := edits.one_of('object', 'object', 'object', 'stretch', 'move object', 'no object', 'crossing',
       'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway',
       'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'area', 'area',
-      'area of roadway', 'area of roadway', 'other area', 'track', 'track', 'track', 'move track', 'no track');
+      'area of roadway', 'area of roadway', 'other area', 'track', 'track', 'track', 'move track', 'no track',
+      'fit', 'fit');
   other record;
 BEGIN
   CASE edit
@@ -127,6 +128,15 @@ BEGIN
         RETURN ARRAY[format(CASE edit WHEN 'no footway' THEN 'DELETE FROM edited.footway' ELSE edits.one_of('UPDATE edited.footway SET geom = ST_Translate(geom, 1.5, -0.7)', $q$UPDATE edited.footway SET role = 'sidewalk'$q$) END
                             || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
       END IF;
+    WHEN 'fit' THEN
+      -- Observed kerbs, accepted and perhaps undone; no observation is left for a run from scratch to lack.
+      RETURN ARRAY[format('INSERT INTO edited.observation (geom) VALUES (%L), (%L)', ST_AsEWKT(ST_Translate(ST_Force2D(
+          a.geom), edits.between(-7, 7), edits.between(-7, 7))), ST_AsEWKT(ST_Translate(ST_Force2D(a.geom),
+          edits.between(-5, 5), edits.between(-5, 5)))), format('SELECT streetgen.accept_fit(%L, fit_run) FROM '
+          'streetgen.fit(%1$L, options => %2$L)', 'edited', format('{"moves": "%s"}', edits.one_of('roadway', 'axis')))]
+        || CASE WHEN edits.chance(0.4) THEN ARRAY['SELECT streetgen.undo_fit(''edited'', max(fit_run)) FROM '
+          'edited.fit_run'] ELSE '{}' END || ARRAY['DELETE FROM edited.observation',
+          'SELECT count(*) FROM streetgen._update_fit(''edited'', NULL, NULL, NULL)'];
     WHEN 'track' THEN
       RETURN ARRAY[format('INSERT INTO edited.rail_track (geom, tracks, level) VALUES (%L, %s, %s)', ST_AsEWKT(CASE
           WHEN edits.chance(0.3) THEN ST_MakeLine(ARRAY[edits.place(), edits.place_beside(a.geom), edits.place()])
@@ -413,6 +423,8 @@ BEGIN
     EXECUTE format('DELETE FROM %s', input);
   END LOOP;
   DELETE FROM edited.placement_rule;
+  DELETE FROM edited.fit_run;
+  DELETE FROM edited.observation;
   DELETE FROM edited.street_object;
   DELETE FROM edited.free_place;
   UPDATE edited.object_type SET distance_least = 0 WHERE distance_least > 0;
