@@ -11,7 +11,10 @@ WINDOW w AS (PARTITION BY controller_id ORDER BY ordinality);
 CREATE TEMPORARY TABLE path AS
 SELECT m.junction_id AS controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.geom,
     row_number() OVER () AS number, i.edge_id AS edge_in, o.edge_id AS edge_out,
-    greatest(e.speed, 1) / 3.6 AS speed, a.kind = 'service' AS service
+    greatest(e.speed, 1) / 3.6 AS speed, a.kind = 'service' AS service,
+    coalesce((SELECT ST_Distance(k.geom, ST_StartPoint(m.geom)) FROM :"model".marking k
+        WHERE (k.edge_id, k.lane_position, k.along_axis, k.kind) = (i.edge_id, i.lane_position, m.along_in, 'stop')), 0)
+        AS before
 FROM :"model".movement m JOIN :"model".controller c ON c.controller_id = m.junction_id
     JOIN :"model".lane i ON i.lane_id = m.lane_in JOIN :"model".lane o ON o.lane_id = m.lane_out
     JOIN :"model".edge e ON e.edge_id = i.edge_id JOIN :"model".axis a USING (axis_id)
@@ -24,10 +27,11 @@ CREATE INDEX ON green (controller_id, ordinality);
 CREATE INDEX ON green (number);
 ANALYZE path, green, state;
 
--- Paths that meet, with the metres to where they do along each; none from one lane.
+-- Paths that meet, with the metres from the stop line to where they do along each; none from one lane.
 CREATE TEMPORARY TABLE meeting AS
-SELECT a.controller_id, a.number AS a, b.number AS b, ST_Length(a.geom) * ST_LineLocatePoint(a.geom, place) AS metres_a,
-    ST_Length(b.geom) * ST_LineLocatePoint(b.geom, place) AS metres_b
+SELECT a.controller_id, a.number AS a, b.number AS b,
+    a.before + ST_Length(a.geom) * ST_LineLocatePoint(a.geom, place) AS metres_a,
+    b.before + ST_Length(b.geom) * ST_LineLocatePoint(b.geom, place) AS metres_b
 FROM path a JOIN path b USING (controller_id), LATERAL (SELECT ST_ClosestPoint(a.geom, b.geom) AS place) p
 WHERE a.number <> b.number AND (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
     AND ((a.lane_out, a.along_out) = (b.lane_out, b.along_out) OR ST_Intersects(a.geom, b.geom));
@@ -66,6 +70,18 @@ INSERT INTO fault SELECT 'crossings at signals where people never walk', c.junct
 FROM :"model".junction_crossing c JOIN :"model".controller k ON k.controller_id = c.junction_id
 WHERE NOT EXISTS (SELECT FROM walk w WHERE (w.controller_id, w.control_point_id, w.edge_id)
     = (c.junction_id, c.control_point_id, c.edge_id));
+
+-- Crossings of an arm lie before its stop lines. One behind a line, or off the street, is another's.
+INSERT INTO fault SELECT 'crossings behind a stop line, or off their street', c.junction_id, NULL,
+    max(CASE WHEN off > 0.5 THEN off ELSE behind END), concat_ws(' ', c.control_point_id, c.edge_id)
+FROM :"model".junction_crossing c JOIN :"model".controller k ON k.controller_id = c.junction_id
+    JOIN :"model".edge e USING (edge_id) CROSS JOIN LATERAL (SELECT ST_Distance(e.geom, c.geom) AS off) d
+    LEFT JOIN LATERAL (
+        SELECT (ST_LineLocatePoint(e.geom, c.geom) - ST_LineLocatePoint(e.geom, ST_Centroid(m.geom)))
+            * ST_Length(e.geom) * CASE WHEN e.from_node = c.node_id THEN 1 ELSE -1 END AS behind
+        FROM :"model".marking m WHERE m.edge_id = c.edge_id AND m.kind = 'stop') m ON true
+WHERE NOT c.inside AND (off > 0.5 OR behind > 0.5)
+GROUP BY c.junction_id, c.control_point_id, c.edge_id;
 
 -- A change is what lies between two states that somebody has green or walks in.
 CREATE TEMPORARY TABLE change AS
@@ -116,6 +132,8 @@ FROM (VALUES (1, 'pairs that meet in one state without who yields', (SELECT coun
         ON x.number = m.a JOIN green y ON y.number = m.b AND y.ordinality = x.ordinality WHERE m.a < m.b), 0),
     (2, 'walkers not clear before cross traffic starts', (SELECT count(*) FROM walk), 0),
     (3, 'crossings at signals where people never walk', (SELECT count(*) FROM :"model".junction_crossing
+        JOIN :"model".controller ON controller_id = junction_id), 0),
+    (10, 'crossings behind a stop line, or off their street', (SELECT count(*) FROM :"model".junction_crossing
         JOIN :"model".controller ON controller_id = junction_id), 0),
     (4, 'cycles over 120 s', (SELECT count(*) FROM :"model".controller), 0),
     (5, 'changes with all red over 6 s', (SELECT count(*) FROM change), 0),

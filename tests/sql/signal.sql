@@ -136,7 +136,7 @@ INSERT INTO odd.axis (geom, width, lane_count, importance, speed, name) SELECT l
 INSERT INTO odd.axis (geom, width, lane_count, importance, speed, name) VALUES (line(1000, 0, 1200, 0), 60, 4, 2, 50, 'wide'), (line(1200, 0, 1400, 0), 60, 4, 2, 50, 'wide'), (line(1200, 0, 1200, 150), 6, 2, 4, 50, 'narrow'), (line(1200, -150, 1200, 0), 6, 2, 4, 50, 'narrow'),
   (line(2000, 0, 2200, 0), 8, 2, 3, 50, 'street'), (line(2200, 0, 2400, 0), 8, 2, 3, 50, 'street'), (line(2200, 0, 2200, 100), 5, 2, 6, 20, 'drive');
 INSERT INTO odd.control_point (geom, kind) SELECT ST_SetSRID(ST_MakePoint(650000 + x, 6860000), 2154), 'signals' FROM unnest(ARRAY[0, 1200, 2200]) x;
-INSERT INTO odd.control_point (geom, kind) VALUES (ST_SetSRID(ST_MakePoint(651170, 6860000), 2154), 'pedestrian_crossing');
+INSERT INTO odd.control_point (geom, kind) VALUES (ST_SetSRID(ST_MakePoint(651185, 6860000), 2154), 'pedestrian_crossing');
 CREATE VIEW odd_state AS SELECT controller_id, CASE round(ST_X(geom)) WHEN 650000 THEN 'star' WHEN 651200 THEN 'wide' ELSE 'drive' END AS place, cycle, s.ordinality, s.kind, s.duration FROM odd.controller JOIN odd.signal_state s USING (controller_id);
 SELECT 'no cycle is longer than signal_cycle', count(*) = 3 AND max(cycle) <= 120 FROM odd.controller;
 SELECT 'all that connects has green, also of fourteen arms', count(*) > 150 AND bool_and(s.lane_in IS NOT NULL) FROM odd.movement m LEFT JOIN odd.signal_movement s USING (lane_in, lane_out) WHERE m.connecting AND m.junction_id IN (SELECT controller_id FROM odd.controller);
@@ -182,14 +182,15 @@ CREATE FUNCTION arm(degrees float8, east float8 DEFAULT 0) RETURNS geometry LANG
 INSERT INTO five.axis (axis_id, geom, width, lane_count, importance, speed) SELECT k, arm(degrees), 8, 2, 3, 50 FROM (VALUES (1, 0), (2, 75), (3, 140), (4, 215), (5, 290)) v(k, degrees);
 INSERT INTO five.control_point (geom, kind) VALUES ('SRID=2154;POINT(650000 6860000)', 'signals');
 CREATE VIEW five_green AS SELECT s.ordinality, min(duration) AS duration, string_agg(DISTINCT axis_id::text, '+' ORDER BY axis_id::text) AS axes FROM five.signal_state s JOIN five.signal_movement USING (controller_id, ordinality) JOIN five.lane ON lane_id = lane_in JOIN five.edge USING (edge_id) GROUP BY s.ordinality;
-UPDATE five.controller_editing SET durations[1] = 33, durations[3] = 5;
+UPDATE five.controller_editing SET durations[1] = 33, durations[3] = 5.5;
 CREATE TABLE typed AS SELECT axes, ordinality FROM five_green;
 SELECT 'a duration is typed for a phase', array_agg(concat_ws(' ', axes, duration)) = '{3+5 33}' FROM five_green WHERE ordinality = 1;
 UPDATE five.axis SET geom = arm(320) WHERE axis_id = 5;
 SELECT 'phases turn their order when a street is moved', count(*) > 0 FROM five_green g JOIN typed t USING (axes) WHERE g.ordinality <> t.ordinality;
 CREATE FUNCTION pg_temp.typed() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(axes, ', ' ORDER BY axes) FROM five_green WHERE duration = 33 $$;
 SELECT 'and the duration stays with its street', pg_temp.typed() = '3+5';
-SELECT 'all red stays between its phases, and is computed between others', count(*) FILTER (WHERE duration = 5) = 0 FROM five.signal_state WHERE kind = 'all_red';
+CREATE FUNCTION pg_temp.goes_on_with(phases text[]) RETURNS text LANGUAGE sql AS $$ SELECT (phases || phases[1])[array_position(phases, '3+5') + 1] $$;
+SELECT 'all red by hand holds where the same phase follows', bool_or(duration = 5.5) = (SELECT pg_temp.goes_on_with((SELECT array_agg(axes ORDER BY ordinality) FROM typed)) = pg_temp.goes_on_with((SELECT array_agg(axes ORDER BY ordinality) FROM five_green))) FROM five.signal_state WHERE kind = 'all_red';
 SELECT FROM streetgen.generate('five', wait => true) \g /dev/null
 SELECT 'also from scratch', pg_temp.typed() = '3+5' AND NOT EXISTS (SELECT FROM streetgen.check_model('five') WHERE rule = 'durations by hand without their street');
 UPDATE five.axis SET geom = ST_Reverse(geom) WHERE axis_id IN (2, 3);
@@ -204,3 +205,12 @@ UPDATE five.controller_editing SET cycle = 100;
 SELECT 'what is typed beside leaves it', array_length(durations, 1) = array_length(phases, 1) AND cycle = 100 FROM five.controller_override;
 UPDATE five.controller_editing SET durations = NULL;
 SELECT 'taken back, nothing is told', (durations, phases, approaches) IS NULL AND NOT EXISTS (SELECT FROM streetgen.check_model('five') WHERE rule = 'durations by hand without their street') FROM five.controller_override;
+-- A crossing is one of the arm that it lies on: between two junctions of the nearer one, and of none where lanes end farther off.
+SELECT streetgen.create_model('arms', 2154, subjects => '{signal}', driving_side => 'right') \g /dev/null
+INSERT INTO arms.axis (axis_id, geom, width, importance) VALUES (1, line(-100, 0, 0, 0, 45, 0, 145, 0), 8, 3), (2, line(0, 0, 0, 100), 8, 3), (3, line(45, 0, 45, 100), 8, 3);
+INSERT INTO arms.control_point (geom, kind) SELECT ST_SetSRID(ST_MakePoint(650000 + x, 6860000), 2154), kind FROM (VALUES (0, 'signals'), (45, 'signals'), (-9, 'pedestrian_crossing'), (-30, 'pedestrian_crossing'), (10, 'pedestrian_crossing'), (36, 'pedestrian_crossing'), (55, 'pedestrian_crossing')) v(x, kind);
+CREATE FUNCTION pg_temp.crossed() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(concat_ws(' at ', round(ST_X(c.geom) - 650000), round(ST_X(n.geom) - 650000)), ', ' ORDER BY ST_X(c.geom)) FROM arms.junction_crossing c JOIN arms.node n USING (node_id) $$;
+SELECT 'crossings are of the arm that they lie on', pg_temp.crossed() = '-9 at 0, 10 at 0, 36 at 45, 55 at 45';
+SELECT 'who waits for one waits before it', count(*) = 4 AND bool_and(CASE WHEN along_axis THEN line < crossing ELSE line > crossing END) FROM (SELECT ST_X(c.geom) AS crossing, ST_X(ST_Centroid(m.geom)) AS line, along_axis FROM arms.junction_crossing c JOIN arms.marking m USING (edge_id, node_id) WHERE m.kind = 'stop') l;
+DELETE FROM arms.axis WHERE axis_id = 3;
+SELECT 'where the street just goes on, only how near its lanes end counts', pg_temp.crossed() = '-9 at 0, 10 at 0';

@@ -69,13 +69,10 @@ BEGIN
     SELECT junction_id, control_point_id, node_id, edge_id, inside, width,
         (SELECT value::float8 FROM setting WHERE name = 'walk_shortest')
             + width / (SELECT value::float8 FROM setting WHERE name = 'walking_speed') AS seconds, geom
-    FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id,
-            EXISTS (SELECT FROM junction_edge i WHERE i.edge_id = e.edge_id) AS inside,
-            CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END AS width, p.geom,
-            rank() OVER (PARTITION BY j.junction_id, p.control_point_id
-                ORDER BY round(ST_Distance(e.geom, p.geom)::numeric, 2), ST_Distance(n.geom, p.geom)) AS turn
+    FROM (SELECT j.junction_id, p.control_point_id, j.node_id, e.edge_id, w.inside,
+            CASE WHEN e.from_node = j.node_id THEN e.width ELSE e.width_end END AS width, p.geom, row_number() OVER (
+                PARTITION BY j.junction_id, p.control_point_id, e.edge_id ORDER BY w.metres, j.node_id) AS turn
         FROM junction_node j JOIN edge e ON j.node_id IN (e.from_node, e.to_node)
-            JOIN node n ON n.node_id = j.node_id
             -- Signals in mid-block are there for people who cross, whether their crossing is mapped or not.
             JOIN control_point p ON p.axis_id = e.axis_id AND (p.kind = 'pedestrian_crossing' OR p.kind = 'signals'
                     AND 2 = (SELECT count(*) FROM junction_node o JOIN edge a ON o.node_id IN (a.from_node, a.to_node)
@@ -83,11 +80,28 @@ BEGIN
                     AND NOT EXISTS (SELECT FROM control_point o WHERE o.axis_id = p.axis_id
                         AND o.kind = 'pedestrian_crossing' AND abs(o.abscissa - p.abscissa)
                             <= (SELECT value::float8 FROM setting WHERE name = 'crossing_of_arm')))
-                AND ST_DWithin(p.geom, n.geom, (SELECT value::float8 FROM setting WHERE name = 'control_distance'))) c
+                AND p.abscissa BETWEEN e.start_abscissa - 0.01 AND e.end_abscissa + 0.01
+            CROSS JOIN LATERAL (SELECT EXISTS (SELECT FROM junction_edge i WHERE i.edge_id = e.edge_id) AS inside,
+                p.abscissa - e.start_abscissa AS from_start,
+                CASE WHEN e.from_node = j.node_id THEN p.abscissa - e.start_abscissa
+                    ELSE e.end_abscissa - p.abscissa END AS metres,
+                CASE WHEN e.from_node = j.node_id THEN e.to_node ELSE e.from_node END AS other) w
+        WHERE w.inside OR EXISTS (
+            SELECT FROM section_limit a JOIN section_limit b USING (edge_id), LATERAL (
+                SELECT w.from_start - a.abscissa AS behind_start, b.abscissa - w.from_start AS before_end) m,
+                LATERAL (SELECT CASE WHEN e.from_node = j.node_id THEN behind_start ELSE before_end END AS near,
+                    CASE WHEN e.from_node = j.node_id THEN before_end ELSE behind_start END AS far) l
+            WHERE e.edge_id = a.edge_id AND (a.which, b.which) = ('start', 'end')
+                AND near <= (SELECT value::float8 FROM setting WHERE name = 'crossing_of_arm')
+                    + (SELECT c.width / 2 FROM streetgen._usual_crossing() c)
+                -- Of two junctions it is the nearer one's: before the other one traffic waits without it.
+                AND (near <= far + 0.01 OR far > 0.01 AND 2 >= (SELECT count(*) FROM edge o
+                    WHERE o.from_node = w.other OR o.to_node = w.other)))) c
     WHERE turn = 1;
     COMMENT ON VIEW junction_crossing IS
-        'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing within '
-        'setting control_distance of a node, and signals in mid-block without one';
+        'The streets of junctions that people on foot cross there: control points of kind pedestrian_crossing on an '
+        'edge within, or on an arm up to setting crossing_of_arm before its lanes end and nearer to them than to the '
+        'next junction, and signals in mid-block without one';
     COMMENT ON COLUMN junction_crossing.junction_id IS 'the junction';
     COMMENT ON COLUMN junction_crossing.control_point_id IS
         'the control point of kind pedestrian_crossing; of signals in mid-block that have none the signals';
