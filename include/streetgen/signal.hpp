@@ -71,7 +71,8 @@ struct Intergreen {
 // Few phases: approaches whose through traffic does not meet share one, and their turns give way
 // within it, or have a phase before it. Approaches below the least importance have green with
 // others, and give way. Between phases come amber and all red, as long as what ends and what begins
-// next ask for. Phases follow each other so that this takes least. People on foot cross in phases
+// next ask for. Phases follow each other so that all of them do, where an order lets them, and that
+// this takes least. People on foot cross in phases
 // that leave them room; where none does, in a state of their own.
 // Greens are shared out by Webster's rule where flows are known, else by lanes and importance.
 // A walk loses its time where the longest cycle is too short for it beside one phase. Turns lose

@@ -91,3 +91,9 @@ DO $$ BEGIN PERFORM streetgen.create_model('plain', 2154, subjects => '{junction
 INSERT INTO plain.axis (geom, width, lane_count, direction, roundabout_tag) VALUES (pg_temp.arc(0, 25, 0, 360), 7, 2, 'direct', 'Rond-point');
 INSERT INTO plain.axis (geom, width, lane_count) SELECT pg_temp.arm(0, 25, 90 * n), 6, 2 FROM generate_series(0, 3) n;
 SELECT 'a Rond-point is a roundabout without that subject too', (SELECT count(*) = 4 FROM plain.junction WHERE kind = 'roundabout');
+-- Signals say when traffic enters a ring: it waits at a stop line where they stand, and elsewhere yields.
+SELECT streetgen.create_model('lit', 2154, subjects => '{signal}', driving_side => 'right') \g /dev/null
+INSERT INTO lit.axis (axis_id, geom, width, lane_count, direction, roundabout_tag) VALUES (1, pg_temp.arc(0, 25, 0, 240), 7, 2, 'direct', 'roundabout'), (2, pg_temp.arc(0, 25, 240, 360), 7, 2, 'direct', 'roundabout');
+INSERT INTO lit.axis (axis_id, geom, width, lane_count) SELECT 3 + n, pg_temp.arm(0, 25, 90 * n), 6, 2 FROM generate_series(0, 3) n;
+INSERT INTO lit.control_point (geom, kind) VALUES (pg_temp.polar(0, 25, 90), 'signals');
+SELECT 'who comes to signals of a ring stops there, and yields elsewhere', string_agg(concat_ws(' ', axis_id, kind), ', ' ORDER BY axis_id) = '3 yield, 4 stop, 5 yield, 6 yield' FROM lit.marking JOIN lit.edge USING (edge_id) WHERE axis_id > 2 AND kind <> 'arrow';

@@ -27,11 +27,14 @@ BEGIN
     BEGIN
         SELECT max(value) FILTER (WHERE name = 'signal_importance')::integer AS importance,
             max(value) FILTER (WHERE name = 'signal_step')::float8 AS step,
-            max(value) FILTER (WHERE name = 'walk_shortest')::float8 AS walk INTO rules FROM setting;
+            max(value) FILTER (WHERE name = 'walk_shortest')::float8 AS walk,
+            max(value) FILTER (WHERE name = 'line_before_crossing')::float8
+                + (SELECT c.width / 2 FROM streetgen._usual_crossing() c) AS ahead INTO rules FROM setting;
         RETURN QUERY
         WITH path AS MATERIALIZED (
             SELECT m.junction_id, m.lane_in, m.lane_out, m.along_in, m.along_out, m.turn, m.geom, m.metres,
-                e.edge_id AS edge_in, o.edge_id AS edge_out, e.axis_id, e.importance, greatest(e.speed, 1) AS speed,
+                e.edge_id AS edge_in, o.edge_id AS edge_out, i.lane_position, e.geom AS street, e.axis_id, e.importance,
+                greatest(e.speed, 1) AS speed,
                 greatest(1, CASE WHEN m.along_in THEN e.lanes_forward ELSE e.lanes_backward END + e.lanes_both)
                     AS lanes,
                 CASE WHEN e.lanes_both > 0 OR least(e.lanes_forward, e.lanes_backward) > 0 THEN 2 ELSE 1 END AS ways,
@@ -65,28 +68,43 @@ BEGIN
             WHERE (a.lane_in, a.along_in) <> (b.lane_in, b.along_in)
                 -- As in the view conflict: they merge, they oppose each other in a lane for both directions, or cross.
                 AND (merges OR in_out OR in_in OR crosses)),
-        conflict AS MATERIALIZED (
-            SELECT junction_id, number, array_agg(other ORDER BY other) AS others,
-                array_agg(reach ORDER BY other) AS reaches
-            FROM (SELECT junction_id, a AS number, b AS other, CASE WHEN place IS NOT NULL
-                        THEN metres_a * ST_LineLocatePoint(geom_a, place) WHEN in_in AND NOT in_out THEN 0
-                        ELSE metres_a END::float8 AS reach FROM pair
-                UNION ALL SELECT junction_id, b, a, CASE WHEN place IS NOT NULL
-                        THEN metres_b * ST_LineLocatePoint(geom_b, place) WHEN in_out AND NOT in_in THEN 0
-                        ELSE metres_b END FROM pair) p
-            GROUP BY junction_id, number),
         crossed AS MATERIALIZED (
             SELECT c.junction_id, c.control_point_id, c.edge_id, c.inside, c.width, c.geom,
                 ceil((c.seconds - rules.walk) / rules.step - 1e-6) * rules.step AS clear,
                 row_number() OVER (PARTITION BY c.junction_id ORDER BY e.axis_id, e.start_abscissa, c.control_point_id)
                     AS walk
             FROM junction_crossing c JOIN edge e USING (edge_id) WHERE c.junction_id = ANY (junctions)),
+        -- Traffic waits before the first crossing of its arm, and drives from there to where its path begins.
+        passed AS MATERIALIZED (
+            SELECT p.junction_id, p.number, c.walk, (ST_LineLocatePoint(street, ST_StartPoint(p.geom))
+                - ST_LineLocatePoint(street, c.geom)) * ST_Length(street) * CASE WHEN p.along_in THEN 1 ELSE -1 END
+                AS before
+            FROM path p JOIN crossed c ON c.junction_id = p.junction_id AND c.edge_id = p.edge_in AND NOT c.inside),
+        lead AS MATERIALIZED (
+            SELECT p.junction_id, p.number, greatest(0, max(c.before) + rules.ahead,
+                ST_Distance(coalesce(s.free_geom, s.geom), ST_StartPoint(p.geom)))::float8 AS lead
+            FROM path p LEFT JOIN passed c USING (junction_id, number) LEFT JOIN marking s
+                ON (s.edge_id, s.kind, s.lane_position, s.along_axis) = (p.edge_in, 'stop', p.lane_position, p.along_in)
+            GROUP BY p.junction_id, p.number, s.free_geom, s.geom, p.geom),
+        conflict AS MATERIALIZED (
+            SELECT junction_id, number, array_agg(other ORDER BY other) AS others,
+                array_agg(lead + reach ORDER BY other) AS reaches
+            FROM (SELECT junction_id, a AS number, b AS other, CASE WHEN place IS NOT NULL
+                        THEN metres_a * ST_LineLocatePoint(geom_a, place) WHEN in_in AND NOT in_out THEN 0
+                        ELSE metres_a END::float8 AS reach FROM pair
+                UNION ALL SELECT junction_id, b, a, CASE WHEN place IS NOT NULL
+                        THEN metres_b * ST_LineLocatePoint(geom_b, place) WHEN in_out AND NOT in_in THEN 0
+                        ELSE metres_b END FROM pair) p
+                JOIN lead USING (junction_id, number)
+            GROUP BY junction_id, number),
         -- People wait for who comes in over their crossing, goes straight out there, or passes within the junction.
         walked AS MATERIALIZED (
             SELECT p.junction_id, p.number, array_agg(c.walk::integer ORDER BY walk) AS walks,
                 array_agg(rules.walk + c.clear ORDER BY walk) AS seconds,
-                array_agg((p.metres * ST_LineLocatePoint(p.geom, c.geom))::float8 ORDER BY walk) AS reaches
-            FROM path p JOIN crossed c USING (junction_id)
+                array_agg(lead + coalesce(-b.before, p.metres * ST_LineLocatePoint(p.geom, c.geom))::float8
+                    ORDER BY walk) AS reaches
+            FROM path p JOIN crossed c USING (junction_id) JOIN lead USING (junction_id, number)
+                LEFT JOIN passed b USING (junction_id, number, walk)
             WHERE p.edge_in = c.edge_id OR p.edge_out = c.edge_id AND p.turn = 'through'
                 OR c.inside AND ST_DWithin(p.geom, c.geom, c.width / 2)
             GROUP BY p.junction_id, p.number)

@@ -118,12 +118,14 @@ bool goes_on(const Line& line) {
 // The line across the lanes that come by an end: `lower` is its importance less than that of the
 // most important edge at the node.
 std::optional<MarkingKind> end_marking(const EndControl& control, const NodeRank& rank, int lower,
-                                       bool goes_first, bool slips_in) {
+                                       bool goes_first, bool slips_in, bool at_ring) {
   const std::optional<JunctionKind> by_hand = control.decided;
   if (by_hand == JunctionKind::right_before_left) return std::nullopt;
   if (control.own == ControlKind::stop) return MarkingKind::stop;
-  if (control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout)
-    return MarkingKind::yield;
+  const bool at_yield =
+      control.own == ControlKind::yield || control.own == ControlKind::mini_roundabout;
+  // Signals at a ring say when traffic enters.
+  if (at_yield && !(at_ring && control.at_signals())) return MarkingKind::yield;
   if (control.at_signals()) return control.within ? std::nullopt : std::optional(MarkingKind::stop);
   if (goes_first) return std::nullopt;
   if (by_hand == JunctionKind::stop) {
@@ -209,11 +211,12 @@ void append_end_markings(const Streets& streets, const std::vector<NodeRank>& ra
     const int node = at_start ? edge.from_node : edge.to_node;
     const EndControl& control = controls[2 * e + (at_start ? 0 : 1)];
     if (ranks[node].degree < 3 && !control.at_signals()) continue;
-    const std::optional<MarkingKind> kind = end_marking(
-        control, ranks[node], streets.roadways[e].importance - ranks[node].importance,
-        waiting.on_ring(e) || ranks[node].merging_link == e, slip_lanes.waits(e, at_start));
-    if (!kind) continue;
     const bool at_ring = waiting.enters_ring(e, at_start);
+    const std::optional<MarkingKind> kind =
+        end_marking(control, ranks[node], streets.roadways[e].importance - ranks[node].importance,
+                    waiting.on_ring(e) || ranks[node].merging_link == e,
+                    slip_lanes.waits(e, at_start), at_ring);
+    if (!kind) continue;
     const bool has_room = room >= (at_ring ? 1 : 2) * stop_room;
     const double shared = ranks[node].degree < 3
                               ? before_mid_block

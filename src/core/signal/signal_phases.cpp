@@ -46,7 +46,8 @@ class Cycle {
     return change_between(movements_, phases_[from], phases_[to], rules_);
   }
 
-  // Phases follow each other so that changes take least; of equal orders the first one holds.
+  // Phases follow each other so that no change lacks time, where an order does, and that changes
+  // take least; of equal orders the first one holds.
   void order_phases() {
     const std::size_t n = phases_.size();
     std::vector<std::vector<SignalChange>> between(n, std::vector<SignalChange>(n));
@@ -55,14 +56,17 @@ class Cycle {
     std::vector<std::size_t> order(n);
     std::iota(order.begin(), order.end(), 0);
     const auto all = [&](const std::vector<std::size_t>& turns) {
-      double sum = 0;
-      for (std::size_t k = 0; k < n; ++k) sum += between[turns[k]][turns[(k + 1) % n]].duration();
-      return sum;
+      double lacks = 0, lasts = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        const SignalChange& change = between[turns[k]][turns[(k + 1) % n]];
+        lacks += change.lacks, lasts += change.duration();
+      }
+      return std::pair(std::round(lacks / rules_.step), std::round(1e6 * lasts));
     };
     std::vector<std::size_t> best = order;
     if (n > 2 && n <= most_ordered)
       while (std::next_permutation(order.begin() + 1, order.end()))
-        if (all(order) < all(best) - 1e-6) best = order;
+        if (all(order) < all(best)) best = order;
     std::vector<Phase> phases;
     for (const std::size_t k : best) phases.push_back(phases_[k]);
     phases_ = std::move(phases);

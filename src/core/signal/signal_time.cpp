@@ -152,7 +152,9 @@ SignalChange change_between(const std::vector<SignalRequest>& movements,
         change.all_red =
             std::max({change.all_red, intergreen(movements, a, b, rules) - change.amber,
                       steps_up(time_to_clear(movements, a, b).value_or(0), rules)});
-  change.all_red = std::min(change.all_red, std::max(rules.step, rules.longest_all_red));
+  const double longest = std::max(rules.step, rules.longest_all_red);
+  change.lacks = std::max(0.0, change.all_red - longest);
+  change.all_red -= change.lacks;
   return change;
 }
 

@@ -31,6 +31,7 @@ double intergreen_to_walk(const SignalRequest& movement, const SignalRequest::Wa
 // What ends one green state before another one.
 struct SignalChange {
   double amber = 0, all_red = 0;
+  double lacks = 0;  // seconds of all red that the rules do not leave
   double duration() const { return amber + all_red; }
 };
 
