@@ -69,7 +69,7 @@ SELECT 'every geometry of a model has its SRID and an index',
                      AND c.relnamespace = 'model_a'::regnamespace
                    WHERE g.f_table_schema = 'model_a' AND g.f_geometry_column <> 'source_geom'
                      AND (g.f_table_name, g.f_geometry_column) NOT IN (('edge', 'curve'), ('section_limit', 'border_line'), ('corner', 'centre'), ('report', 'geom'), ('interconnection', 'control'), ('interconnection_override', 'control'), ('turn_restriction', 'via_geom'), ('turn_restriction', 'to_geom'), ('delivered', 'cleaned'),
-                       ('kerb', 'curve'), ('kerb', 'surface'), ('pedestrian_crossing', 'stripes'), ('roundabout', 'centre'), ('roundabout', 'island'), ('marking', 'free_geom'), ('marking', 'free_surface'))
+                       ('kerb', 'curve'), ('kerb', 'surface'), ('pedestrian_crossing', 'stripes'), ('roundabout', 'centre'), ('roundabout', 'island'), ('marking', 'free_geom'), ('marking', 'free_surface'), ('controller_override', 'approaches'))
                      AND (g.srid <> 2154 OR NOT EXISTS (
                        SELECT FROM pg_indexes i WHERE i.schemaname = 'model_a' AND i.tablename = g.f_table_name
                          AND i.indexdef LIKE '%gist (' || g.f_geometry_column || ')%')));
