@@ -101,7 +101,7 @@ struct Fitted {
 Fitted fit_streets(const std::vector<FitAxis>& axes, std::vector<Observation> observations,
                    const FitRules& rules);
 
-// Which axis takes an observation, and why none does.
+// The fate of an observation: an axis takes it, or there is a reason why none does.
 enum class ObservationFate { taken, no_street, at_junction };
 struct TakenObservation {
   ObservationFate fate = ObservationFate::no_street;

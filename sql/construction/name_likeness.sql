@@ -1,4 +1,4 @@
--- How alike two names are: by their letters, without accents, or by trigrams.
+-- Likeness of two names: by their letters, without accents, or by trigrams.
 
 CREATE OR REPLACE FUNCTION streetgen._without_accents(given text, setting text) RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

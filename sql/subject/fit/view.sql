@@ -1,4 +1,4 @@
--- What proposals change, and what no street took.
+-- Views of the changes that are proposed, and of observations that no street took.
 
 CREATE OR REPLACE FUNCTION streetgen._unused_observations(model name)
     RETURNS TABLE(observation_id bigint, kind text, why text, points bigint, source text, source_ref text,

@@ -61,7 +61,7 @@ double median_of(std::vector<double> values) {
   return values[middle];
 }
 
-// Where most of the values lie, as a loss that narrows finds it from their median.
+// The place where most of the values lie, as a loss that narrows finds it from their median.
 double robust_middle(const std::vector<double>& values, const std::vector<double>& weights,
                      const FitRules& rules) {
   double middle = median_of(values);

@@ -1,4 +1,4 @@
-// What a residual costs, and how much it counts in the next round of least squares.
+// The cost of a residual, and its weight in the next round of least squares.
 #pragma once
 
 #include <cmath>
