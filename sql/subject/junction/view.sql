@@ -94,7 +94,7 @@ BEGIN
             WHERE e.edge_id = a.edge_id AND (a.which, b.which) = ('start', 'end')
                 AND near <= (SELECT value::float8 FROM setting WHERE name = 'crossing_of_arm')
                     + (SELECT c.width / 2 FROM streetgen._usual_crossing() c)
-                -- Of two junctions it is the nearer one's: before the other one traffic waits without it.
+                -- A crossing between two junctions is the nearer one's: before the other one traffic waits without it.
                 AND (near <= far + 0.01 OR far > 0.01 AND 2 >= (SELECT count(*) FROM edge o
                     WHERE o.from_node = w.other OR o.to_node = w.other)))) c
     WHERE turn = 1;
