@@ -9,7 +9,7 @@ local srid = tonumber(os.getenv('STREETGEN_SRID') or '4326')
 
 -- A tag speaks of the street where the first part of its key, or that after "source:", is one of these.
 local street_keys = {}
-for key in ([[lanes width est_width lane_markings oneway junction layer bridge tunnel maxspeed zone turn change
+for key in ([[lanes width est_width lane_markings oneway junction layer bridge tunnel maxheight maxspeed zone turn change
     placement overtaking access vehicle motor_vehicle motorcar motorcycle bus psv taxi tourist_bus coach hov carpool
     hgv goods bicycle foot trolley_bus minibus cycleway busway parking sidewalk shoulder centre_turn_lane
     bus_bay minor_lanes service motorroad dual_carriageway]]):gmatch('%S+') do

@@ -7,7 +7,7 @@ CREATE OR REPLACE FUNCTION streetgen._source_hash(width float8, width_end float8
     change_forward text, change_backward text, sidewalk_left float8, sidewalk_right float8, flow float8,
     roundabout_tag text, ref text, access text, parking_left text, parking_right text, lane_markings text,
     sidewalk_apart text, paved text, sidewalk_paved_left text, sidewalk_paved_right text,
-    cycle_paved_left text, cycle_paved_right text, strips_left text, strips_right text)
+    cycle_paved_left text, cycle_paved_right text, strips_left text, strips_right text, height_limit float8)
     RETURNS bigint
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     -- What came later is the seed of the hash, so that it stays the same where a source says nothing of it.
@@ -33,13 +33,14 @@ CREATE OR REPLACE FUNCTION streetgen._source_hash(width float8, width_end float8
                     cycle_paved_left, cycle_paved_right), 12) END
             # CASE WHEN coalesce(strips_left, strips_right) IS NULL THEN 0
                 ELSE hash_record_extended(ROW(strips_left, strips_right), 13) END
+            # CASE WHEN height_limit IS NULL THEN 0 ELSE hashfloat8extended(height_limit, 14) END
             -- A length of 0 hashes as none.
             # CASE WHEN 0 IN (radius, sidewalk_left, sidewalk_right, roadway_offset, lanes_both)
                 THEN hash_record_extended(ROW(radius = 0, sidewalk_left = 0, sidewalk_right = 0, roadway_offset = 0,
                     lanes_both = 0), 7) ELSE 0 END);
 COMMENT ON FUNCTION streetgen._source_hash(float8, float8, float8, integer, text, float8, integer, text, integer,
     text, float8, integer, integer, integer, text, text, text, text, text, text, text, text, float8, float8, float8,
-    text, text, text, text, text, text, text, text, text, text, text, text, text, text) IS
+    text, text, text, text, text, text, text, text, text, text, text, text, text, text, float8) IS
     'The hash of the values that a source gives an axis, in the order of streetgen._axis_input: column source_hash of '
     'the axis as it was delivered.';
 
@@ -53,7 +54,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_hash(a anyelement) RETURNS bigint
         a.turn_backward, a.change_forward, a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow,
         a.roundabout_tag, a.ref, a.access, a.parking_left, a.parking_right, a.lane_markings,
         a.sidewalk_apart, a.paved, a.sidewalk_paved_left, a.sidewalk_paved_right, a.cycle_paved_left,
-        a.cycle_paved_right, a.strips_left, a.strips_right) $$;
+        a.cycle_paved_right, a.strips_left, a.strips_right, a.height_limit) $$;
 COMMENT ON FUNCTION streetgen._axis_hash(anyelement) IS
     'The hash of the values of a row of axis: its source_hash where nobody edited it since.';
 
@@ -66,7 +67,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_values(a anyelement) RETURNS jsonb
         a.change_backward, a.sidewalk_left, a.sidewalk_right, a.flow, a.roundabout_tag, a.ref,
         a.access, a.parking_left, a.parking_right, a.lane_markings, a.sidewalk_apart, a.paved,
         a.sidewalk_paved_left, a.sidewalk_paved_right, a.cycle_paved_left, a.cycle_paved_right, a.strips_left,
-        a.strips_right) r)) $$;
+        a.strips_right, a.height_limit) r)) $$;
 COMMENT ON FUNCTION streetgen._axis_values(anyelement) IS
     'What a row of axis has in the columns that a source may fill besides geom: those of streetgen._axis_input.';
 

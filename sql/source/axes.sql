@@ -132,7 +132,7 @@ BEGIN
                 i.change_backward, i.sidewalk_left, i.sidewalk_right, i.flow,
                 i.roundabout_tag, i.ref, i.access, i.parking_left, i.parking_right, i.lane_markings,
                 i.sidewalk_apart, i.paved, i.sidewalk_paved_left, i.sidewalk_paved_right, i.cycle_paved_left,
-                i.cycle_paved_right, i.strips_left, i.strips_right) AS hash
+                i.cycle_paved_right, i.strips_left, i.strips_right, i.height_limit) AS hash
         FROM pg_temp._import i, ST_Dump(CASE ST_SRID(i.geom) WHEN target_srid THEN i.geom
             ELSE streetgen._transformed('source row ' || i.label, i.geom, target_srid) END) d;
     UPDATE pg_temp._import_part SET source_ref = source_ref || '/' || nth WHERE ST_NumGeometries(geom) > 1;
@@ -180,14 +180,14 @@ BEGIN
             lane_width_backward, turn_forward, turn_backward, change_forward, change_backward, sidewalk_left,
             sidewalk_right, flow, roundabout_tag, ref, access, parking_left, parking_right, lane_markings,
             sidewalk_apart, paved, sidewalk_paved_left, sidewalk_paved_right, cycle_paved_left, cycle_paved_right,
-            strips_left, strips_right, source, source_ref, source_geom, source_hash)
+            strips_left, strips_right, height_limit, source, source_ref, source_geom, source_hash)
         SELECT coalesce(cleaned, source_geom), width, width_end, roadway_offset, lane_count, coalesce(direction,
             'both'), speed, importance, name, coalesce(level, 0), class, radius, lanes_forward, lanes_backward,
             lanes_both, kind_forward, kind_backward, lane_width_forward, lane_width_backward, turn_forward,
             turn_backward, change_forward, change_backward, sidewalk_left, sidewalk_right, flow, roundabout_tag, ref,
             access, parking_left, parking_right, lane_markings, sidewalk_apart, paved, sidewalk_paved_left,
-            sidewalk_paved_right, cycle_paved_left, cycle_paved_right, strips_left, strips_right, origin, source_ref,
-            source_geom, hash
+            sidewalk_paved_right, cycle_paved_left, cycle_paved_right, strips_left, strips_right, height_limit, origin,
+            source_ref, source_geom, hash
         FROM pg_temp._import_part p WHERE NOT EXISTS (SELECT FROM delivered d
             WHERE (d.relation, d.source, d.source_ref) = ('axis', origin, p.source_ref))
         ORDER BY p.source_ref RETURNING axis_id, source_ref)

@@ -29,7 +29,8 @@ CREATE OR REPLACE FUNCTION streetgen._bdtopo_column() RETURNS TABLE(name text, c
     ('cycle_left', '{amenagement_cyclable_gauche,amgt_cy_g}', 'As amenagement_cyclable_droit, on the left.'),
     ('cycle_left_way', '{sens_amenagement_cyclable_gauche,sens_cy_g}', 'As sens_amenagement_cyclable_droit.'),
     ('access', '{acces_vehicule_leger,acces_vl}',
-        'Who may drive: nobody, or who has a permit. Where it is free or one pays a toll all may.') $$;
+        'Who may drive: nobody, or who has a permit. Where it is free or one pays a toll all may.'),
+    ('height_limit', '{restriction_de_hauteur,restr_h}', 'The height of vehicles that may pass, metres.') $$;
 COMMENT ON FUNCTION streetgen._bdtopo_column() IS
     'The columns of BD TOPO that an import looks at: a name for each, what tables call it, the first one going before '
     'others, and what becomes of it.';
@@ -117,7 +118,7 @@ COMMENT ON FUNCTION streetgen._bdtopo_kinds(integer, boolean, boolean, boolean, 
 CREATE OR REPLACE FUNCTION streetgen._bdtopo_rows(driving_side text, lane_width float8)
     RETURNS TABLE(geom geometry, width float8, lane_count integer, direction text, speed float8, importance integer,
         name text, ref text, level integer, class text, roundabout_tag text, lanes_both integer, kind_forward text,
-        kind_backward text, access text, source_ref text, label text, left_out text, unread text[])
+        kind_backward text, access text, height_limit float8, source_ref text, label text, left_out text, unread text[])
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT s.geom, metres, said_lanes::integer, direction, kmh,
@@ -130,13 +131,14 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
     s.class, CASE s.class WHEN 'Rond-point' THEN s.class END,
     CASE WHEN num_nonnulls(kinds_forward, kinds_backward) > 0 THEN nullif(middle, 0) END, kinds_forward, kinds_backward,
     CASE WHEN s.access ~* 'impossible' THEN 'no' WHEN s.access ~* 'restreint|ayants droit' THEN 'private' END,
-    s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
+    height, s.id, coalesce(s.id, 'number ' || row_number() OVER ()),
     CASE WHEN s.fictif ~* '^\s*(oui|true|t)\s*$' THEN 'fictitious axis' END,
     array_remove(ARRAY[CASE WHEN s.width <> '' AND metres IS NULL THEN 'width' END,
         CASE WHEN s.lane_count <> '' AND said_lanes IS NULL THEN 'lane_count' END,
         CASE WHEN s.sens <> '' AND s.sens !~* 'double|direct|inverse|^sens unique$|^sans objet$|^nc$'
             THEN 'direction' END,
         CASE WHEN s.speed <> '' AND kmh IS NULL THEN 'speed' END,
+        CASE WHEN s.height_limit <> '' AND height IS NULL THEN 'height limit' END,
         CASE WHEN s.importance !~* '^\s*(\d|nc|$)' THEN 'importance' END,
         CASE WHEN s.level !~* '^\s*(-?\d|gu[ée] ou radier|nc|$)' THEN 'level' END,
         CASE WHEN s.fictif !~* '^\s*(oui|true|t|non|false|f)?\s*$' THEN 'fictif' END,
@@ -145,6 +147,7 @@ SELECT s.geom, metres, said_lanes::integer, direction, kmh,
 FROM pg_temp._import_line s,
      LATERAL (SELECT streetgen._within(streetgen._metres(s.width), 0, 200) AS metres,
          streetgen._within(streetgen._kmh(s.speed), 0, 400) AS kmh,
+         streetgen._within(streetgen._metres(s.height_limit), 1, 30) AS height,
          streetgen._within(streetgen._number(s.lane_count), 0, 30) AS said_lanes) said,
      LATERAL (SELECT coalesce(greatest(said_lanes::integer, 1), 1) AS lanes,
                      -- What names no direction means that of the traffic: of one lane all of it.
@@ -243,6 +246,7 @@ BEGIN
             ('level', '{level}'),
             ('class', '{class}'), ('roundabout_tag', '{class}'), ('kind_forward', '{bus,cycle,cycle_right,cycle_left}'),
             ('kind_backward', '{bus,cycle,cycle_right,cycle_left}'), ('access', '{access}'),
+            ('height_limit', '{height_limit}'),
             ('lanes_both', '{bus,cycle,cycle_right,cycle_left}')) c(name, wants)
         WHERE jsonb_strip_nulls(found) ?| wants), driving_side, streetgen._setting_number(model, 'lane_width')));
     CREATE TEMPORARY TABLE _import_unread ON COMMIT DROP AS
@@ -257,6 +261,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.import_bdtopo(name, regclass) IS
     'Imports a BD TOPO road table, version 2 or 3 by its column names: width, lanes, direction, speed, importance, '
-    'position against the ground, nature, street name, number of the route, bus and cycle lanes. Fictitious axes are '
-    'left out and counted; a width, speed or number of lanes that means nothing is unknown, and reported. A table '
-    'that is no BD TOPO, or bad rows: 22023; then the model stays as it was.';
+    'position against the ground, nature, street name, number of the route, bus and cycle lanes, limits of height. '
+    'Fictitious axes are left out and counted; a width, speed, limit or number of lanes that means nothing is unknown, '
+    'and reported. A table that is no BD TOPO, or bad rows: 22023; then the model stays as it was.';

@@ -22,7 +22,7 @@ CREATE OR REPLACE FUNCTION streetgen._axis_input()
         ('lane_markings', 'text', 'yes_or_no', NULL, NULL), ('sidewalk_apart', 'text', 'sides', NULL, NULL),
         ('paved', 'text', 'text', NULL, NULL), ('sidewalk_paved_left', 'text', 'text', NULL, NULL),
         ('sidewalk_paved_right', 'text', 'text', NULL, NULL), ('cycle_paved_left', 'text', 'text', NULL, NULL),
-        ('cycle_paved_right', 'text', 'text', NULL, NULL) $$;
+        ('cycle_paved_right', 'text', 'text', NULL, NULL), ('height_limit', 'float8', 'metres', 1, 30) $$;
 COMMENT ON FUNCTION streetgen._axis_input() IS
     'The columns of axis that a source may fill besides geom, how their texts are read, and the bounds of numbers.';
 

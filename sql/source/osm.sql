@@ -158,13 +158,14 @@ BEGIN
         lanes.lanes_forward, lanes.lanes_backward, lanes.lanes_both, lanes.kind_forward, lanes.kind_backward,
         lanes.lane_width_forward, lanes.lane_width_backward, lanes.turn_forward, lanes.turn_backward,
         lanes.change_forward, lanes.change_backward, lanes.access, lanes.parking_left, lanes.parking_right,
-        lanes.strips_left, lanes.strips_right,
+        lanes.strips_left, lanes.strips_right, height_limit,
         CASE WHEN tags ->> 'lane_markings' IN ('yes', 'no') THEN tags ->> 'lane_markings' END AS lane_markings,
         CASE WHEN apart_left AND apart_right THEN 'both' WHEN apart_left THEN 'left' WHEN apart_right THEN 'right' END
             AS sidewalk_apart,
         streetgen._osm_sidewalk(walk_left, tags ->> 'sidewalk', said_walk_left, 'left') AS sidewalk_left,
         streetgen._osm_sidewalk(walk_right, tags ->> 'sidewalk', said_walk_right, 'right') AS sidewalk_right,
         array_remove(ARRAY[CASE WHEN width_unread THEN 'width' END, CASE WHEN speed_unread THEN 'speed' END,
+            CASE WHEN limit_unread THEN 'height limit' END,
             CASE WHEN tags ? 'layer' AND streetgen._osm_layer(tags) IS NULL THEN 'level' END,
             CASE WHEN tags ->> 'lane_markings' NOT IN ('yes', 'no') THEN 'lane_markings' END,
             CASE WHEN tags ? 'railway' AND streetgen._osm_rails(tags ->> 'railway') IS NULL THEN 'railway' END,
@@ -184,6 +185,7 @@ BEGIN
         c.lanes_one_way
         FROM pg_temp._import_class c) usual USING (class),
     streetgen._osm_width(tags) across(metres, width_unread), streetgen._osm_speed(tags) pace(kmh, speed_unread),
+    streetgen._osm_height_limit(tags ->> 'maxheight') sign(height_limit, limit_unread),
     -- Lanes of a street that says none.
     LATERAL (SELECT CASE WHEN lanes_by_width THEN least(CASE WHEN tags ->> 'oneway' IN ('yes', 'true', '1', '-1',
             'reverse') THEN lanes_one_way END, streetgen.estimated_lane_count(coalesce(nullif(metres, 0), class_width,
@@ -237,7 +239,8 @@ CREATE OR REPLACE FUNCTION streetgen._osm_rows()
         parking_left text, parking_right text, lane_markings text, sidewalk_apart text, role text, marking text,
         surface text, incline float8, climb text, wheelchair text, tactile_paving text, foot text, gauge integer,
         tracks integer, rails text, rails_embedded boolean, paved text, sidewalk_paved_left text,
-        sidewalk_paved_right text, cycle_paved_left text, cycle_paved_right text, strips_left text, strips_right text)
+        sidewalk_paved_right text, cycle_paved_left text, cycle_paved_right text, strips_left text, strips_right text,
+        height_limit float8)
     LANGUAGE sql STABLE PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
 SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m.roadway_offset, m.lane_count,
@@ -258,7 +261,7 @@ SELECT geom, name, ref, way_id::text, way_id::text, coalesce(m.width, r.room), m
     coalesce(l.tags ->> 'sidewalk:left:surface', s.sidewalks),
     coalesce(l.tags ->> 'sidewalk:right:surface', s.sidewalks),
     coalesce(l.tags ->> 'cycleway:left:surface', s.cycle_lanes),
-    coalesce(l.tags ->> 'cycleway:right:surface', s.cycle_lanes), m.strips_left, m.strips_right
+    coalesce(l.tags ->> 'cycleway:right:surface', s.cycle_lanes), m.strips_left, m.strips_right, m.height_limit
 FROM pg_temp._import_line l JOIN pg_temp._import_meaning m ON m.tags = l.tags AND m.class IS NOT DISTINCT FROM l.class
     LEFT JOIN pg_temp._import_room r USING (way_id) LEFT JOIN pg_temp._import_class c ON c.class = l.class,
     LATERAL (SELECT streetgen._osm_walk_role(l.tags) AS role) w,

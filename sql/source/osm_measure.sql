@@ -32,3 +32,13 @@ CREATE OR REPLACE FUNCTION streetgen._osm_speed(tags jsonb, OUT kmh float8, OUT 
 COMMENT ON FUNCTION streetgen._osm_speed(jsonb) IS
     'The speed that the tags of a way say, km/h, and whether one that goes before means nothing: maxspeed, else the '
     'highest of its directions, else of its lanes, else its zone, else the zone that is the reason of a limit.';
+
+CREATE OR REPLACE FUNCTION streetgen._osm_height_limit(said text, OUT metres float8, OUT unread boolean)
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    -- Without a sign whatever is usual in the country passes.
+    AS $$
+    SELECT m, coalesce(m IS NULL AND said NOT IN ('none', 'default', 'below_default', 'no_sign', 'no_indications',
+        'unsigned'), false)
+    FROM streetgen._within(streetgen._metres(said), 1, 30) m $$;
+COMMENT ON FUNCTION streetgen._osm_height_limit(text) IS
+    'The height of vehicles, metres, that tag maxheight lets pass, NULL: no sign; and whether the tag means nothing.';

@@ -111,6 +111,33 @@ DO $$ BEGIN PERFORM streetgen.set('pieces', 'bridge_rise', '0'), streetgen.gener
 SELECT 'where bridges need not rise none is told', count(*) = 0 FROM streetgen.check_model('pieces')
     WHERE rule ~ '^(bridge or tunnel|level crossing)';
 
+-- How high vehicles may be that pass under roads.
+SELECT streetgen.create_model('low', 2154, subjects => '{height}') \g /dev/null
+INSERT INTO low.axis (axis_id, geom, width, level, speed, height_limit) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000, 650400 6860000)', 7, 0, 50, 4),
+    (2, 'SRID=2154;LINESTRING(650100 6859700, 650100 6860300)', 7, 1, 50, NULL),
+    (3, 'SRID=2154;LINESTRING(650300 6859700, 650300 6860300)', 7, 2, 50, NULL),
+    (4, 'SRID=2154;LINESTRING(650250 6859900, 650350 6859900)', 7, -1, 50, 3);
+INSERT INTO low.height_override (axis_id, abscissa, height) VALUES (3, 300, 9);
+CREATE FUNCTION pg_temp.limit_told() RETURNS text LANGUAGE sql AS $$
+    SELECT string_agg(axis_id || ' by ' || round(measure::numeric, 2), ', ') FROM streetgen.check_model('low') c
+        JOIN low.underpass u ON u.overpass_id = c.id JOIN low.edge USING (edge_id)
+        WHERE rule = 'height limit other than the clearance, m' $$;
+SELECT 'the clearance is from the road below to the deck',
+    string_agg(concat_ws(' ', e.axis_id, a.axis_id, round(u.clearance::numeric, 1)), ', ' ORDER BY e.axis_id, a.axis_id)
+    = '1 2 5.0, 1 3 8.0, 4 3 5.0'
+    FROM low.underpass u JOIN low.edge e USING (edge_id) JOIN low.overpass o USING (overpass_id)
+        JOIN low.edge a ON a.edge_id = o.edge_above;
+SELECT 'a limit under the lowest deck is none of the higher one, nor of a tunnel', pg_temp.limit_told() IS NULL;
+UPDATE low.axis SET height_limit = 5.2 WHERE axis_id = 1;
+SELECT 'a limit over the clearance is told', pg_temp.limit_told() = '1 by 0.20';
+UPDATE low.axis SET height_limit = 2.6 WHERE axis_id = 1;
+SELECT 'one far under it too', pg_temp.limit_told() = '1 by -2.40';
+DO $$ BEGIN PERFORM streetgen.set('low', 'deck_depth', '2'); END $$;
+SELECT 'a deeper deck leaves less room', pg_temp.limit_told() IS NULL;
+SELECT 'refused: a limit of half a metre',
+    test.state('UPDATE low.axis SET height_limit = 0.5 WHERE axis_id = 1') = '23514';
+
 -- By hand: the road lies at least so high at a place.
 INSERT INTO town.height_editing (geom, height) VALUES ('SRID=2154;POINT(650750 6860002)', 4);
 SELECT 'a height drawn lies on the nearest axis', (SELECT array_agg((axis_id, round(abscissa), height)::text) FROM town.height_override) = '{"(6,150,4)"}';

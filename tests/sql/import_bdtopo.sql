@@ -94,17 +94,18 @@ SELECT 'a bus lane has room where each lane has three quarters of lane_width', c
   JOIN (VALUES ('C', 'bus / bus'), ('F', 'general|bus / general|bus')) v(source_ref, wanted) USING (source_ref) ORDER BY source_ref;
 -- Each column that is read, with a word that means nothing, and with words of the data.
 CREATE TABLE import_word (cleabs text, nature text DEFAULT 'Route à 1 chaussée', largeur text DEFAULT '7', nb_voies text DEFAULT '2', sens text DEFAULT 'Double sens', vit_moy_vl text DEFAULT '30', importance text DEFAULT '4', pos_sol text DEFAULT '0', fictif text DEFAULT 'Non',
-  bus text, cyclable text, amgt_cy_d text DEFAULT 'Bande cyclable', sens_cy_d text DEFAULT 'Sens direct', amgt_cy_g text DEFAULT 'Piste cyclable', sens_cy_g text DEFAULT 'Sens inverse', acces_vl text DEFAULT 'Libre', geom geometry(LineString, 32631));
+  bus text, cyclable text, amgt_cy_d text DEFAULT 'Bande cyclable', sens_cy_d text DEFAULT 'Sens direct', amgt_cy_g text DEFAULT 'Piste cyclable', sens_cy_g text DEFAULT 'Sens inverse', acces_vl text DEFAULT 'Libre', restr_h text, geom geometry(LineString, 32631));
 CREATE FUNCTION pg_temp.say(column_name text, word text) RETURNS void LANGUAGE plpgsql AS $$ BEGIN
   EXECUTE format('INSERT INTO import_word (cleabs, %I, geom) SELECT %L, %L, ST_SetSRID(ST_MakeLine(ST_MakePoint(0, 50 * n), ST_MakePoint(100, 50 * n)), 32631) FROM (SELECT count(*) AS n FROM import_word) w', column_name, column_name || ' ' || word, word);
 END $$;
 SELECT pg_temp.say(columns[cardinality(columns)], word) FROM streetgen._bdtopo_column(), unnest('{Chevaux,Pont,de jour}'::text[]) word WHERE name NOT IN ('id', 'name', 'ref') \g /dev/null
-SELECT pg_temp.say(column_name, word) FROM (VALUES ('pos_sol', 'Gué ou radier'), ('pos_sol', 'NC'), ('pos_sol', '-1'), ('importance', 'NC'), ('fictif', 'f'), ('acces_vl', 'A péage'), ('acces_vl', 'Physiquement impossible'), ('acces_vl', 'NC'), ('sens', 'Sans objet'), ('bus', 'Sans objet'), ('cyclable', 'Double sens'), ('cyclable', 'Non'),
+SELECT pg_temp.say(column_name, word) FROM (VALUES ('pos_sol', 'Gué ou radier'), ('pos_sol', 'NC'), ('pos_sol', '-1'), ('importance', 'NC'), ('fictif', 'f'), ('acces_vl', 'A péage'), ('acces_vl', 'Physiquement impossible'), ('acces_vl', 'NC'), ('restr_h', '3.5'), ('sens', 'Sans objet'), ('bus', 'Sans objet'), ('cyclable', 'Double sens'), ('cyclable', 'Non'),
   ('amgt_cy_d', 'Bande cyclable'), ('amgt_cy_g', 'Voie verte'), ('sens_cy_d', 'Sens direct')) v(column_name, word) \g /dev/null
 CREATE TABLE import_told AS SELECT * FROM streetgen.import_bdtopo('import_buses', 'import_word');
 CREATE VIEW import_named AS SELECT unnest(source_refs) AS ref FROM import_told WHERE what ~ 'not understood, taken as unknown|unknown class' UNION SELECT source_ref FROM import_buses.unread_tag;
 SELECT 'a word that means nothing is told: ' || cleabs, EXISTS (SELECT FROM import_named WHERE ref = cleabs) FROM import_word WHERE cleabs ~ 'Chevaux|Pont|de jour' ORDER BY 2, 1;
 SELECT 'what data say is not', NOT EXISTS (SELECT FROM import_named WHERE ref !~ 'Chevaux|Pont|de jour');
+SELECT 'a restriction of height is a limit', string_agg(source_ref || ': ' || height_limit, ', ') = 'restr_h 3.5: 3.5' FROM import_buses.axis;
 SELECT 'a word that means nothing makes no lane', bool_and(coalesce(kind_forward, '') !~ 'bus' AND coalesce(kind_forward, '') ~ CASE WHEN source_ref LIKE 'amgt_cy_d%' THEN '^$' ELSE '^general.cycle$' END) FROM import_buses.axis WHERE source = 'import_word' AND source_ref ~ 'Chevaux' AND source_ref !~ '^(sens|nb_voies)';
 DROP TABLE import_told CASCADE;
 -- Kerbs of the drawing, traffic along it and against it, and what is no lane of the roadway.

@@ -31,10 +31,13 @@ INSERT INTO tagged_line SELECT way_id, 'residential', NULL, NULL, tags::jsonb, S
   (1, '{"width": "14", "width:carriageway": "7", "est_width": "9"}'), (2, '{"est_width": "~4"}'), (3, '{"width": "wide", "est_width": "4 m"}'), (4, '{"maxwidth": "2", "width:effective": "3", "lane_width": "3"}'),
   (11, '{"maxspeed:forward": "70", "maxspeed:backward": "30"}'), (12, '{"maxspeed:lanes": "|50|30"}'), (13, '{"source:maxspeed": "DE:urban"}'), (14, '{"maxspeed:type": "GB:motorway"}'), (15, '{"zone:maxspeed": "DE:30"}'),
   (16, '{"maxspeed": "fast", "zone:maxspeed": "FR:30"}'), (17, '{"maxspeed": "20", "source:maxspeed": "XX:nowhere"}'), (18, '{"maxspeed": "none", "source:maxspeed": "sign"}'), (19, '{"source:maxspeed": "XX:urban"}'),
-  (20, '{"maxspeed:advisory": "30"}'), (21, '{"maxspeed": "signals", "maxspeed:type": "DE:rural"}'), (22, '{"maxspeed:lanes": "none|none"}')) v(way_id, tags);
+  (20, '{"maxspeed:advisory": "30"}'), (21, '{"maxspeed": "signals", "maxspeed:type": "DE:rural"}'), (22, '{"maxspeed:lanes": "none|none"}'),
+  (31, '{"maxheight": "3.8"}'), (32, '{"maxheight": "13''6\""}'), (33, '{"maxheight": "default"}'), (34, '{"maxheight": "low"}'), (35, '{"maxheight": "380"}')) v(way_id, tags);
 SELECT streetgen.create_model('village', 32631) \g /dev/null
 CREATE TEMPORARY TABLE told_of_tags AS SELECT * FROM streetgen.import_osm('village', 'tagged');
 SELECT 'width:carriageway goes before width, est_width comes last', jsonb_object_agg(source_ref, width) = '{"1": 7, "2": 4, "3": 4, "4": null}' FROM village.axis WHERE source_ref::integer < 10;
 SELECT 'speeds of directions, lanes, zones and reasons are taken where maxspeed says none', jsonb_object_agg(source_ref, round(speed::numeric)) = '{"11": 70, "12": 50, "13": 50, "14": 113, "15": 30, "16": 30, "17": 20, "18": null, "19": null, "20": null, "21": 100, "22": null}'
-  FROM village.axis WHERE source_ref::integer > 10;
-SELECT 'tags that mean nothing are named, those behind a better one are not asked', array_agg(what || ' ' || source_refs::text ORDER BY what) = '{"speed not understood, taken as unknown {16,19}","width not understood, taken as unknown {3}"}' FROM told_of_tags WHERE what LIKE '%not understood%';
+  FROM village.axis WHERE source_ref::integer BETWEEN 11 AND 22;
+SELECT 'maxheight is a height limit, in metres or feet', jsonb_object_agg(source_ref, round(height_limit::numeric, 3))
+    = '{"31": 3.8, "32": 4.115, "33": null, "34": null, "35": null}' FROM village.axis WHERE source_ref::integer > 30;
+SELECT 'tags that mean nothing are named, those behind a better one are not asked', array_agg(what || ' ' || source_refs::text ORDER BY what) = '{"height limit not understood, taken as unknown {34,35}","speed not understood, taken as unknown {16,19}","width not understood, taken as unknown {3}"}' FROM told_of_tags WHERE what LIKE '%not understood%';

@@ -192,6 +192,12 @@ COMMENT ON COLUMN :"model".axis.sidewalk_paved_right IS 'the same on the right o
 COMMENT ON COLUMN :"model".axis.cycle_paved_left IS
     'the same of cycle lanes on the left of geom; NULL: as the roadway';
 COMMENT ON COLUMN :"model".axis.cycle_paved_right IS 'the same on the right of geom';
+ALTER TABLE :"model".axis ADD COLUMN IF NOT EXISTS height_limit float8 CONSTRAINT axis_height_limit_check
+    CHECK (height_limit BETWEEN 1 AND 30);
+COMMENT ON COLUMN :"model".axis.height_limit IS
+    'height of the highest vehicles that may pass, as a sign says, metres; NULL: no sign is known';
+COMMENT ON CONSTRAINT axis_height_limit_check ON :"model".axis IS
+    '1 to 30 m. Leave it empty where no sign is known.';
 CREATE INDEX axis_geom ON :"model".axis USING gist (geom);
 CREATE INDEX axis_width ON :"model".axis (width);
 CREATE INDEX axis_roadway_offset ON :"model".axis (roadway_offset) WHERE roadway_offset <> 0;

@@ -31,6 +31,13 @@ BEGIN
         FROM height_override o WHERE NOT EXISTS (SELECT FROM edge e WHERE e.axis_id = o.axis_id
             AND o.abscissa BETWEEN e.start_abscissa AND e.end_abscissa)
     UNION ALL
+    SELECT 'notice', 'height limit other than the clearance, m', 'overpass', l.overpass_id,
+            l.height_limit - l.clearance, l.geom
+        -- One sign is about the lowest of several decks, and of no deck where a tunnel has a ceiling of its own.
+        FROM (SELECT DISTINCT ON (e.axis_id) u.* FROM underpass u JOIN edge e USING (edge_id)
+            WHERE streetgen._off_ground(e.level, e.geom) >= 0 ORDER BY e.axis_id, u.clearance, u.overpass_id) l
+        WHERE l.height_limit NOT BETWEEN l.clearance - 1.5 AND l.clearance
+    UNION ALL
     SELECT 'notice', 'level crossing of water', 'edge', e.edge_id, NULL::float8, p.geom
         FROM edge e JOIN profile p USING (edge_id), setting s
         WHERE streetgen._off_ground(e.level, e.geom) = 1 AND p.method = 'ground'
@@ -82,6 +89,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint, least_is_worst) VALUES
 INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
     ('edges of one node at two heights, m', 'profiles of edges that meet end at different heights',
         'run generate; tell us, it should not happen'),
+    ('height limit other than the clearance, m',
+        'the lowest deck over the axis lies lower than its height_limit, or over 1.5 m higher',
+        'type a height in height_editing or a clearance in overpass_editing, or correct height_limit'),
     ('level crossing of water', 'a bridge shorter than setting bridge_level_length that crosses no street lies as high '
         'as the ground: what flows below is no part of the model',
         'nothing; or type a height in height_editing'),

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._height_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 5 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
     AS $$ VALUES
     ('grade_usual', '{"0": 6, "50": 4, "70": 3.5, "90": 3, "110": 2.5, "130": 2}', '%',
         'grade of a road that is lifted or sunk, by speed in km/h; an entry holds up to the next one; ground that is '
@@ -15,5 +15,7 @@ CREATE OR REPLACE FUNCTION streetgen._height_setting()
     ('bridge_level_length', '30', 'm', 'a shorter bridge that crosses no street may stay level with the ground', 0,
         1000, NULL),
     ('plateau', '1', NULL, 'a road stays up between crossings nearer than so many times the way on which it comes down',
-        0, 10, NULL) $$;
+        0, 10, NULL),
+    ('deck_depth', '1', 'm', 'from the roadway of a road that passes over another one to the underside of its deck: '
+        'view underpass', 0, 10, NULL) $$;
 COMMENT ON FUNCTION streetgen._height_setting() IS 'The settings of heights, with their defaults and ranges.';

@@ -178,6 +178,9 @@ const std::vector<OsmTagUse>& osm_way_tag_uses() {
        " direction."},
       {"[bus|psv|taxi|hov|bicycle][|:forward|:backward]",
        "Who alone may drive where cars may not: buses with taxis, carpools or bicycles."},
+      {"maxheight",
+       "The height of vehicles that may pass, column height_limit. none, default and words for a "
+       "missing sign are no height."},
       {"layer",
        "The level, from -10 to 10. A bridge on layer 0 or none is on level 1, a tunnel on level "
        "-1; where they contradict it, it stands, and the way is named."},

@@ -11,7 +11,7 @@ END $$;
 CREATE FUNCTION test.edit_by_hand(model name, edits integer) RETURNS void LANGUAGE plpgsql AS $$
 DECLARE
   columns constant text[] := ARRAY['width', 'width_end', 'roadway_offset', 'lane_count', 'direction', 'speed', 'importance', 'name', 'level', 'kind', 'radius', 'lanes_forward', 'lanes_backward', 'lanes_both',
-    'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'access', 'ref', 'parking_left', 'parking_right', 'lane_markings', 'sidewalk_apart', 'paved', 'sidewalk_paved_left', 'sidewalk_paved_right', 'cycle_paved_left', 'cycle_paved_right', 'strips_left', 'strips_right', 'geom'];
+    'kind_forward', 'kind_backward', 'lane_width_forward', 'lane_width_backward', 'turn_forward', 'turn_backward', 'change_forward', 'change_backward', 'sidewalk_left', 'sidewalk_right', 'flow', 'roundabout_tag', 'access', 'ref', 'parking_left', 'parking_right', 'lane_markings', 'sidewalk_apart', 'paved', 'sidewalk_paved_left', 'sidewalk_paved_right', 'cycle_paved_left', 'cycle_paved_right', 'strips_left', 'strips_right', 'height_limit', 'geom'];
   axis record;
   name text;
   value text;
