@@ -63,7 +63,6 @@ BEGIN
         FROM pg_temp._observed i ORDER BY i.source_ref, i.geom
         ON CONFLICT (source, source_ref) DO UPDATE SET (kind, geom, confidence, weight, relation)
             = ROW (excluded.kind, excluded.geom, excluded.confidence, excluded.weight, excluded.relation);
-    PERFORM FROM streetgen._update_fit(model_name, NULL, NULL, NULL);
     RETURN QUERY SELECT 'observations', i.kind, count(*), NULL::text[] FROM pg_temp._observed i
         GROUP BY i.kind ORDER BY i.kind;
     DROP TABLE pg_temp._observed;

@@ -51,6 +51,30 @@ SELECT 'the rest is rejected', streetgen.reject_fit('town', :run) = 1;
 SELECT 'and says so', state = 'rejected' FROM town.fit_proposal WHERE fit_run = :run AND axis_id = 2;
 SELECT 'a delivery leaves what was accepted', (SELECT width = 8 AND abs(roadway_offset - 1.05) < 0.01 FROM town.axis WHERE axis_id = 1);
 
+-- Distances follow observations by hand, of whoever may edit, who also fits and settles.
+CREATE ROLE fit_editor ROLE CURRENT_USER;
+SELECT 'granted', streetgen.grant('town', 'fit_editor', 'editor') IS NOT NULL;
+SET ROLE fit_editor;
+INSERT INTO town.observation (geom) VALUES (pg_temp.line('POINT(115 60)'));
+SELECT 'a point by hand is told at once', (observations, mean) = (1, 2) FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3 AND side = 'left';
+UPDATE town.observation SET geom = ST_Translate(geom, 1, 0) WHERE weight = 100;
+SELECT 'and where it goes', mean = 1 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
+SELECT 'an editor fits', axes > 0 FROM streetgen.fit('town', '{3}');
+SELECT 'accepts', streetgen.accept_fit('town', max(fit_run)) = 1 FROM town.fit_run;
+SELECT 'and undoes', streetgen.undo_fit('town', max(fit_run)) = 1 FROM town.fit_run;
+DELETE FROM town.observation WHERE weight = 100;
+SELECT 'what is gone is told no more', count(*) = 0 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
+RESET ROLE;
+DROP OWNED BY fit_editor; DROP ROLE fit_editor;
+
+-- A street wider than others takes what is far from its axis, also after an edit and where it alone is fitted.
+SELECT 'made', streetgen.create_model('wide', 2154, subjects => '{fit}') IS NOT NULL;
+INSERT INTO wide.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0,120 0)'), 90);
+INSERT INTO wide.observation (geom, weight) VALUES (pg_temp.line('LINESTRING(20 47,100 47)'), 1);
+UPDATE wide.axis SET width = 91;
+SELECT 'an edit keeps its distances', (observations, mean) = (80, 1.5) FROM wide.kerb_distance;
+SELECT 'and it is fitted alone', used = 80 FROM streetgen.fit('wide', '{1}');
+
 -- Axes that move.
 CALL pg_temp.draw('moved');
 SELECT 'taken', count(*) > 0 FROM streetgen.observe('moved', 'survey', :'mapping');

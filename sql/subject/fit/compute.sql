@@ -19,6 +19,10 @@ DECLARE
     grid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
     PERFORM streetgen._use_model(model);
+    -- Most models have none, and edits of streets ask.
+    IF NOT EXISTS (SELECT FROM observation) THEN
+        RETURN;
+    END IF;
     RETURN QUERY WITH given AS MATERIALIZED (SELECT * FROM streetgen._fit_axes(model_name, of_axes)),
     seen AS MATERIALIZED (SELECT * FROM streetgen._fit_observations(model_name, of_axes, only_kerbs)),
     first AS (
@@ -50,7 +54,8 @@ BEGIN
         SELECT edge_id FROM edge WHERE of_axes IS NULL OR axis_id = ANY (of_axes)),
     new AS MATERIALIZED (
         SELECT p.edge_id, CASE WHEN p.aside >= 0 THEN 'left' ELSE 'right' END AS side, count(*) AS observations,
-            avg(abs(p.off)) AS mean, percentile_cont(0.5) WITHIN GROUP (ORDER BY abs(p.off)) AS median
+            avg(abs(p.off) ORDER BY abs(p.off)) AS mean,
+            percentile_cont(0.5) WITHIN GROUP (ORDER BY abs(p.off)) AS median
         FROM streetgen._taken_points(model_name, of_axes, true) p JOIN region USING (edge_id)
         WHERE p.fate = 'taken' GROUP BY 1, 2),
     drawn AS MATERIALIZED (

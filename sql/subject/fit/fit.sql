@@ -116,16 +116,13 @@ CREATE OR REPLACE FUNCTION streetgen._fit(model name, of_axes bigint[], options 
     AS $$
 DECLARE
     moves constant text := streetgen._fit_moves(options);
-    run bigint;
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
         streetgen._require_axes(model, of_axes);
-    run := streetgen._propose_fit(model, of_axes, moves);
-    PERFORM FROM streetgen._update_fit(model, of_axes, NULL, NULL);
-    RETURN run;
+    RETURN streetgen._propose_fit(model, of_axes, moves);
 END $$;
 COMMENT ON FUNCTION streetgen._fit(name, bigint[], jsonb) IS
-    'As streetgen.fit, and gives the run; distances in kerb_distance are brought up to date too.';
+    'As streetgen.fit, and gives the run.';
 
 CREATE OR REPLACE FUNCTION streetgen._fit_run_of(model name, run bigint)
     RETURNS TABLE(fit_run bigint, axes bigint, observations bigint, used bigint, mean_before float8,

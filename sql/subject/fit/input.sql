@@ -17,6 +17,22 @@ COMMENT ON FUNCTION streetgen._fit_rules(name, boolean) IS
     'The numbers that the core takes as the rules of a fit: whether axes move, the settings in their order, and the '
     'most rounds.';
 
+CREATE OR REPLACE FUNCTION streetgen._fit_far(model name) RETURNS float8
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    far float8;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT streetgen._setting_number(model, 'fit_reach') + 2 * streetgen._setting_number(model, 'fit_move')
+            + greatest(streetgen._setting_number(model, 'fit_width_greatest') / 2,
+                max(greatest(width, width_end) / 2 + abs(roadway_offset)))
+        FROM edge INTO far;
+    RETURN far;
+END $$;
+COMMENT ON FUNCTION streetgen._fit_far(name) IS
+    'Metres from an axis beyond which it takes no observation, neither as it is nor where a fit puts it.';
+
 CREATE OR REPLACE FUNCTION streetgen._fit_axes(model name, axes bigint[])
     RETURNS TABLE(axis_ids bigint[], lines bytea[], widths float8[], lanes integer[], moves boolean[],
         stretch_axes integer[], stretches float8[], nodes bigint[], edges bigint[])
@@ -24,8 +40,8 @@ CREATE OR REPLACE FUNCTION streetgen._fit_axes(model name, axes bigint[])
     AS $$
 #variable_conflict use_column
 DECLARE
-    -- Beside these, others may take observations.
-    beside constant float8 := 60;
+    -- Others take observations that lie between.
+    beside constant float8 := 2 * streetgen._fit_far(model);
     all_axes constant bigint[] := axes;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -97,7 +113,7 @@ CREATE OR REPLACE FUNCTION streetgen._fit_observations(model name, axes bigint[]
     AS $$
 #variable_conflict use_column
 DECLARE
-    beside constant float8 := 40;
+    beside constant float8 := streetgen._fit_far(model);
     spacing constant float8 := streetgen._setting_number(model, 'fit_spacing');
     only_kerbs constant boolean := kerbs_alone;
     near_axes constant bigint[] := axes;

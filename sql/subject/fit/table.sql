@@ -8,8 +8,8 @@ CREATE TABLE :"model".kerb_distance (
     geom geometry(LineString, :srid) NOT NULL, UNIQUE (edge_id, side));
 CREATE INDEX kerb_distance_geom ON :"model".kerb_distance USING gist (geom);
 COMMENT ON TABLE :"model".kerb_distance IS
-    'How far the kerbs observed lie from those of each side of a section, for maps. Edits of streets and '
-    'streetgen.observe bring it up to date; of observations drawn by hand fit and generate do';
+    'How far the kerbs observed lie from those of each side of a section, for maps. It follows each edit of streets '
+    'and of observations';
 COMMENT ON COLUMN :"model".kerb_distance.kerb_distance_id IS 'key; kept while the side has observations';
 COMMENT ON COLUMN :"model".kerb_distance.edge_id IS 'the edge';
 COMMENT ON COLUMN :"model".kerb_distance.side IS 'left or right, in the direction of the edge';
