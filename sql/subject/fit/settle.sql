@@ -79,7 +79,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._require_fit_run(model, run, of_axes);
     proposals := ARRAY(SELECT fit_proposal_id FROM fit_proposal p WHERE p.fit_run = run AND p.state = 'proposed'
-        AND (of_axes IS NULL OR p.axis_id = ANY (of_axes)) ORDER BY 1);
+        AND (of_axes IS NULL OR p.axis_id = ANY (of_axes)) ORDER BY 1 FOR UPDATE);
     PERFORM FROM axis a JOIN fit_proposal p USING (axis_id) WHERE p.fit_proposal_id = ANY (proposals)
         ORDER BY a.axis_id FOR UPDATE OF a;
     PERFORM streetgen._require_unedited(model, proposals, 'accepted'),
@@ -132,7 +132,7 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._require_fit_run(model, run, NULL);
     proposals := ARRAY(SELECT fit_proposal_id FROM fit_proposal p WHERE p.fit_run = run AND p.state = 'accepted'
-        ORDER BY 1);
+        ORDER BY 1 FOR UPDATE);
     PERFORM FROM axis a JOIN fit_proposal p USING (axis_id) WHERE p.fit_proposal_id = ANY (proposals)
         ORDER BY a.axis_id FOR UPDATE OF a;
     PERFORM streetgen._require_unedited(model, proposals, 'undone');
