@@ -45,7 +45,7 @@ struct Observation {
 struct FitStretch {
   double start = 0, end = 0;  // metres along the axis
   double from = 0, to = 0;    // of the section: it alone takes observations
-  std::int64_t start_node = 0, end_node = 0;
+  std::int64_t start_node = 0, end_node = 0;  // 0: one that stays
 };
 
 struct FitAxis {

@@ -91,6 +91,26 @@ SELECT 'some alone leave the nodes of others', axes = 1 FROM streetgen.fit('move
 SELECT 'so they are accepted alone', streetgen.accept_fit('moved', (SELECT max(fit_run) FROM moved.fit_run)) = 1;
 SELECT 'and the network stands', count(*) = 4 FROM moved.node;
 
+-- No node is parted: not from an axis that came since, nor from one whose proposal was rejected, nor from a tunnel.
+SELECT 'undone', streetgen.undo_fit('moved', (SELECT max(fit_run) FROM moved.fit_run)) = 1;
+SELECT fit_run AS run FROM streetgen.fit('moved', NULL, '{"moves": "axis"}') \gset
+INSERT INTO moved.axis (axis_id, geom, width) VALUES (4, pg_temp.line('LINESTRING(0 0,-50 30)'), 6);
+SELECT 'an axis that came since is not left behind', r.state = '55000' AND r.hint LIKE '%: 4.%' FROM test.refusal(format('SELECT streetgen.accept_fit(''moved'', %s)', :run)) r;
+DELETE FROM moved.axis WHERE axis_id = 4;
+SELECT 'one is rejected', streetgen.reject_fit('moved', :run, '{2}') = 1;
+SELECT 'nor one whose proposal was rejected', r.state = '55000' AND r.hint LIKE '%: 2.%' FROM test.refusal(format('SELECT streetgen.accept_fit(''moved'', %s)', :run)) r;
+SELECT fit_run AS run FROM streetgen.fit('moved', NULL, '{"moves": "axis"}') \gset
+SELECT 'those that belong together are told', r.hint LIKE '%: 1, 2, 3.%' FROM test.refusal(format('SELECT streetgen.accept_fit(''moved'', %s, ''{3}'')', :run)) r;
+SELECT 'accepted', streetgen.accept_fit('moved', :run) = 3;
+INSERT INTO moved.axis (axis_id, geom, width) SELECT 4, ST_MakeLine(ST_StartPoint(geom), pg_temp.line('POINT(-50 30)')), 6 FROM moved.axis WHERE axis_id = 1;
+SELECT 'and undone as little', r.state = '55000' AND r.hint LIKE '%: 4.%' FROM test.refusal(format('SELECT streetgen.undo_fit(''moved'', %s)', :run)) r;
+DELETE FROM moved.axis WHERE axis_id = 4;
+SELECT 'undone without it', streetgen.undo_fit('moved', :run) = 3;
+UPDATE moved.axis SET level = -1 WHERE axis_id = 2;
+SELECT 'nodes of a tunnel stay', axes = 1 FROM streetgen.fit('moved', NULL, '{"moves": "axis"}');
+SELECT 'accepted', streetgen.accept_fit('moved', max(fit_run)) = 1 FROM moved.fit_run;
+SELECT 'and it has them', count(*) = 4 FROM moved.node;
+
 -- By hand, and objects.
 CALL pg_temp.draw('hand', 'left');
 INSERT INTO hand.observation (geom) VALUES (pg_temp.line('POINT(60 4.5)'));

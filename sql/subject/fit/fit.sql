@@ -97,12 +97,9 @@ BEGIN
         FROM fitted f, seen s WHERE f.number = 0 RETURNING fit_run),
     written AS (
         INSERT INTO fit_proposal (fit_run, axis_id, geom, width, width_end, roadway_offset, sidewalk_left,
-                sidewalk_right, before, after, observations, nodes, axis_hash)
+                sidewalk_right, before, after, observations, axis_hash)
         SELECT r.fit_run, p.axis_id, p.geom, p.width, p.width_end, p.roadway_offset, p.sidewalk_left,
-            p.sidewalk_right, p.mean_before, p.mean_after, p.used, CASE WHEN p.geom::bytea = p.line::bytea THEN '{}'
-                ELSE ARRAY(SELECT DISTINCT n.node_id FROM edge e JOIN node n ON n.node_id IN (e.from_node, e.to_node)
-                    WHERE e.axis_id = p.axis_id AND NOT EXISTS (SELECT FROM ST_DumpPoints(p.geom) d
-                        WHERE ST_DWithin(d.geom, n.geom, 0.001)) ORDER BY 1) END, p.axis_hash
+            p.sidewalk_right, p.mean_before, p.mean_after, p.used, p.axis_hash
         FROM run r, proposed p ORDER BY p.axis_id)
     SELECT r.fit_run INTO run FROM run r;
     RETURN run;

@@ -55,13 +55,18 @@ BEGIN
             ARRAY[u.width, u.width_end, u.roadway_offset, coalesce(a.sidewalk_left, -1),
                 coalesce(a.sidewalk_right, -1)] AS numbers
         FROM taken t JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id)),
+    below AS MATERIALIZED (
+        SELECT DISTINCT n.node_id FROM axis a JOIN edge e USING (axis_id)
+            JOIN node n ON n.node_id IN (e.from_node, e.to_node) WHERE a.level < 0),
     stretch AS MATERIALIZED (
         SELECT row_number() OVER (ORDER BY u.n, e.start_abscissa)::integer AS k, u.n, e.edge_id,
             ARRAY[e.start_abscissa, e.end_abscissa, e.start_abscissa + f.abscissa, e.start_abscissa + t.abscissa]
-                AS numbers, ARRAY[e.from_node, e.to_node] AS ends
+                AS numbers, ARRAY[CASE WHEN b.node_id IS NULL THEN e.from_node ELSE 0 END,
+                CASE WHEN c.node_id IS NULL THEN e.to_node ELSE 0 END] AS ends
         FROM used u JOIN edge e USING (axis_id)
             JOIN section_limit f ON f.edge_id = e.edge_id AND f.which = 'start'
-            JOIN section_limit t ON t.edge_id = e.edge_id AND t.which = 'end'),
+            JOIN section_limit t ON t.edge_id = e.edge_id AND t.which = 'end'
+            LEFT JOIN below b ON b.node_id = e.from_node LEFT JOIN below c ON c.node_id = e.to_node),
     axes_given AS (
         SELECT coalesce(array_agg(axis_id ORDER BY n), '{}') AS axis_ids,
             coalesce(array_agg(line ORDER BY n), '{}') AS lines, coalesce(array_agg(lanes ORDER BY n), '{}') AS lanes,
@@ -75,7 +80,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._fit_axes(name, bigint[]) IS
     'The axes of a model as streetgen._fit_streets takes them, with their ids and those of their edges. axes: those '
-    'that may change, NULL: all; others near them take observations too. Axes below the ground take none.';
+    'that may change, NULL: all; others near them take observations too. Axes below the ground take none, and their '
+    'nodes are 0, which stay.';
 
 CREATE OR REPLACE FUNCTION streetgen._sampled(geom geometry, spacing float8) RETURNS SETOF geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE ROWS 100 SET search_path = pg_catalog, public

@@ -72,7 +72,7 @@ CREATE TABLE :"model".fit_proposal (
     width float8 NOT NULL, width_end float8, roadway_offset float8 NOT NULL,
     sidewalk_left float8, sidewalk_right float8, before float8, after float8, observations bigint NOT NULL,
     state text NOT NULL DEFAULT 'proposed' CHECK (state IN ('proposed', 'accepted', 'rejected', 'undone')),
-    nodes bigint[] NOT NULL DEFAULT '{}', axis_hash bigint NOT NULL, former jsonb,
+    axis_hash bigint NOT NULL, former jsonb,
     UNIQUE (fit_run, axis_id));
 CREATE INDEX fit_proposal_geom ON :"model".fit_proposal USING gist (geom);
 COMMENT ON TABLE :"model".fit_proposal IS
@@ -95,7 +95,6 @@ COMMENT ON COLUMN :"model".fit_proposal.observations IS 'points of observations 
 COMMENT ON COLUMN :"model".fit_proposal.state IS 'proposed, accepted, rejected or undone';
 COMMENT ON CONSTRAINT fit_proposal_state_check ON :"model".fit_proposal IS
     'proposed, accepted, rejected or undone. accept_fit, reject_fit and undo_fit write it.';
-COMMENT ON COLUMN :"model".fit_proposal.nodes IS 'nodes that it moves: axes that share one are accepted together';
 COMMENT ON COLUMN :"model".fit_proposal.axis_hash IS
     'the axis as the proposal knows it: one edited since has another, and is neither accepted nor undone';
 COMMENT ON COLUMN :"model".fit_proposal.former IS 'the axis before it was accepted; NULL: it was not';

@@ -36,37 +36,72 @@ BEGIN
             a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right) ORDER BY 1);
     IF edited <> '{}' THEN
         RAISE EXCEPTION '% axes were edited since the fit, and nothing was %', cardinality(edited), done
-            USING ERRCODE = '55000', HINT = format('Leave these out: %s. Or fit again.',
-                array_to_string(edited[:100], ', ') || CASE WHEN cardinality(edited) > 100 THEN ' …' ELSE '' END);
+            USING ERRCODE = '55000', HINT = format('Leave these out: %s. Or fit again.', streetgen._listed(edited));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_unedited(name, bigint[], text) IS
     'Raises 55000 where an axis of some proposals is not as these know it, with the ids of these axes.';
 
-CREATE OR REPLACE FUNCTION streetgen._require_whole(model name, run bigint, proposals bigint[], of_state text,
-    done text) RETURNS void
+CREATE OR REPLACE FUNCTION streetgen._moved_ends(model name, run bigint, back boolean)
+    RETURNS TABLE(axis_id bigint, node_id bigint)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    wanted constant bigint := run;
+    goes_back constant boolean := back;
+    same_place constant float8 := 0.001;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT DISTINCT p.axis_id, n.node_id
+        FROM fit_proposal p JOIN axis a USING (axis_id) JOIN edge e USING (axis_id)
+            JOIN node n ON n.node_id IN (e.from_node, e.to_node)
+        WHERE p.fit_run = wanted AND p.state = CASE WHEN goes_back THEN 'accepted' ELSE 'proposed' END
+            AND NOT CASE WHEN goes_back THEN ST_DWithin((p.former ->> 'geom')::geometry, n.geom, same_place)
+                ELSE p.geom::bytea = a.geom::bytea OR ST_DWithin(ST_Points(p.geom), n.geom, same_place) END;
+END $$;
+COMMENT ON FUNCTION streetgen._moved_ends(name, bigint, boolean) IS
+    'The nodes at which axes will be no more once the open proposals of a run are accepted, or (back) its accepted '
+    'ones undone.';
+
+CREATE OR REPLACE FUNCTION streetgen._listed(ids bigint[]) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT array_to_string(ids[:100], ', ') || CASE WHEN cardinality(ids) > 100 THEN ' …' ELSE '' END $$;
+COMMENT ON FUNCTION streetgen._listed(bigint[]) IS 'The ids for a hint, the first hundred of them.';
+
+CREATE OR REPLACE FUNCTION streetgen._require_whole(model name, run bigint, proposals bigint[], back boolean)
+    RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    wanted constant bigint := run;
+    done constant text := CASE WHEN back THEN 'undone' ELSE 'accepted' END;
     belong bigint[];
+    strange bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    WITH RECURSIVE part(axis_id, nodes) AS (
-        SELECT p.axis_id, p.nodes FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals)
-        UNION SELECT o.axis_id, o.nodes FROM part JOIN fit_proposal o
-            ON o.fit_run = wanted AND o.state = of_state AND o.nodes && part.nodes)
-    SELECT array_agg(DISTINCT axis_id ORDER BY axis_id) FROM part INTO belong;
-    IF EXISTS (SELECT FROM unnest(belong) b WHERE NOT EXISTS (SELECT FROM fit_proposal p
-        WHERE p.fit_proposal_id = ANY (proposals) AND p.axis_id = b)) THEN
+    WITH RECURSIVE moved AS MATERIALIZED (SELECT * FROM streetgen._moved_ends(model, run, back)),
+    meeting AS MATERIALIZED (
+        SELECT m.axis_id, e.axis_id AS other FROM moved m JOIN edge e ON e.from_node = m.node_id
+        UNION SELECT m.axis_id, e.axis_id FROM moved m JOIN edge e ON e.to_node = m.node_id),
+    part(axis_id) AS (
+        SELECT p.axis_id FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals)
+        UNION SELECT t.other FROM part JOIN meeting t USING (axis_id))
+    SELECT CASE WHEN count(*) > cardinality(proposals) THEN array_agg(part.axis_id ORDER BY part.axis_id) END,
+        array_agg(part.axis_id ORDER BY part.axis_id) FILTER (WHERE p.fit_proposal_id IS NULL)
+    FROM part LEFT JOIN fit_proposal p ON p.fit_run = run AND p.axis_id = part.axis_id
+        AND p.state = CASE WHEN back THEN 'accepted' ELSE 'proposed' END INTO belong, strange;
+    IF strange IS NOT NULL THEN
+        RAISE EXCEPTION 'axes that no proposal moves share nodes that move, and nothing was %', done
+            USING ERRCODE = '55000', HINT = format('These would lose their nodes: %s. %s', streetgen._listed(strange),
+                CASE WHEN back THEN 'Part them from the street first.' ELSE 'Fit again.' END);
+    ELSIF belong IS NOT NULL THEN
         RAISE EXCEPTION 'these axes share nodes that move with others, and nothing was %', done
-            USING ERRCODE = '55000', HINT = format('These belong together: %s.', array_to_string(belong[:100], ', ')
-                || CASE WHEN cardinality(belong) > 100 THEN ' …' ELSE '' END);
+            USING ERRCODE = '55000', HINT = format('These belong together: %s.', streetgen._listed(belong));
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._require_whole(name, bigint, bigint[], text, text) IS
-    'Raises 55000 where some proposals move a node that others of the run in the same state move too, with all axes '
-    'that belong together.';
+COMMENT ON FUNCTION streetgen._require_whole(name, bigint, bigint[], boolean) IS
+    'Raises 55000 where some proposals of a run, accepted or (back) undone, move a node away from axes that stay: from '
+    'others of the run, with all that belong together, or from axes that came since or whose proposal was settled.';
 
 CREATE OR REPLACE FUNCTION streetgen.accept_fit(model name, fit_run bigint, axes bigint[] DEFAULT NULL) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -83,7 +118,7 @@ BEGIN
     PERFORM FROM axis a JOIN fit_proposal p USING (axis_id) WHERE p.fit_proposal_id = ANY (proposals)
         ORDER BY a.axis_id FOR UPDATE OF a;
     PERFORM streetgen._require_unedited(model, proposals, 'accepted'),
-        streetgen._require_whole(model, run, proposals, 'proposed', 'accepted');
+        streetgen._require_whole(model, run, proposals, false);
     UPDATE fit_proposal p SET former = to_jsonb(f) || jsonb_build_object('geom', a.geom::text) FROM axis a,
         LATERAL (SELECT a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right, a.width_by_hand,
             a.source_width, a.source_width_end) f
@@ -135,7 +170,8 @@ BEGIN
         ORDER BY 1 FOR UPDATE);
     PERFORM FROM axis a JOIN fit_proposal p USING (axis_id) WHERE p.fit_proposal_id = ANY (proposals)
         ORDER BY a.axis_id FOR UPDATE OF a;
-    PERFORM streetgen._require_unedited(model, proposals, 'undone');
+    PERFORM streetgen._require_unedited(model, proposals, 'undone'),
+        streetgen._require_whole(model, run, proposals, true);
     UPDATE axis a SET (geom, width, width_end, roadway_offset, sidewalk_left, sidewalk_right, width_by_hand,
             source_width, source_width_end) = (SELECT f.geom, f.width, f.width_end, f.roadway_offset, f.sidewalk_left,
             f.sidewalk_right, f.width_by_hand, f.source_width, f.source_width_end

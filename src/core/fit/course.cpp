@@ -78,7 +78,7 @@ std::pair<std::int64_t, bool> node_at(const FitAxis& axis, double abscissa) {
 
 Unknowns vertices_of(const std::vector<FitAxis>& axes, const FitRules& rules) {
   Unknowns unknowns;
-  std::set<std::int64_t> held;
+  std::set<std::int64_t> held{0};
   if (rules.axes_move)
     for (const FitAxis& axis : axes)
       if (!axis.moves)
