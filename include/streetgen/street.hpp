@@ -61,7 +61,9 @@ struct StreetAxis {
   std::optional<Transition> transition_start{}, transition_end{};
 };
 
-enum class RadiusRule { min, max, mean };  // of the radii of a corner's two axes
+// Of the radii of a corner's two axes; major: that of the more important one, of equal ones the
+// wider one.
+enum class RadiusRule { min, max, mean, major };
 // An axis may be too short for the wanted radius: the first remedy, before the other one.
 enum class ShortAxis { reduce, follow };
 

@@ -77,6 +77,16 @@ SELECT 'generate refuses one that is gone', (r).state = '22023' AND (r).said LIK
 SELECT 'check_model still tells', count(*) = 1 FROM streetgen.check_model('town') WHERE rule LIKE 'stale: settings changed since%';
 SELECT 'and edits are stored', test.state('UPDATE town.axis SET width = 6.6 WHERE axis_id = 2') = 'none';
 
+-- The rule by which a corner takes the radii of its two axes.
+SELECT streetgen.create_model('ruled', 2154) \g /dev/null
+INSERT INTO ruled.axis (axis_id, geom, width, importance, radius) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 9, 4, 8), (2, 'SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 6, 3, 4);
+CREATE FUNCTION pg_temp.by_rule(rule text) RETURNS float8[] LANGUAGE plpgsql AS $$ BEGIN PERFORM streetgen.set('ruled', 'radius_rule', rule), streetgen.generate('ruled'); RETURN (SELECT array_agg(DISTINCT radius_wanted) FROM ruled.corner); END $$;
+SELECT format('radius_rule %s wants %s', rule, wanted), pg_temp.by_rule(rule) = ARRAY[wanted] FROM (VALUES ('max', 8::float8), ('mean', 6), ('min', 4), ('major', 4)) v(rule, wanted);
+UPDATE ruled.axis SET importance = 4;
+SELECT 'of two equally important streets the wider one is the major one', (SELECT array_agg(DISTINCT radius_wanted) FROM ruled.corner) = '{8}' AND pg_temp.by_rule('major') = '{8}';
+UPDATE ruled.axis SET width = 6;
+SELECT 'of two alike the lesser radius counts', (SELECT array_agg(DISTINCT radius_wanted) FROM ruled.corner) = '{4}';
+
 -- Nobody gains a right: an edit by an editor computes with the rights of the owner of the model.
 CREATE ROLE owner_of_town ROLE CURRENT_USER; CREATE ROLE editor_of_town ROLE CURRENT_USER; CREATE ROLE stranger ROLE CURRENT_USER;
 DO $$ BEGIN EXECUTE format('GRANT CREATE ON DATABASE %I TO owner_of_town', current_database()); END $$;

@@ -60,7 +60,7 @@ SELECT format('the border refuses %s', given), (r).state = wanted AND (r).said L
         ('{"crossing": "under"}', '22023', 'unknown crossing "under", expected over or split'),
         ('{"transition_kind": "both"}', '22023', 'unknown transition_kind "both", expected symmetric or left or right'),
         ('{"reach": "NaN"}', '22023', 'reach is nan'), ('{"short_axis": "wait"}', '22023', 'unknown short_axis "wait", expected reduce or follow'),
-        ('{"radius_rule": ""}', '22023', 'unknown radius_rule "", expected min or max or mean'), ('{"dead_end": "square"}', '22023', 'unknown dead_end "square", expected flat or round'),
+        ('{"radius_rule": ""}', '22023', 'unknown radius_rule "", expected min or max or mean or major'), ('{"dead_end": "square"}', '22023', 'unknown dead_end "square", expected flat or round'),
         ('{"lane_order": "any"}', '22023', 'unknown lane_order'), ('{"driving_side": "both"}', '22023', 'unknown driving_side'), ('{"lane_width_minimal": "NaN"}', '22023', 'lane_width_minimal is nan'),
         ('{"edge_line": "dotted"}', '22023', 'unknown edge_line'), ('{"u_turn": "maybe"}', '22023', 'unknown u_turn'),
         ('{"trajectory": "spline"}', '22023', 'unknown trajectory'), ('{"trajectory_tolerance": "0"}', '22023', 'trajectory_tolerance is 0'), ('{"trajectory_radius": "NaN"}', '22023', 'trajectory_radius is nan'),

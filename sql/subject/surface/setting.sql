@@ -7,8 +7,9 @@ CREATE OR REPLACE FUNCTION streetgen._surface_setting()
     ('max_arc_distance', '60', 'm', 'an arc centre farther from its node gets the minimal radius', 1, 1000,
         NULL::text[]),
     ('radius_minimal', '0.15', 'm', 'radius of a kerb stone, for arcs that lie too far away', 0.01, 5, NULL),
-    ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max or mean', NULL, NULL,
-        ARRAY['min', 'max', 'mean']),
+    ('radius_rule', 'min', NULL, 'radius of a corner from those of its two axes: min, max, mean, or major: that of the '
+        'more important axis, of equal ones the wider one, of two alike the lesser', NULL, NULL,
+        ARRAY['min', 'max', 'mean', 'major']),
     ('short_axis', 'reduce', NULL,
         'an axis too short for the wanted radius: reduce (the radius, and follow only where none fits) or follow '
         '(the next axis in its direction first)', NULL, NULL, ARRAY['reduce', 'follow']),

@@ -24,6 +24,8 @@ namespace streetgen {
 
 namespace {
 
+std::pair<int, double> rank(const StreetAxis& axis) { return {axis.importance, -axis.width}; }
+
 double wanted_radius(const StreetAxis& a, const StreetAxis& b, RadiusRule rule) {
   if (a.radius <= 0 || b.radius <= 0) return 0;
   switch (rule) {
@@ -31,6 +33,9 @@ double wanted_radius(const StreetAxis& a, const StreetAxis& b, RadiusRule rule) 
       return std::max(a.radius, b.radius);
     case RadiusRule::mean:
       return (a.radius + b.radius) / 2;
+    case RadiusRule::major:
+      if (rank(a) != rank(b)) return (rank(a) < rank(b) ? a : b).radius;
+      break;
     case RadiusRule::min:
       break;
   }

@@ -90,9 +90,10 @@ StreetSettings street_settings_of(const Settings& given) {
   if (given.is_given("transition_length"))
     settings.transition.length = given.measure("transition_length");
   settings.taper_ratio = given.steps("taper_ratio");
-  settings.radius_rule = given.choice<RadiusRule>(
-      "radius_rule",
-      {{"min", RadiusRule::min}, {"max", RadiusRule::max}, {"mean", RadiusRule::mean}});
+  settings.radius_rule = given.choice<RadiusRule>("radius_rule", {{"min", RadiusRule::min},
+                                                                  {"max", RadiusRule::max},
+                                                                  {"mean", RadiusRule::mean},
+                                                                  {"major", RadiusRule::major}});
   settings.round_dead_ends = given.choice<bool>("dead_end", {{"flat", false}, {"round", true}});
   settings.max_hole_area = given.measure("max_hole_area");
   settings.slit_width = given.measure("slit_width");

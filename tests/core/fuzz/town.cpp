@@ -131,8 +131,8 @@ StreetSettings random_settings(Random& random) {
   settings.crossing = random.one_in(2) ? Crossing::split : Crossing::over;
   settings.short_axis = random.one_in(3) ? ShortAxis::follow : ShortAxis::reduce;
   if (random.one_in(4)) settings.smoothing = Smoothing{random.between(0.01, 3), 0.01};
-  settings.radius_rule =
-      random.of(std::vector<RadiusRule>{RadiusRule::min, RadiusRule::max, RadiusRule::mean});
+  settings.radius_rule = random.of(std::vector<RadiusRule>{RadiusRule::min, RadiusRule::max,
+                                                           RadiusRule::mean, RadiusRule::major});
   settings.transition.kind = random.of(std::vector<TransitionKind>{
       TransitionKind::symmetric, TransitionKind::left, TransitionKind::right});
   settings.round_dead_ends = random.one_in(3);
