@@ -32,7 +32,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('abscissas', 'float8[]', '''{0,50}'''), ('heights', 'float8[]', '''{1,2}'''), ('start', 'geometry', '''POINT(0 0)'''), ('heading', 'float8', '0'), ('length', 'float8', '10'), ('curvature_start', 'float8', '0'), ('curvature_end', 'float8', '0.01'),
     ('population_a', 'float8', '5'), ('population_b', 'float8', '5'), ('alternative', 'float8', '20'), ('step', 'float8', '1'), ('extent', 'float8', '20'), ('place', 'geometry', '''POINT(0 0)'''), ('network', 'text', '''rural'''), ('link', 'bigint', '1'),
     ('axes', 'bigint[]', '''{1}'''), ('ids', 'bigint[]', '''{}'''), ('movements', 'streetgen.signal_request[]', '''{}'''), ('controller', 'bigint', '1'), ('at', 'float8', '0'),
-    ('other', 'geometry', '''LINESTRING(0 2,50 2)'''), ('area', 'geometry', '''POLYGON((0 0,9 0,9 9,0 0))'''), ('count', 'integer', '3'), ('fit_run', 'bigint', '1');
+    ('other', 'geometry', '''LINESTRING(0 2,50 2)'''), ('area', 'geometry', '''POLYGON((0 0,9 0,9 9,0 0))'''), ('count', 'integer', '3'), ('fit_run', 'bigint', '1'), ('forest', 'float8[]', '''{1,1,1,-1,5,0,0}'''), ('features', 'float8[]', '''{3}''');
 
 CREATE TABLE given AS
 SELECT p.oid, p.oid::regprocedure::text AS signature, p.proname AS function, p.prokind, p.proretset, coalesce(obj_description(p.oid, 'pg_proc'), '') AS said_of_it, i AS place, p.proargnames[i] AS name, g.value

@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._fit_setting()
     RETURNS TABLE(name text, value text, unit text, description text, minimum float8, maximum float8, choice text[])
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 18 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 19 SET search_path = pg_catalog
     AS $$ VALUES
     ('fit_loss', 'cauchy', NULL,
         'how observations far from the kerb count: cauchy (hardly), soft_l1 (as far as they are) or squares (most)',
@@ -17,6 +17,9 @@ CREATE OR REPLACE FUNCTION streetgen._fit_setting()
     ('fit_width_least', '2', 'm', 'least width that a fit gives', 0.5, 50, NULL),
     ('fit_width_greatest', '20', 'm', 'greatest width that a fit gives', 2, 200, NULL),
     ('fit_piece', '30', 'm', 'longest piece of an axis that moves as one', 2, 1000, NULL),
+    ('fit_arc_tolerance', '0.05', 'm',
+        'farthest that a point of an observed kerb lies from the arc of a corner; as much as kerbs are off', 0.001, 1,
+        NULL),
     ('fit_object_margin', '0.25', 'm', 'an object in or out of the roadway keeps so far from its kerb', 0, 5, NULL),
     ('fit_weight_observation', '0.5', NULL, 'factor of a kerb or marking observed', 0, 1000, NULL),
     ('fit_weight_observed_width', '2', NULL, 'factor of a width observed', 0, 1000, NULL),
@@ -28,6 +31,6 @@ CREATE OR REPLACE FUNCTION streetgen._fit_setting()
 COMMENT ON FUNCTION streetgen._fit_setting() IS 'The settings of the fit, with their defaults and ranges.';
 
 CREATE OR REPLACE FUNCTION streetgen._fit_setting_beside() RETURNS TABLE(name text)
-    LANGUAGE sql STABLE PARALLEL SAFE ROWS 18 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 19 SET search_path = pg_catalog
     AS $$ SELECT name FROM streetgen._fit_setting() $$;
 COMMENT ON FUNCTION streetgen._fit_setting_beside() IS 'The settings of the fit, on which no street depends.';

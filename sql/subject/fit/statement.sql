@@ -16,3 +16,18 @@ SELECT p.fit_proposal_id, p.fit_run, p.axis_id, (p.width + coalesce(p.width_end,
         )::geometry(MultiLineString, {srid}) AS geom
 FROM fit_proposal p JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id)
 WHERE p.state = 'proposed'
+
+--{trained_radius
+CREATE OR REPLACE FUNCTION {function}(width float8, speed float8, importance integer, lane_count integer, kind text)
+    RETURNS float8 LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE COST 1000 SET search_path = pg_catalog
+    AS $f$
+DECLARE
+    forest constant float8[] := {forest};
+    kinds constant text[] := {kinds};
+BEGIN
+    IF num_nulls(width, speed, importance, lane_count) > 0 THEN
+        RETURN NULL;
+    END IF;
+    RETURN streetgen.forest_value(forest, ARRAY[width, speed, importance, lane_count,
+        coalesce(array_position(kinds, kind), 0)]);
+END $f$
