@@ -36,15 +36,15 @@ struct Observation {
   Point place;
   ObservationKind kind = ObservationKind::kerb;
   ObservationRelation relation = ObservationRelation::border;  // of an object, to the roadway
-  double confidence = 1;                                       // 0 to 1
+  double confidence = 1;                                       // 0 (nothing takes it) to 1
   double weight = 1;                                           // positive
   double width = 0;                                            // metres, of kind width
 };
 
 // A piece of an axis between two nodes, and the part of it where its section lies.
 struct FitStretch {
-  double start = 0, end = 0;  // metres along the axis
-  double from = 0, to = 0;    // of the section: it alone takes observations
+  double start = 0, end = 0;                  // metres along the axis
+  double from = 0, to = 0;                    // of the section: it alone takes observations
   std::int64_t start_node = 0, end_node = 0;  // 0: one that stays
 };
 
@@ -62,8 +62,8 @@ struct FitRules {
   bool axes_move = false;  // false: widths and offsets alone
   FitLoss loss = FitLoss::cauchy;
   double scale = 0.05;
-  double observation = 0.5, observed_width = 2, object = 50;  // factors of observations
-  double width = 0.2, origin = 0.5, spacing = 0.5, angle = 2;    // factors of regularisers
+  double observation = 0.5, observed_width = 2, object = 50;   // factors of observations
+  double width = 0.2, origin = 0.5, spacing = 0.5, angle = 2;  // factors of regularisers
   double reach = 8;         // metres from its kerb: farther observations are no street's
   double width_change = 8;  // metres, greatest
   double move = 3;          // metres, greatest, of each coordinate and of the offset
@@ -102,7 +102,7 @@ Fitted fit_streets(const std::vector<FitAxis>& axes, std::vector<Observation> ob
                    const FitRules& rules);
 
 // The fate of an observation: an axis takes it, or there is a reason why none does.
-enum class ObservationFate { taken, no_street, at_junction };
+enum class ObservationFate { taken, no_street, at_junction, not_sure };
 struct TakenObservation {
   ObservationFate fate = ObservationFate::no_street;
   int axis = -1, stretch = -1;

@@ -15,7 +15,9 @@ BEGIN
             WHEN weight !~ number OR weight::float8 NOT BETWEEN 0.001 AND 1000000 THEN format('weight "%s"', weight)
             WHEN relation <> ALL ('{in,out,border}') THEN format('relation "%s"', relation)
             WHEN kind = 'object' AND relation IS NULL THEN 'an object without a relation'
-            WHEN kind = 'width' AND GeometryType(geom) <> 'LINESTRING' THEN format('a %s as width', GeometryType(geom))
+            WHEN kind = 'width' AND GeometryType(geom) NOT LIKE '%LINESTRING'
+                THEN format('a %s as width', GeometryType(geom))
+            WHEN kind = 'width' AND ST_Length(geom) = 0 THEN 'a width without length'
             WHEN ST_SRID(geom) NOT IN (SELECT srid FROM spatial_ref_sys) THEN format('SRID %s', ST_SRID(geom))
             WHEN NOT (ST_XMin(geom) >= -1e12 AND ST_XMax(geom) <= 1e12 AND ST_YMin(geom) >= -1e12
                 AND ST_YMax(geom) <= 1e12) THEN 'a coordinate that is not finite' END AS has

@@ -7,9 +7,9 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT 'notice', 'proposal of a fit whose axis was edited since', 'fit_proposal', p.fit_proposal_id,
             NULL::float8, coalesce(a.geom, p.geom)::geometry
-        FROM fit_proposal p LEFT JOIN axis a USING (axis_id)
-        WHERE p.state = 'proposed' AND p.axis_hash IS DISTINCT FROM streetgen._fit_hash(a.geom, a.width, a.width_end,
-            a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
+        FROM fit_proposal p LEFT JOIN axis a USING (axis_id) LEFT JOIN streetgen._fit_hashes(model, ARRAY(
+            SELECT axis_id FROM fit_proposal WHERE state = 'proposed')) h USING (axis_id)
+        WHERE p.state = 'proposed' AND p.axis_hash IS DISTINCT FROM h.axis_hash
     UNION ALL
     SELECT 'notice', 'kerb far from its observations, m', 'kerb_distance', k.kerb_distance_id, k.median, k.geom
         FROM kerb_distance k WHERE k.median > 0.5 AND k.observations >= 10;

@@ -1,12 +1,17 @@
 -- The fit of streets to observations: it writes proposals, and no axis.
 
-CREATE OR REPLACE FUNCTION streetgen._fit_hash(geom geometry, width float8, width_end float8, roadway_offset float8,
-    sidewalk_left float8, sidewalk_right float8) RETURNS bigint
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$ SELECT hash_record_extended(ROW(geom::bytea, width, width_end, roadway_offset, sidewalk_left,
-        sidewalk_right), 0) $$;
-COMMENT ON FUNCTION streetgen._fit_hash(geometry, float8, float8, float8, float8, float8) IS
-    'A number of what a fit changes of an axis: of an axis that was edited it is another.';
+CREATE OR REPLACE FUNCTION streetgen._fit_hashes(model name, axes bigint[])
+    RETURNS TABLE(axis_id bigint, axis_hash bigint)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT a.axis_id, hash_record_extended(ROW(a.geom::bytea, a.width, a.width_end, a.roadway_offset,
+            a.sidewalk_left, a.sidewalk_right), 0)
+        FROM axis a WHERE axes IS NULL OR a.axis_id = ANY (axes);
+END $$;
+COMMENT ON FUNCTION streetgen._fit_hashes(name, bigint[]) IS
+    'A number of what a fit changes of each of some axes (NULL: of all): of an axis that was edited it is another.';
 
 CREATE OR REPLACE FUNCTION streetgen._fit_moves(options jsonb) RETURNS text
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -68,27 +73,29 @@ BEGIN
             g.stretches, g.nodes, s.kinds, s.relations, s.x, s.y, s.confidence, s.weight, s.width, rules,
             (SELECT value FROM setting WHERE name = 'fit_loss')) f),
     new AS MATERIALIZED (
-        SELECT a.axis_id, a.geom AS line, f.geom, f.used, f.mean_before, f.mean_after,
-            round((CASE WHEN tapers THEN f.new_width ELSE (f.new_width + f.new_width_end) / 2 END)::numeric, 3)::float8
-                AS width, CASE WHEN tapers THEN round(f.new_width_end::numeric, 3)::float8 END AS width_end,
-            round(f.new_offset::numeric, 3)::float8 AS roadway_offset,
+        SELECT a.axis_id, a.geom AS line, f.geom, f.used, f.mean_before, f.mean_after, h.axis_hash,
+            CASE WHEN widens THEN round(at_start::numeric, 3)::float8 END AS width,
+            CASE WHEN widens AND tapers THEN round(at_end::numeric, 3)::float8 END AS width_end,
+            CASE WHEN abs(f.new_offset - u.roadway_offset) > changed
+                THEN round(f.new_offset::numeric, 3)::float8 END AS roadway_offset,
             CASE WHEN abs(f.new_sidewalk_left - coalesce(a.sidewalk_left, -1)) > changed
                 THEN round(f.new_sidewalk_left::numeric, 2)::float8 END AS sidewalk_left,
             CASE WHEN abs(f.new_sidewalk_right - coalesce(a.sidewalk_right, -1)) > changed
-                THEN round(f.new_sidewalk_right::numeric, 2)::float8 END AS sidewalk_right,
-            streetgen._fit_hash(a.geom, a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
-                AS axis_hash, u.width AS width_before, u.width_end AS width_end_before,
-            u.roadway_offset AS offset_before
+                THEN round(f.new_sidewalk_right::numeric, 2)::float8 END AS sidewalk_right
         FROM fitted f JOIN given g ON f.number > 0 JOIN axis a ON a.axis_id = g.axis_ids[f.number]
-            JOIN axis_used u ON u.axis_id = a.axis_id,
+            JOIN axis_used u ON u.axis_id = a.axis_id
+            JOIN streetgen._fit_hashes(model_name, of_axes) h ON h.axis_id = a.axis_id,
             -- A taper of centimetres is none.
-            LATERAL (SELECT abs(f.new_width - f.new_width_end) > 0.05 AS tapers) t
+            LATERAL (SELECT abs(f.new_width - f.new_width_end) > 0.05 AS tapers,
+                (f.new_width + f.new_width_end) / 2 AS mean) t,
+            LATERAL (SELECT CASE WHEN tapers THEN f.new_width ELSE mean END AS at_start,
+                CASE WHEN tapers THEN f.new_width_end ELSE mean END AS at_end) w,
+            LATERAL (SELECT f.used > 0 AND (abs(at_start - u.width) > changed OR abs(at_end - u.width_end) > changed)
+                AS widens) c
         WHERE g.moves[f.number]),
     proposed AS MATERIALIZED (
-        SELECT * FROM new WHERE abs(width - width_before) > changed
-            OR abs(coalesce(width_end, width) - width_end_before) > changed
-            OR abs(roadway_offset - offset_before) > changed OR sidewalk_left IS NOT NULL
-            OR sidewalk_right IS NOT NULL OR geom::bytea <> line::bytea),
+        SELECT * FROM new WHERE num_nonnulls(width, roadway_offset, sidewalk_left, sidewalk_right) > 0
+            OR geom::bytea <> line::bytea),
     run AS (
         INSERT INTO fit_run (moves, axes, observations, used, mean_before, median_before, mean_after, median_after,
                 iterations)

@@ -24,6 +24,6 @@ CREATE OR REPLACE FUNCTION streetgen._taken_observations(lines bytea[], widths f
     AS 'MODULE_PATHNAME', 'streetgen_taken_observations';
 COMMENT ON FUNCTION streetgen._taken_observations(bytea[], float8[], integer[], boolean[], integer[], float8[],
     bigint[], integer[], integer[], float8[], float8[], float8[], float8[], float8[], float8[], text) IS
-    'Which axis takes each observation, as streetgen._fit_streets takes both: fate is taken, no street or at junction; '
-    'axis and stretch count from 1, abscissa along the axis, aside from it, left positive, and off beyond the kerb of '
-    'that side are metres.';
+    'Which axis takes each observation, as streetgen._fit_streets takes both: fate is taken, no street, at junction or '
+    'not sure; axis and stretch count from 1, abscissa along the axis, aside from it, left positive, and off beyond '
+    'the kerb of that side are metres.';

@@ -4,8 +4,9 @@ CREATE OR REPLACE FUNCTION streetgen._update_distances(model name, places geomet
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    -- Finding what lies about more places takes longer than all of the model is worth.
+    -- Finding what lies about more places, or along such a line, takes longer than all of the model is worth.
     most_places constant integer := 64;
+    longest constant float8 := 10000;
     far float8;
     axes bigint[];
 BEGIN
@@ -14,7 +15,8 @@ BEGIN
         RETURN;
     END IF;
     PERFORM streetgen._begin_edit(model);
-    IF cardinality(places) > most_places THEN
+    IF cardinality(places) > most_places
+        OR (SELECT bool_or(ST_Length(ST_BoundingDiagonal(place)) > longest) FROM unnest(places) place) THEN
         PERFORM streetgen._lock_all_places(model);
     ELSE
         -- A street that another session draws there comes before or after, and the later one sees the other.

@@ -90,9 +90,11 @@ CREATE OR REPLACE FUNCTION streetgen._sampled(geom geometry, spacing float8) RET
             THEN ST_LineInterpolatePoint(part, 0.5) ELSE ST_LineInterpolatePoints(part, 1 / pieces, true) END)).geom
     FROM (SELECT ST_Force2D(ST_CurveToLine(geom)) AS flat) f,
         LATERAL ST_Dump(CASE ST_Dimension(flat) WHEN 2 THEN ST_Boundary(flat) ELSE flat END) d(path, part),
-        LATERAL (SELECT round(ST_Length(part) / spacing) AS pieces) p $$;
+        -- A line of a slip of the pen may go round the earth.
+        LATERAL (SELECT least(1e6, round(ST_Length(part) / spacing)) AS pieces) p $$;
 COMMENT ON FUNCTION streetgen._sampled(geometry, float8) IS
-    'Points, or points along lines and the borders of areas, so many metres apart (POINT each).';
+    'Points, or points along lines and the borders of areas, so many metres apart (POINT each), at most a million of '
+    'each.';
 
 CREATE OR REPLACE FUNCTION streetgen._observed_objects(model name)
     RETURNS TABLE(observation_id bigint, kind integer, relation integer, place geometry, confidence float8,
@@ -132,11 +134,11 @@ BEGIN
     point AS MATERIALIZED (
         SELECT o.observation_id, array_position('{kerb,sidewalk_back,marking,object,width}', o.kind) - 1 AS kind,
             CASE o.relation WHEN 'in' THEN 1 WHEN 'out' THEN 2 ELSE 0 END AS relation, p.place, o.confidence, o.weight,
-            CASE o.kind WHEN 'width' THEN ST_Length(o.geom) ELSE 0 END AS width
+            p.width
         FROM near JOIN observation o USING (observation_id), LATERAL (
-            SELECT place FROM streetgen._sampled(o.geom, spacing) place WHERE o.kind <> 'width'
-            UNION ALL SELECT ST_LineInterpolatePoint(ST_GeometryN(ST_Force2D(o.geom), 1), 0.5)
-                WHERE o.kind = 'width') p
+            SELECT place, 0 AS width FROM streetgen._sampled(o.geom, spacing) place WHERE o.kind <> 'width'
+            UNION ALL SELECT ST_LineInterpolatePoint(across, 0.5), ST_Length(across)
+                FROM ST_Dump(ST_Force2D(o.geom)) d(path, across) WHERE o.kind = 'width') p
         UNION ALL SELECT b.* FROM streetgen._observed_objects(model) b WHERE NOT only_kerbs)
     SELECT coalesce(array_agg(observation_id), '{}'), coalesce(array_agg(kind), '{}'),
         coalesce(array_agg(relation), '{}'), coalesce(array_agg(ST_X(place)), '{}'),

@@ -24,6 +24,20 @@ COMMENT ON FUNCTION streetgen._require_fit_run(name, bigint, bigint[]) IS
     'Raises what streetgen._require_reader raises, 55000 for a model without the subject, and 22023 for a run that is '
     'none, and for axes of which it has no proposal.';
 
+CREATE OR REPLACE FUNCTION streetgen._settle_proposals(model name, proposals bigint[], new_state text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    UPDATE fit_proposal p SET state = new_state, axis_hash = h.axis_hash,
+            former = CASE WHEN new_state = 'accepted' THEN p.former END
+        FROM streetgen._fit_hashes(model, ARRAY(SELECT axis_id FROM fit_proposal
+            WHERE fit_proposal_id = ANY (proposals))) h
+        WHERE p.fit_proposal_id = ANY (proposals) AND h.axis_id = p.axis_id;
+END $$;
+COMMENT ON FUNCTION streetgen._settle_proposals(name, bigint[], text) IS
+    'Tells of proposals whose axes were just written that they are accepted, or undone, and how these axes are now.';
+
 CREATE OR REPLACE FUNCTION streetgen._require_unedited(model name, proposals bigint[], done text) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -31,9 +45,10 @@ DECLARE
     edited bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    edited := ARRAY(SELECT p.axis_id FROM fit_proposal p LEFT JOIN axis a USING (axis_id)
-        WHERE p.fit_proposal_id = ANY (proposals) AND p.axis_hash IS DISTINCT FROM streetgen._fit_hash(a.geom, a.width,
-            a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right) ORDER BY 1);
+    edited := ARRAY(SELECT p.axis_id FROM fit_proposal p
+            LEFT JOIN streetgen._fit_hashes(model, ARRAY(SELECT axis_id FROM fit_proposal
+                WHERE fit_proposal_id = ANY (proposals))) h USING (axis_id)
+        WHERE p.fit_proposal_id = ANY (proposals) AND p.axis_hash IS DISTINCT FROM h.axis_hash ORDER BY 1);
     IF edited <> '{}' THEN
         RAISE EXCEPTION '% axes were edited since the fit, and nothing was %', cardinality(edited), done
             USING ERRCODE = '55000', HINT = format('Leave these out: %s. Or fit again.', streetgen._listed(edited));
@@ -123,13 +138,13 @@ BEGIN
         LATERAL (SELECT a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right, a.width_by_hand,
             a.source_width, a.source_width_end) f
         WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
-    UPDATE axis a SET geom = p.geom, width = p.width, width_end = p.width_end, roadway_offset = p.roadway_offset,
+    UPDATE axis a SET geom = p.geom, width = coalesce(p.width, a.width),
+            width_end = CASE WHEN p.width IS NULL THEN a.width_end ELSE p.width_end END,
+            roadway_offset = coalesce(p.roadway_offset, a.roadway_offset),
             sidewalk_left = coalesce(p.sidewalk_left, a.sidewalk_left),
             sidewalk_right = coalesce(p.sidewalk_right, a.sidewalk_right)
         FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
-    UPDATE fit_proposal p SET state = 'accepted', axis_hash = streetgen._fit_hash(a.geom, a.width, a.width_end,
-            a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
-        FROM axis a WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
+    PERFORM streetgen._settle_proposals(model, proposals, 'accepted');
     RETURN cardinality(proposals);
 END $$;
 COMMENT ON FUNCTION streetgen.accept_fit(name, bigint, bigint[]) IS
@@ -177,9 +192,7 @@ BEGIN
             f.sidewalk_right, f.width_by_hand, f.source_width, f.source_width_end
             FROM jsonb_populate_record(a, p.former) f)
         FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
-    UPDATE fit_proposal p SET state = 'undone', former = NULL, axis_hash = streetgen._fit_hash(a.geom, a.width,
-            a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right)
-        FROM axis a WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
+    PERFORM streetgen._settle_proposals(model, proposals, 'undone');
     RETURN cardinality(proposals);
 END $$;
 COMMENT ON FUNCTION streetgen.undo_fit(name, bigint) IS

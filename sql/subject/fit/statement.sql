@@ -7,14 +7,15 @@ FROM streetgen._unused_observations({model})
 
 --{fit_change
 CREATE OR REPLACE VIEW fit_change WITH (security_invoker = true) AS
-SELECT p.fit_proposal_id, p.fit_run, p.axis_id, (p.width + coalesce(p.width_end, p.width) - u.width - u.width_end) / 2
-    AS wider, streetgen._fit_arrows(ST_Force2D(a.geom), ST_Force2D(p.geom),
+SELECT p.fit_proposal_id, p.fit_run, p.axis_id, (n.width + n.width_end - u.width - u.width_end) / 2 AS wider,
+    streetgen._fit_arrows(ST_Force2D(a.geom), ST_Force2D(p.geom),
         ARRAY[u.roadway_offset + u.width / 2, u.roadway_offset + u.width_end / 2, u.roadway_offset - u.width / 2,
             u.roadway_offset - u.width_end / 2],
-        ARRAY[p.roadway_offset + p.width / 2, p.roadway_offset + coalesce(p.width_end, p.width) / 2,
-            p.roadway_offset - p.width / 2, p.roadway_offset - coalesce(p.width_end, p.width) / 2]
-        )::geometry(MultiLineString, {srid}) AS geom
-FROM fit_proposal p JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id)
+        ARRAY[n.roadway_offset + n.width / 2, n.roadway_offset + n.width_end / 2, n.roadway_offset - n.width / 2,
+            n.roadway_offset - n.width_end / 2])::geometry(MultiLineString, {srid}) AS geom
+FROM fit_proposal p JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id), LATERAL (
+    SELECT coalesce(p.width, u.width) AS width, coalesce(p.width_end, p.width, u.width_end) AS width_end,
+        coalesce(p.roadway_offset, u.roadway_offset) AS roadway_offset) n
 WHERE p.state = 'proposed'
 
 --{trained_radius

@@ -11,7 +11,8 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT o.observation_id, o.kind, CASE p.fate WHEN 'no street'
-            THEN 'no street within fit_reach of its kerb' ELSE 'at a junction' END, count(*), o.source, o.source_ref,
+            THEN 'no street within fit_reach of its kerb' WHEN 'not sure' THEN 'its confidence is 0'
+            ELSE 'at a junction' END, count(*), o.source, o.source_ref,
             ST_Multi(ST_Collect(p.place))
         FROM streetgen._taken_points(model_name, NULL, false) p JOIN observation o USING (observation_id)
         WHERE p.fate <> 'taken' GROUP BY o.observation_id, p.fate ORDER BY 1, 3;
@@ -53,7 +54,7 @@ BEGIN
     COMMENT ON COLUMN observation_unused.observation_id IS 'the observation';
     COMMENT ON COLUMN observation_unused.kind IS 'its kind';
     COMMENT ON COLUMN observation_unused.why IS
-        'no street within fit_reach of its kerb, or at a junction, where no section is';
+        'no street within fit_reach of its kerb, at a junction, where no section is, or its confidence is 0';
     COMMENT ON COLUMN observation_unused.points IS 'how many of its points';
     COMMENT ON COLUMN observation_unused.source IS 'table that it was taken from';
     COMMENT ON COLUMN observation_unused.source_ref IS 'its identity in the source';

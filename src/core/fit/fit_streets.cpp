@@ -12,7 +12,7 @@ namespace streetgen {
 namespace {
 
 constexpr double taper_share = 0.7;  // of an axis along which kerbs tell of a change of width
-constexpr int taper_observations = 20;
+constexpr std::size_t taper_observations = 20;
 
 void require_finite(const std::vector<FitAxis>& axes,
                     const std::vector<Observation>& observations) {
@@ -59,6 +59,15 @@ double median_of(std::vector<double> values) {
   const std::size_t middle = values.size() / 2;
   std::nth_element(values.begin(), values.begin() + middle, values.end());
   return values[middle];
+}
+
+// How far values reach that are spread evenly, by the middle nine tenths of them: a few beyond do
+// not count.
+double span_of(std::vector<double> values) {
+  constexpr double middle = 0.9;
+  std::sort(values.begin(), values.end());
+  const auto left = static_cast<std::size_t>(values.size() * (1 - middle) / 2);
+  return (values[values.size() - 1 - left] - values[left]) / middle;
 }
 
 // The place where most of the values lie, as a loss that narrows finds it from their median.
@@ -119,26 +128,18 @@ class Fit {
   }
 
   void find_tapers() {
-    struct Seen {
-      double from = std::numeric_limits<double>::infinity(), to = -from;
-      int kerbs = 0, all = 0;
-    };
-    std::vector<Seen> seen(axes_.size());
+    taken_.resize(axes_.size(), false);
+    std::vector<std::vector<double>> kerbs(axes_.size());
     for (std::size_t i = 0; i < before_.size(); ++i) {
       const FitMatch& match = before_[i];
       if (match.axis < 0 || observations_[i].kind == ObservationKind::sidewalk_back) continue;
-      Seen& one = seen[match.axis];
-      ++one.all;
-      if (observations_[i].kind != ObservationKind::kerb) continue;
-      ++one.kerbs;
-      one.from = std::min(one.from, match.abscissa);
-      one.to = std::max(one.to, match.abscissa);
+      taken_[match.axis] = true;
+      if (observations_[i].kind == ObservationKind::kerb)
+        kerbs[match.axis].push_back(match.abscissa);
     }
-    for (std::size_t a = 0; a < axes_.size(); ++a) {
-      taken_.push_back(seen[a].all > 0);
-      tapers_.push_back(seen[a].kerbs >= taper_observations &&
-                        seen[a].to - seen[a].from >= taper_share * unknowns_.courses[a].total);
-    }
+    for (std::size_t a = 0; a < axes_.size(); ++a)
+      tapers_.push_back(kerbs[a].size() >= taper_observations &&
+                        span_of(kerbs[a]) >= taper_share * unknowns_.courses[a].total);
   }
 
   void tell_distances(const std::vector<double>& values, const std::vector<FitMatch>& matches,
@@ -223,7 +224,9 @@ std::vector<TakenObservation> taken_observations(const std::vector<FitAxis>& axe
   for (std::size_t i = 0; i < observations.size(); ++i) {
     const FitMatch match = matcher.match(static_cast<int>(i), unknowns.origin);
     TakenObservation one;
-    if (match.axis < 0) {
+    if (observations[i].confidence == 0) {
+      one.fate = ObservationFate::not_sure;
+    } else if (match.axis < 0) {
       one.fate = match.at_junction ? ObservationFate::at_junction : ObservationFate::no_street;
     } else {
       const FittedCourse course(axes[match.axis], unknowns.courses[match.axis], unknowns.origin);

@@ -42,7 +42,8 @@ FitMatcher::FitMatcher(const std::vector<FitAxis>& axes, const Unknowns& unknown
     poll_cancel();
     if (i % 4096 == 0) tell_progress("observations near streets", i, observations.size());
     const Point& place = observations[i].place;
-    for (int segment : index.near(box_of(place, place), reach)) {
+    const bool counts = observations[i].confidence > 0;
+    for (int segment : counts ? index.near(box_of(place, place), reach) : std::vector<int>{}) {
       const auto& vertices = unknowns.courses[segments_[segment].axis].vertices;
       const int at = segments_[segment].segment;
       if (distance_to_segment(place, vertices[at].origin, vertices[at + 1].origin) <= reach)

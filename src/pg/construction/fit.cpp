@@ -135,6 +135,8 @@ const char* fate_name(ObservationFate fate) {
       return "taken";
     case ObservationFate::at_junction:
       return "at junction";
+    case ObservationFate::not_sure:
+      return "not sure";
     case ObservationFate::no_street:
       break;
   }

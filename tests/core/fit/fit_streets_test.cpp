@@ -62,6 +62,33 @@ TEST(FitStreets, HasOneWidthWhereKerbsTellOfAPartAlone) {
   EXPECT_EQ(fitted.axes[0].width_start, fitted.axes[0].width_end);
 }
 
+TEST(FitStreets, HasOneWidthWhereAFewKerbsTellOfTheRest) {
+  std::vector<Observation> part;
+  for (const Observation& one : kerbs(4, 4, 0.01))
+    if (one.place.x < 40 || one.place.x > 93) part.push_back(one);
+  const auto fitted =
+      fit_streets({street({{0, 0, 0}, {100, 0, 0}}, 6)}, part, free_of_regularisers());
+  EXPECT_EQ(fitted.axes[0].width_start, fitted.axes[0].width_end);
+}
+
+TEST(FitStreets, TakesNothingThatNobodyIsSureOf) {
+  std::vector<Observation> seen = kerbs(4, 4);
+  for (int x = 6; x < 95; ++x) {
+    Observation back;
+    back.kind = ObservationKind::sidewalk_back;
+    back.place = {double(x), 6.5, 0};
+    seen.push_back(back);
+  }
+  for (Observation& one : seen) one.confidence = 0;
+  FitAxis axis = street({{0, 0, 0}, {100, 0, 0}}, 6);
+  axis.sidewalk_left = 1.75;
+  const auto fitted = fit_streets({axis}, seen, FitRules());
+  EXPECT_EQ(fitted.axes[0].width_start, 6);
+  EXPECT_EQ(fitted.axes[0].sidewalk_left, 1.75);
+  EXPECT_EQ(fitted.used, 0);
+  EXPECT_EQ(taken_observations({axis}, seen, FitRules())[0].fate, ObservationFate::not_sure);
+}
+
 TEST(FitStreets, MovesAnAxisToTheMiddleOfItsKerbs) {
   FitRules rules;
   rules.axes_move = true;
@@ -85,6 +112,16 @@ TEST(FitStreets, KeepsWhatNobodyObserved) {
     EXPECT_EQ(fitted.axes[0].line[1].y, 7);
     EXPECT_TRUE(std::isnan(fitted.after.mean));
   }
+}
+
+TEST(FitStreets, KeepsNodesThatStay) {
+  FitAxis axis = street({{0, 0, 0}, {100, 0, 0}}, 6);
+  axis.stretches[0].end_node = 0;
+  FitRules rules;
+  rules.axes_move = true;
+  const auto fitted = fit_streets({axis}, kerbs(5.2, 3.1), rules);
+  EXPECT_GT(fitted.axes[0].line.front().y, 0.3);
+  EXPECT_EQ(fitted.axes[0].line.back().y, 0);
 }
 
 TEST(FitStreets, SharesTheDisplacementOfANode) {
