@@ -78,7 +78,7 @@ SELECT 'what computes or changes settings is for the owner', '{create_design,des
 GRANT SELECT ON by_reader TO rights_editor;
 SET ROLE rights_editor;
 CREATE TEMPORARY TABLE by_editor AS SELECT * FROM pg_temp.states();
-SELECT 'an editor calls the same, fits streets, makes roundabouts, and records checks', (SELECT array_agg(name ORDER BY name) = '{accept_mend,fit,make_roundabout,record_check}' FROM (TABLE by_editor EXCEPT TABLE by_reader) e) AND (SELECT array_agg(name ORDER BY name) = '{accept_mend,fit,make_roundabout,record_check}' FROM (TABLE by_reader EXCEPT TABLE by_editor) r);
+SELECT 'an editor calls the same, fits streets, cuts axes, makes roundabouts, and records checks', (SELECT array_agg(name ORDER BY name) = '{accept_mend,cut_at_junctions,fit,make_roundabout,record_check}' FROM (TABLE by_editor EXCEPT TABLE by_reader) e) AND (SELECT array_agg(name ORDER BY name) = '{accept_mend,cut_at_junctions,fit,make_roundabout,record_check}' FROM (TABLE by_reader EXCEPT TABLE by_editor) r);
 RESET ROLE;
 SELECT 'none of them changed anything', NOT EXISTS ((SELECT * FROM test.content('town') EXCEPT TABLE public.before) UNION ALL (TABLE public.before EXCEPT SELECT * FROM test.content('town')));
 

@@ -72,6 +72,21 @@ END $$;
 COMMENT ON FUNCTION streetgen._require_axis_editor(name) IS
     'Raises what streetgen._require_reader raises, and 42501 where a role may not edit the axes.';
 
+CREATE OR REPLACE FUNCTION streetgen._require_axes(model name, axes bigint[]) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    unknown bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT u INTO unknown FROM unnest(axes) u WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = u) LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'there is no axis %', coalesce(unknown::text, 'NULL') USING ERRCODE = '22023',
+            HINT = 'Leave axes out for all.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_axes(name, bigint[]) IS 'Raises 22023 for the first id that is no axis.';
+
 CREATE OR REPLACE FUNCTION streetgen._lock_axes(model name, axes text) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

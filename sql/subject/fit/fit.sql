@@ -39,21 +39,6 @@ END $$;
 COMMENT ON FUNCTION streetgen._fit_moves(jsonb) IS
     'Option moves of a fit: roadway or axis. Another option or value: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._require_axes(model name, axes bigint[]) RETURNS void
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    unknown bigint;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    SELECT u INTO unknown FROM unnest(axes) u WHERE NOT EXISTS (SELECT FROM axis a WHERE a.axis_id = u) LIMIT 1;
-    IF FOUND THEN
-        RAISE EXCEPTION 'there is no axis %', coalesce(unknown::text, 'NULL') USING ERRCODE = '22023',
-            HINT = 'Leave axes out for all.';
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._require_axes(name, bigint[]) IS 'Raises 22023 for the first id that is no axis.';
-
 CREATE OR REPLACE FUNCTION streetgen._propose_fit(model name, of_axes bigint[], moves text) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

@@ -119,25 +119,6 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._refuse_mend(name, bigint) IS 'Raises 22023 for a proposal that is not there.';
 
-CREATE OR REPLACE FUNCTION streetgen._cut_axes(model name, axes bigint[], pieces geometry[]) RETURNS void
-    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    columns text;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    UPDATE axis SET geom = ST_GeometryN(piece, 1) FROM unnest(axes, pieces) p(axis, piece) WHERE axis_id = axis;
-    -- As where somebody splits a line: the first piece stays the axis of its source, others are new.
-    SELECT string_agg(quote_ident(attname), ', ' ORDER BY attnum) INTO columns FROM pg_attribute
-        WHERE attrelid = 'axis'::regclass AND attnum > 0 AND NOT attisdropped AND attgenerated = ''
-            AND attname <> ALL ('{axis_id,geom,source,source_ref,source_geom,source_hash}');
-    EXECUTE 'INSERT INTO axis (geom, ' || columns || ') SELECT ST_GeometryN(piece, n), ' || columns
-        || ' FROM unnest($1, $2) p(cut, piece) JOIN axis ON axis_id = cut, '
-        'generate_series(2, ST_NumGeometries(piece)) n ORDER BY cut, n' USING axes, pieces;
-END $$;
-COMMENT ON FUNCTION streetgen._cut_axes(name, bigint[], geometry[]) IS
-    'Gives axes the first of their pieces (MULTILINESTRING) and makes new ones, with the same values, of the others.';
-
 CREATE OR REPLACE FUNCTION streetgen.accept_mend(model name, ids bigint[]) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
