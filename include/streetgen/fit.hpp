@@ -26,7 +26,7 @@
 
 namespace streetgen {
 
-// s is the scale: cauchy s^2 log(1 + (r/s)^2), soft_l1 2 s^2 (sqrt(1 + (r/s)^2) - 1), squares r^2.
+// s is the scale, of a kind with a greater factor greater alike: cauchy s^2 log(1 + (r/s)^2), soft_l1 2 s^2 (sqrt(1 + (r/s)^2) - 1), squares r^2.
 enum class FitLoss { cauchy, soft_l1, squares };
 
 enum class ObservationKind { kerb, sidewalk_back, marking, object, width };

@@ -97,9 +97,16 @@ FitMatch FitMatcher::match(int observation, const std::vector<double>& values) c
   const Observation& one = observations_[observation];
   FitMatch best;
   double least = rules_.reach;
-  for (std::size_t i = first_near_[observation]; i < first_near_[observation + 1]; ++i) {
-    FitMatch match;
-    if (!place_at(one.place, values, segments_[near_[i]], match)) continue;
+  for (std::size_t i = first_near_[observation]; i < first_near_[observation + 1];) {
+    // Of an axis the place that is nearest, whatever its kerb: beside a bend two segments reach
+    // far.
+    FitMatch match, other;
+    const int axis = segments_[near_[i]].axis;
+    for (; i < first_near_[observation + 1] && segments_[near_[i]].axis == axis; ++i)
+      if (place_at(one.place, values, segments_[near_[i]], other) &&
+          (match.axis < 0 || std::abs(other.offset) < std::abs(match.offset)))
+        match = other;
+    if (match.axis < 0) continue;
     const double score = this->score(one, values, match);
     if (score > rules_.reach || (best.axis >= 0 && score >= least)) continue;
     match.stretch = section_at(axes_[match.axis], match.abscissa);

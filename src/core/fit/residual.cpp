@@ -47,6 +47,11 @@ double nearest_border(const FittedCourse& fitted, int lanes, const FitMatch& mat
   return std::round(std::clamp(share, 0.0, 1.0) * lanes) / lanes;
 }
 
+// The loss of a kind with its factor begins at as many metres as that of a kerb.
+double scale_of(double factor, double scale, const FitRules& rules) {
+  return factor > 0 && rules.observation > 0 ? scale * factor / rules.observation : scale;
+}
+
 struct Turn {
   double angle;
   Point slopes[3];  // by each of three vertices
@@ -75,6 +80,7 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
   residual.loss = {rules.loss, scale};
   if (observation.kind == ObservationKind::width) {
     const double factor = observation.confidence * rules.observed_width;
+    residual.loss.scale = scale_of(rules.observed_width, scale, rules);
     residual.value = factor * (fitted.width(match.abscissa) - observation.width);
     depend_on_width(course, match.abscissa, factor, residual);
     depend_on_vertices(fitted, course, match, 0, factor * taper, residual);
@@ -82,6 +88,7 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
   }
   const bool object = observation.kind == ObservationKind::object;
   const double factor = observation.confidence * (object ? rules.object : rules.observation);
+  if (object) residual.loss.scale = scale_of(rules.object, scale, rules);
   if (observation.kind == ObservationKind::marking) {
     const double share = nearest_border(fitted, axis.lanes, match) - 0.5;
     residual.value =

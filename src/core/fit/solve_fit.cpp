@@ -15,6 +15,7 @@ namespace {
 constexpr double widest_scale = 3.2;  // metres times factor: where the loss begins
 constexpr int matched_anew = 25;      // rounds in which observations may change their axis
 constexpr double least_step = 1e-7;   // metres: a smaller one ends the rounds
+constexpr double fine_step = 1e-5;    // the same once matches stay
 constexpr double least_damping = 1e-12;
 constexpr double least_gain = 1e-6;  // share of the cost: a smaller one ends the rounds
 
@@ -152,6 +153,22 @@ std::vector<double> stepped(const Unknowns& unknowns, const std::vector<double>&
   return next;
 }
 
+// An unknown at its bound that would go beyond stays, and the others find their step without it.
+void hold_at_bounds(const Unknowns& unknowns, const std::vector<double>& values,
+                    NormalEquations& equations) {
+  std::vector<bool> held(unknowns.count());
+  for (int i = 0; i < unknowns.count(); ++i) {
+    const double slope = equations.slopes[i];
+    held[i] = (values[i] <= unknowns.least[i] && slope > 0) ||
+              (values[i] >= unknowns.greatest[i] && slope < 0);
+    if (held[i]) equations.slopes[i] = 0;
+  }
+  for (int column = 0; column < equations.squares.outerSize(); ++column)
+    for (Matrix::InnerIterator entry(equations.squares, column); entry; ++entry)
+      if (entry.row() != entry.col() && (held[entry.row()] || held[entry.col()]))
+        entry.valueRef() = 0;
+}
+
 double farthest(const std::vector<double>& a, const std::vector<double>& b) {
   double far = 0;
   for (std::size_t i = 0; i < a.size(); ++i) far = std::max(far, std::abs(a[i] - b[i]));
@@ -189,7 +206,8 @@ SolvedFit solve_fit(const std::vector<FitAxis>& axes, const Unknowns& unknowns,
         fit.matches[i] = matcher.match(static_cast<int>(i), fit.values);
       }
     const double before = rounds.cost(fit.values, fit.matches, scale);
-    const NormalEquations equations = rounds.equations(fit.values, fit.matches, scale);
+    NormalEquations equations = rounds.equations(fit.values, fit.matches, scale);
+    hold_at_bounds(unknowns, fit.values, equations);
     double moved = 0, gain = 0;
     for (int attempt = 0; attempt < 12; ++attempt) {
       Matrix damped = equations.squares;
@@ -214,7 +232,8 @@ SolvedFit solve_fit(const std::vector<FitAxis>& axes, const Unknowns& unknowns,
     }
     if (scale > rules.scale)
       scale = std::max(scale / 2, rules.scale);
-    else if (moved < least_step || (fit.iterations > matched_anew && gain < least_gain * before))
+    else if (moved < least_step ||
+             (fit.iterations > matched_anew && (moved < fine_step || gain < least_gain * before)))
       break;
   }
   return fit;
