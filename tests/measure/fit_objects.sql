@@ -1,6 +1,6 @@
 -- Objects at the kerbs of a model, in and out of its roadway by 0.4 to 1.2 m and on its border, about 2,000:
--- psql -v model=MODEL -v objects=TABLE.
-CREATE TABLE :objects AS
+-- psql -v model=MODEL -v points=TABLE.
+CREATE TABLE :points AS
 SELECT row_number() OVER () AS id, 'object' AS kind, relation, ST_Translate(place, cos(turn) * reach, sin(turn) * reach)
     AS geom
 FROM (SELECT edge_id, ST_Force2D(k.geom) AS kerb, step * (n + 0.5) / ST_Length2D(k.geom) AS share,
