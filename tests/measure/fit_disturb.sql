@@ -1,6 +1,6 @@
 -- Points of the kerbs of a model as :points, so many metres apart, then widths between 0.7 and 1.3 of theirs and each
--- vertex moved by a metre: psql -v model=MODEL -v points=TABLE -v apart=METRES -v noise=METRES -v seed=TEXT. What was is
--- kept in table :points followed by _truth. Equal places move alike.
+-- vertex moved by a metre: psql -v model=MODEL -v points=TABLE -v apart=METRES -v noise=METRES -v seed=TEXT. Table
+-- :points followed by _truth keeps what was. Equal places move alike.
 CREATE OR REPLACE FUNCTION pg_temp.share(of text) RETURNS float8 LANGUAGE sql
     AS $$ SELECT (hashtextextended(of, 0) & 9007199254740991) / 9007199254740992.0::float8 $$;
 CREATE OR REPLACE FUNCTION pg_temp.off(of text, reach float8) RETURNS float8 LANGUAGE sql
@@ -16,5 +16,6 @@ CREATE TABLE :truth AS SELECT axis_id, a.geom, u.width FROM :model.axis a JOIN :
 UPDATE :model.axis a SET width = t.width * (0.7 + 0.6 * pg_temp.share(a.axis_id || 'w' || :'seed')), geom = m.geom
 FROM :truth t, LATERAL (
     SELECT ST_MakeLine(ST_Translate(d.geom, cos(turn), sin(turn)) ORDER BY d.path) AS geom
-    FROM ST_DumpPoints(t.geom) d, LATERAL (SELECT 6.283185307 * pg_temp.share(ST_AsText(d.geom, 3) || :'seed')) v(turn)) m
+    FROM ST_DumpPoints(t.geom) d,
+        LATERAL (SELECT 6.283185307 * pg_temp.share(ST_AsText(d.geom, 3) || :'seed')) v(turn)) m
 WHERE t.axis_id = a.axis_id;

@@ -7,7 +7,8 @@ CREATE TABLE cambridge_ground AS
 SELECT ST_Subdivide(ST_MakeValid(ST_Transform(geom, 32619)), 64) AS geom FROM cambridge_basemap_roads;
 CREATE INDEX ON cambridge_ground USING gist (geom);
 CREATE TABLE cambridge_piece AS
-SELECT row_number() OVER () AS id, k % 2 = 1 AS judges, ST_LineSubstring(geom, k * 20 / metres, least(1, (k + 1) * 20 / metres)) AS geom
+SELECT row_number() OVER () AS id, k % 2 = 1 AS judges,
+    ST_LineSubstring(geom, k * 20 / metres, least(1, (k + 1) * 20 / metres)) AS geom
 FROM (SELECT ST_Force2D(geom) AS geom, ST_Length2D(geom) AS metres FROM cambridge.axis WHERE level = 0) a,
     generate_series(0, ceil(metres / 20)::integer - 1) k;
 CREATE INDEX ON cambridge_piece USING gist (geom);
@@ -26,6 +27,7 @@ SELECT b.* FROM cambridge_border b, LATERAL (SELECT judges, geom FROM cambridge_
     WHERE ST_DWithin(p.geom, b.geom, 20) ORDER BY p.geom <-> b.geom LIMIT 1) p
 WHERE NOT judges;
 CREATE TABLE cambridge_judge AS
-SELECT ST_Difference(ST_Buffer(p.geom, 15, 'endcap=flat'), coalesce((SELECT ST_Union(ST_Buffer(o.geom, 15, 'endcap=flat'))
+SELECT ST_Difference(ST_Buffer(p.geom, 15, 'endcap=flat'), coalesce((
+    SELECT ST_Union(ST_Buffer(o.geom, 15, 'endcap=flat'))
     FROM cambridge_piece o WHERE NOT o.judges AND ST_DWithin(o.geom, p.geom, 30)), 'POLYGON EMPTY')) AS geom
 FROM cambridge_piece p WHERE p.judges;

@@ -23,7 +23,8 @@ CREATE FUNCTION pg_temp.streets() RETURNS TABLE (counted text, ground geometry) 
 CREATE TABLE before AS SELECT * FROM pg_temp.streets();
 
 CREATE ROLE pieces_reader; CREATE ROLE pieces_editor;
-SELECT streetgen.grant('town', 'pieces_reader', 'reader'), streetgen.grant('town', 'pieces_editor', 'editor') \g /dev/null
+SELECT streetgen.grant('town', 'pieces_reader', 'reader'), streetgen.grant('town', 'pieces_editor', 'editor')
+\g /dev/null
 SET ROLE pieces_reader;
 SELECT 'a reader cuts nothing', test.state($$SELECT streetgen.cut_at_junctions('town')$$) = '42501';
 SET ROLE pieces_editor;
