@@ -5,11 +5,13 @@
 // distance from an axis to an observation that it takes, left positive, and h the distance from the
 // axis to its kerb there:
 //   kerb            |D| - h
-//   object, border  |D| - h; in: what |D| exceeds h - margin by; out: what h + margin exceeds |D|
-//   by marking         D - the nearest border between equally wide lanes width           width of
-//   the roadway there - the width observed
+//   object, border  |D| - h
+//   object, in      what |D| exceeds h - margin by
+//   object, out     what h + margin exceeds |D| by
+//   marking         D - the nearest border between two of the equally wide lanes
+//   width           width of the roadway there - the width observed
 // and the regularisers, which hold the model where it is:
-//   width           each width - that of the input
+//   width           width - that of the input; half for each end of one that tapers
 //   origin          offset of the roadway, or each coordinate of a vertex, - that of the input
 //   spacing         length between two vertices - that of the input
 //   angle           radians between two pieces of an axis - those of the input

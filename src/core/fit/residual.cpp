@@ -39,12 +39,12 @@ void depend_on_width(const Course& course, double abscissa, double factor, Resid
   residual.depends(course.width_end, factor * share);
 }
 
-// The border between equally wide lanes that is nearest to an offset: its share of the width, from
-// the right kerb.
+// The border between two of at least two equally wide lanes that is nearest to an offset: its share
+// of the width, from the right kerb.
 double nearest_border(const FittedCourse& fitted, int lanes, const FitMatch& match) {
   const double width = fitted.width(match.abscissa);
   const double share = (match.offset - fitted.offset() + width / 2) / width;
-  return std::round(std::clamp(share, 0.0, 1.0) * lanes) / lanes;
+  return std::clamp(std::round(share * lanes), 1.0, lanes - 1.0) / lanes;
 }
 
 // The loss of a kind with its factor begins at as many metres as that of a kerb.
@@ -90,6 +90,7 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
   const double factor = observation.confidence * (object ? rules.object : rules.observation);
   if (object) residual.loss.scale = scale_of(rules.object, scale, rules);
   if (observation.kind == ObservationKind::marking) {
+    if (axis.lanes < 2) return false;
     const double share = nearest_border(fitted, axis.lanes, match) - 0.5;
     residual.value =
         factor * (match.offset - fitted.offset() - share * fitted.width(match.abscissa));

@@ -48,9 +48,10 @@ template <class Use>
 void each_regulariser(const std::vector<FitAxis>& axes, const Unknowns& unknowns,
                       const std::vector<double>& values, const FitRules& rules, Use use) {
   const Loss soft{FitLoss::soft_l1, rules.scale};
-  const auto hold = [&](int unknown, double factor) {
+  const auto hold = [&](int unknown, double factor, double weight = 1) {
     Residual residual;
     residual.loss = soft;
+    residual.weight = weight;
     residual.value = factor * (values[unknown] - unknowns.origin[unknown]);
     residual.depends(unknown, factor);
     use(residual);
@@ -58,8 +59,13 @@ void each_regulariser(const std::vector<FitAxis>& axes, const Unknowns& unknowns
   std::vector<bool> held(unknowns.count(), false);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     const Course& course = unknowns.courses[a];
-    if (course.width_start != not_free) hold(course.width_start, rules.width);
-    if (course.width_end != course.width_start) hold(course.width_end, rules.width);
+    // Both ends of a width that may change along the axis count as one that may not.
+    if (course.width_end != course.width_start) {
+      hold(course.width_start, rules.width, 0.5);
+      hold(course.width_end, rules.width, 0.5);
+    } else if (course.width_start != not_free) {
+      hold(course.width_start, rules.width);
+    }
     if (course.offset != not_free) hold(course.offset, rules.origin);
     for (std::size_t i = 0; i < course.vertices.size(); ++i) {
       const int x = course.vertices[i].x;

@@ -211,6 +211,40 @@ TEST(FitStreets, FitsTheOthersWhereOneIsAtItsBound) {
   EXPECT_NEAR(fitted.axes[0].width_start, 2 * (4.5 * left + 2.5 * right) / (left + right), 1e-6);
 }
 
+TEST(FitStreets, HasALineBetweenLanesInTheMiddleAndNoKerbThere) {
+  std::vector<Observation> seen;
+  for (int x = 6; x < 95; ++x) {
+    Observation line;
+    line.kind = ObservationKind::marking;
+    line.place = {double(x), 2.2, 0};
+    seen.push_back(line);
+  }
+  FitAxis axis = street({{0, 0, 0}, {100, 0, 0}}, 6);
+  axis.lanes = 2;
+  FittedAxis fitted = fit_streets({axis}, seen, FitRules()).axes[0];
+  EXPECT_NEAR(fitted.roadway_offset, 2.2, 0.01);
+  EXPECT_NEAR(fitted.width_start, 6, 0.01);
+  axis.lanes = 1;
+  fitted = fit_streets({axis}, seen, FitRules()).axes[0];
+  EXPECT_EQ(fitted.roadway_offset, 0);
+  EXPECT_EQ(fitted.width_start, 6);
+}
+
+TEST(FitStreets, WidensAStreetOfOneKerbAlikeWhetherItTapers) {
+  std::vector<Observation> left, part;
+  for (const Observation& one : kerbs(5, 3)) {
+    if (one.place.y < 0) continue;
+    left.push_back(one);
+    if (one.place.x < 60) part.push_back(one);
+  }
+  const FitAxis axis = street({{0, 0, 0}, {100, 0, 0}}, 6);
+  const FittedAxis whole = fit_streets({axis}, left, FitRules()).axes[0];
+  const FittedAxis some = fit_streets({axis}, part, FitRules()).axes[0];
+  EXPECT_NEAR(whole.width_start, some.width_start, 0.05);
+  EXPECT_NEAR(whole.width_end, some.width_end, 0.05);
+  EXPECT_NEAR(whole.roadway_offset, some.roadway_offset, 0.05);
+}
+
 TEST(FitStreets, TakesAWidthAcross) {
   Observation across;
   across.kind = ObservationKind::width;
