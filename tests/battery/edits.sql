@@ -129,14 +129,14 @@ BEGIN
                             || ' WHERE ST_Equals(geom, %L)', ST_AsEWKT(other.geom))];
       END IF;
     WHEN 'fit' THEN
-      -- Observed kerbs, accepted and perhaps undone; no observation is left for a run from scratch to lack.
+      -- Observed kerbs, accepted and perhaps undone; distances to those that stay follow later edits.
       RETURN ARRAY[format('INSERT INTO edited.observation (geom) VALUES (%L), (%L)', ST_AsEWKT(ST_Translate(ST_Force2D(
           a.geom), edits.between(-7, 7), edits.between(-7, 7))), ST_AsEWKT(ST_Translate(ST_Force2D(a.geom),
           edits.between(-5, 5), edits.between(-5, 5)))), format('SELECT streetgen.accept_fit(%L, fit_run) FROM '
           'streetgen.fit(%1$L, options => %2$L)', 'edited', format('{"moves": "%s"}', edits.one_of('roadway', 'axis')))]
         || CASE WHEN edits.chance(0.4) THEN ARRAY['SELECT streetgen.undo_fit(''edited'', max(fit_run)) FROM '
-          'edited.fit_run'] ELSE '{}' END || ARRAY['DELETE FROM edited.observation',
-          'SELECT count(*) FROM streetgen._update_fit(''edited'', NULL, NULL, NULL)'];
+          'edited.fit_run'] ELSE '{}' END
+        || CASE WHEN edits.chance(0.3) THEN ARRAY['DELETE FROM edited.observation'] ELSE '{}' END;
     WHEN 'track' THEN
       RETURN ARRAY[format('INSERT INTO edited.rail_track (geom, tracks, level) VALUES (%L, %s, %s)', ST_AsEWKT(CASE
           WHEN edits.chance(0.3) THEN ST_MakeLine(ARRAY[edits.place(), edits.place_beside(a.geom), edits.place()])

@@ -127,6 +127,16 @@ SELECT 'nodes of a tunnel stay', axes = 1 FROM streetgen.fit('moved', NULL, '{"m
 SELECT 'accepted', streetgen.accept_fit('moved', max(fit_run)) = 1 FROM moved.fit_run;
 SELECT 'and it has them', count(*) = 4 FROM moved.node;
 
+-- An axis that ends beside its node, within the tolerance, is still at it.
+SELECT 'made', streetgen.create_model('beside', 2154, subjects => '{fit}') IS NOT NULL;
+INSERT INTO beside.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0,120 0)'), 6), (2, pg_temp.line('LINESTRING(120.2 0,240 0)'), 6), (3, pg_temp.line('LINESTRING(119.9 0.1,120 100)'), 6);
+INSERT INTO beside.observation (geom, weight) SELECT ST_Translate(place, 0, 0.5), 1 FROM survey WHERE id IN (1, 2);
+SELECT 'three axes meet', (SELECT count(*) FROM beside.node) = 4;
+SELECT 'one is fitted', axes = 1 FROM streetgen.fit('beside', '{1}', '{"moves": "axis"}');
+SELECT 'and accepted', streetgen.accept_fit('beside', 1) = 1;
+SELECT 'they still meet', (SELECT count(*) FROM beside.node) = 4;
+SELECT 'undone', streetgen.undo_fit('beside', 1) = 1;
+
 -- By hand, and objects.
 CALL pg_temp.draw('hand', 'left');
 INSERT INTO hand.observation (geom) VALUES (pg_temp.line('POINT(60 4.5)'));

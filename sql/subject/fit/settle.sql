@@ -70,10 +70,13 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY SELECT DISTINCT p.axis_id, n.node_id
         FROM fit_proposal p JOIN axis a USING (axis_id) JOIN edge e USING (axis_id)
-            JOIN node n ON n.node_id IN (e.from_node, e.to_node)
+            JOIN node n ON n.node_id IN (e.from_node, e.to_node),
+            LATERAL (SELECT CASE WHEN goes_back THEN (p.former ->> 'geom')::geometry ELSE p.geom END AS line) w
         WHERE p.fit_run = wanted AND p.state = CASE WHEN goes_back THEN 'accepted' ELSE 'proposed' END
-            AND NOT CASE WHEN goes_back THEN ST_DWithin((p.former ->> 'geom')::geometry, n.geom, same_place)
-                ELSE p.geom::bytea = a.geom::bytea OR ST_DWithin(ST_Points(p.geom), n.geom, same_place) END;
+            AND w.line::bytea <> a.geom::bytea
+            -- A node may lie beside the end of an axis, within the tolerance.
+            AND ST_Distance(CASE WHEN goes_back THEN w.line ELSE ST_Points(w.line) END, n.geom)
+                > ST_Distance(a.geom, n.geom) + same_place;
 END $$;
 COMMENT ON FUNCTION streetgen._moved_ends(name, bigint, boolean) IS
     'The nodes at which axes will be no more once the open proposals of a run are accepted, or (back) its accepted '

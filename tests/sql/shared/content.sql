@@ -119,8 +119,8 @@ DECLARE
   -- Axes first: those that come by take overrides along.
   inputs name[] := ARRAY(SELECT relname FROM pg_class WHERE relnamespace = quote_ident(model)::regnamespace AND
       relkind = 'r' AND (relname IN ('setting', 'axis', 'turn_restriction', 'control_point', 'footway',
-      'footway_kerb', 'rail_track', 'street_area') OR relname LIKE '%\_override')
-                         ORDER BY relname = 'axis' DESC);
+      'footway_kerb', 'rail_track', 'street_area', 'observation') OR relname LIKE '%\_override')
+      AND to_regclass(format('%I.%I', anew, relname)) IS NOT NULL ORDER BY relname = 'axis' DESC);
   input name;
   with_objects constant boolean := to_regclass(format('%I.street_object', anew)) IS NOT NULL;
 BEGIN
