@@ -137,6 +137,16 @@ SELECT 'and accepted', streetgen.accept_fit('beside', 1) = 1;
 SELECT 'they still meet', (SELECT count(*) FROM beside.node) = 4;
 SELECT 'undone', streetgen.undo_fit('beside', 1) = 1;
 
+-- A street that came to a node by the fit itself is no reason to leave it.
+SELECT 'made', streetgen.create_model('joined', 2154, subjects => '{fit}') IS NOT NULL;
+INSERT INTO joined.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0,120 0)'), 6), (2, pg_temp.line('LINESTRING(60 2,60 80)'), 6);
+INSERT INTO joined.observation (geom, weight) SELECT ST_Translate(place, 0, 0.9), 1 FROM survey WHERE id IN (1, 2);
+SELECT 'fitted', axes > 0 FROM streetgen.fit('joined', '{1}', '{"moves": "axis"}');
+SELECT 'accepted', streetgen.accept_fit('joined', 1) = 1;
+SELECT 'it meets another', (SELECT count(*) FROM joined.edge WHERE axis_id = 1) = 2;
+SELECT 'and is undone', streetgen.undo_fit('joined', 1) = 1;
+SELECT 'as it was', (SELECT count(*) FROM joined.edge WHERE axis_id = 1) = 1;
+
 -- By hand, and objects.
 CALL pg_temp.draw('hand', 'left');
 INSERT INTO hand.observation (geom) VALUES (pg_temp.line('POINT(60 4.5)'));

@@ -105,7 +105,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     IF (SELECT value = 'true' FROM setting WHERE name = 'fit_objects')
         AND 'object' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT NULL::bigint, 3, 2, ST_Force2D(o.geom), 1::float8, 1::float8, 0::float8
+        RETURN QUERY SELECT 0::bigint, 3, 2, ST_Force2D(o.geom), 1::float8, 1::float8, 0::float8
             FROM street_object o WHERE ST_Dimension(o.geom) = 0 AND o.placed_by <> 'rule'
                 AND o.type <> ALL (_types_on_roadway());
     END IF;
@@ -146,5 +146,6 @@ BEGIN
         coalesce(array_agg(weight), '{}'), coalesce(array_agg(width), '{}') FROM point;
 END $$;
 COMMENT ON FUNCTION streetgen._fit_observations(name, bigint[], boolean) IS
-    'The points of observations of a model as streetgen._fit_streets takes them, each with the id of its row (NULL: '
-    'an object). axes: points near these, NULL: all; kerbs_alone: of kerbs alone.';
+    'The points of observations of a model as streetgen._fit_streets takes them, each with the id of its row (0: '
+    'an object, since an array with NULL is read from its start for each of its values). axes: points near these, '
+    'NULL: all; kerbs_alone: of kerbs alone.';

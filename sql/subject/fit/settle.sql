@@ -87,6 +87,17 @@ CREATE OR REPLACE FUNCTION streetgen._listed(ids bigint[]) RETURNS text
     AS $$ SELECT array_to_string(ids[:100], ', ') || CASE WHEN cardinality(ids) > 100 THEN ' …' ELSE '' END $$;
 COMMENT ON FUNCTION streetgen._listed(bigint[]) IS 'The ids for a hint, the first hundred of them.';
 
+CREATE OR REPLACE FUNCTION streetgen._newest_axis(model name, proposals bigint[]) RETURNS bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN (SELECT max((former ->> 'newest_axis')::bigint) FROM fit_proposal
+        WHERE fit_proposal_id = ANY (proposals));
+END $$;
+COMMENT ON FUNCTION streetgen._newest_axis(name, bigint[]) IS
+    'The greatest id of an axis when the last of some proposals was accepted: axes that came since have greater ones.';
+
 CREATE OR REPLACE FUNCTION streetgen._require_whole(model name, run bigint, proposals bigint[], back boolean)
     RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -95,6 +106,8 @@ DECLARE
     done constant text := CASE WHEN back THEN 'undone' ELSE 'accepted' END;
     belong bigint[];
     strange bigint[];
+    -- Older axes met them before, or were joined to them by the fit itself.
+    newest constant bigint := CASE WHEN back THEN streetgen._newest_axis(model, proposals) ELSE 0 END;
 BEGIN
     PERFORM streetgen._use_model(model);
     WITH RECURSIVE moved AS MATERIALIZED (SELECT * FROM streetgen._moved_ends(model, run, back)),
@@ -104,8 +117,8 @@ BEGIN
     part(axis_id) AS (
         SELECT p.axis_id FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals)
         UNION SELECT t.other FROM part JOIN meeting t USING (axis_id))
-    SELECT CASE WHEN count(*) > cardinality(proposals) THEN array_agg(part.axis_id ORDER BY part.axis_id) END,
-        array_agg(part.axis_id ORDER BY part.axis_id) FILTER (WHERE p.fit_proposal_id IS NULL)
+    SELECT CASE WHEN count(p.axis_id) > cardinality(proposals) THEN array_agg(p.axis_id ORDER BY p.axis_id) END,
+        array_agg(part.axis_id ORDER BY part.axis_id) FILTER (WHERE p.axis_id IS NULL AND part.axis_id > newest)
     FROM part LEFT JOIN fit_proposal p ON p.fit_run = run AND p.axis_id = part.axis_id
         AND p.state = CASE WHEN back THEN 'accepted' ELSE 'proposed' END INTO belong, strange;
     IF strange IS NOT NULL THEN
@@ -137,7 +150,8 @@ BEGIN
         ORDER BY a.axis_id FOR UPDATE OF a;
     PERFORM streetgen._require_unedited(model, proposals, 'accepted'),
         streetgen._require_whole(model, run, proposals, false);
-    UPDATE fit_proposal p SET former = to_jsonb(f) || jsonb_build_object('geom', a.geom::text) FROM axis a,
+    UPDATE fit_proposal p SET former = to_jsonb(f) || jsonb_build_object('geom', a.geom::text, 'newest_axis',
+            (SELECT max(n.axis_id) FROM axis n)) FROM axis a,
         LATERAL (SELECT a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right, a.width_by_hand,
             a.source_width, a.source_width_end) f
         WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
