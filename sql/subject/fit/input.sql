@@ -136,7 +136,10 @@ BEGIN
             CASE o.relation WHEN 'in' THEN 1 WHEN 'out' THEN 2 ELSE 0 END AS relation, p.place, o.confidence, o.weight,
             p.width
         FROM near JOIN observation o USING (observation_id), LATERAL (
-            SELECT place, 0 AS width FROM streetgen._sampled(o.geom, spacing) place WHERE o.kind <> 'width'
+            -- A point is itself: to sample it takes longer than all the rest.
+            SELECT o.geom AS place, 0 AS width WHERE o.kind <> 'width' AND GeometryType(o.geom) = 'POINT'
+            UNION ALL SELECT place, 0 FROM streetgen._sampled(o.geom, spacing) place
+                WHERE o.kind <> 'width' AND GeometryType(o.geom) <> 'POINT'
             UNION ALL SELECT ST_LineInterpolatePoint(across, 0.5), ST_Length(across)
                 FROM ST_Dump(ST_Force2D(o.geom)) d(path, across) WHERE o.kind = 'width') p
         UNION ALL SELECT b.* FROM streetgen._observed_objects(model) b WHERE NOT only_kerbs)
