@@ -65,6 +65,12 @@ DELETE FROM town.observation WHERE weight = 100;
 SELECT 'what is gone is told no more', count(*) = 0 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
 RESET ROLE;
 DROP OWNED BY fit_editor; DROP ROLE fit_editor;
+SELECT 'while nobody follows', streetgen.live('town', false) >= 0;
+INSERT INTO town.observation (geom) VALUES (pg_temp.line('POINT(115 60)'));
+SELECT 'nothing is told', count(*) = 0 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
+SELECT 'until all is computed', streetgen.live('town', true) >= 0 AND (SELECT count(*) > 0 FROM streetgen.generate('town', wait => true));
+SELECT 'then it is', mean = 2 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
+DELETE FROM town.observation WHERE weight = 100;
 
 -- A street wider than others takes what is far from its axis, also after an edit and where it alone is fitted.
 SELECT 'made', streetgen.create_model('wide', 2154, subjects => '{fit}') IS NOT NULL;

@@ -11,7 +11,8 @@ DECLARE
     axes bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF places = '{}' THEN
+    -- What nobody follows is for generate.
+    IF places = '{}' OR NOT streetgen._live(model) THEN
         RETURN;
     END IF;
     PERFORM streetgen._begin_edit(model);
@@ -30,7 +31,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._update_distances(name, geometry[]) IS
     'Locks the places of observations that came, changed or went, and brings the distances of streets there up to '
-    'date.';
+    'date, where the model is live.';
 
 CREATE OR REPLACE FUNCTION streetgen._make_fit_functions(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
