@@ -25,7 +25,8 @@ struct DetectedArc {
 
 // In the order of the line, each point on at most one arc, but where two arcs meet.  A closed line
 // has no beginning: an arc may go on over its start.  Its turn is spread over its points: none of
-// them has more than 60 degrees, or more than 0.45 of all, and none leaves the arc by more than a
+// them has more than 60 degrees, or more than 0.45 of all, between points so far about it that what
+// points lie off the arc hardly turns the line there.  By their squares they lie off by at most a
 // tenth of the arc's height over its chord (of half the circle at most).  Between points more than
 // 3 m apart the chord leaves the arc by at most twice the tolerance, so that corners of blocks make
 // no arc. Ends that leave the circle of the others by far more than these do lie on the tangents

@@ -17,8 +17,9 @@ CREATE OR REPLACE FUNCTION streetgen.detect_arcs(line geometry, radius_least flo
 COMMENT ON FUNCTION streetgen.detect_arcs(geometry, float8, float8, float8, float8) IS
     'The arcs of circles in a line (LINESTRING, metres), in its order: centre (POINT), radius in metres, arc '
     '(CIRCULARSTRING in the direction of the line, closed for a full circle), support (points of the line on the arc, '
-    'four or more) and deviation (metres, the most by which one of them leaves the arc, up to tolerance and to a '
-    'tenth of the arc''s height). Quadruplets of points vote for circles; a fit of least squares follows. turn_least: '
+    'four or more) and deviation (metres, the most by which one of them leaves the arc, up to tolerance; their '
+    'standard deviation is a tenth of the arc''s height at most). Quadruplets of points vote for circles; a fit of '
+    'least squares follows. turn_least: '
     'degrees that an arc turns at least. Between points over 3 m apart the chord leaves its arc by at most twice the '
     'tolerance, so that corners of blocks make no arc. Ends on the straight lines before and behind an arc are no part '
     'of it. With noise of e metres in n points that turn by a radians, a '

@@ -20,8 +20,9 @@ namespace {
 constexpr double short_chord = 3;           // metres
 constexpr double turn_of_point = M_PI / 3;  // radians, the most
 constexpr double share_of_point = 0.45;     // of an arc's turn, the most
-constexpr double share_of_height = 0.1;     // of an arc's height, the most that a point leaves it
+constexpr double share_of_height = 0.1;     // of an arc's height, the most that its points lie off
 constexpr double times_noise = 1.75;        // of the points of an arc, off which another is none
+constexpr double stretch_of_noise = 15;     // times noise: a stretch that noise hardly turns
 constexpr double share_of_tolerance = 0.2;  // that counts as such noise in any case
 constexpr double vote_cell = 2;             // metres: centres in one cell vote for one circle
 constexpr int least_support = 4;
@@ -174,13 +175,17 @@ class ArcSearch {
     return rest;
   }
 
+  // How far the points of a run lie off its circle, by their squares.
+  double noise(const Run& run) const {
+    double squares = 0;
+    for (int i = run.first; i <= run.last; ++i) squares += std::pow(deviation(run.circle, i), 2);
+    return std::sqrt(squares / std::max(1, run.count() - 3));
+  }
+
   // How far point i lies off the circle of a run, by what the points of that may lie off.
   double beside(const Run& run, int i) const {
-    double squares = 0;
-    for (int k = run.first; k <= run.last; ++k) squares += std::pow(deviation(run.circle, k), 2);
-    const double noise = std::sqrt(squares / std::max(1, run.count() - 3));
     return deviation(run.circle, i) /
-           std::max(times_noise * noise, share_of_tolerance * bounds_.tolerance);
+           std::max(times_noise * noise(run), share_of_tolerance * bounds_.tolerance);
   }
 
   double turn(const Run& run) const {
@@ -195,6 +200,15 @@ class ArcSearch {
     return false;
   }
 
+  // At point i, to points at least a stretch away.
+  double turn_over(const Run& run, int i, double stretch) const {
+    int before = i - 1, behind = i + 1;
+    const auto near = [&](int k) { return distance(points_[i], points_[k]) < stretch; };
+    while (before > run.first && near(before)) --before;
+    while (behind < run.last && near(behind)) ++behind;
+    return turn_at(points_[before], points_[i], points_[behind]);
+  }
+
   bool is_arc(const Run& run) const {
     if (run.count() < least_support || run.circle.radius < bounds_.radius_least ||
         run.circle.radius > bounds_.radius_greatest || !near(run.circle, run.first, run.last))
@@ -202,12 +216,12 @@ class ArcSearch {
     const double all = turn(run), sense = all < 0 ? -1 : 1;
     if (std::abs(all) < bounds_.turn_least * M_PI / 180) return false;
     const double height = run.circle.radius * (1 - std::cos(std::min(std::abs(all), M_PI) / 2));
-    for (int i = run.first; i <= run.last; ++i)
-      if (deviation(run.circle, i) > share_of_height * height) return false;
+    const double off = noise(run);
+    if (off > share_of_height * height) return false;
     for (int i = run.first; i < run.last; ++i)
       if (!is_chord(run.circle, i, sense)) return false;
     for (int i = run.first + 1; i < run.last; ++i) {
-      const double here = std::abs(turn_at(points_[i - 1], points_[i], points_[i + 1]));
+      const double here = std::abs(turn_over(run, i, stretch_of_noise * off));
       if (here > turn_of_point || here > share_of_point * std::abs(all)) return false;
     }
     return true;

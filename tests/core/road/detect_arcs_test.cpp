@@ -139,5 +139,40 @@ TEST(DetectArcs, LeavesTheTangentsOfAKerbAway) {
   }
 }
 
+// Points of a kerb about a corner, half a metre apart, with normal noise of 5 cm.
+Line noisy_kerb(std::mt19937_64& random, double turn, double radius) {
+  std::normal_distribution<double> noise(0, 0.05);
+  const double angle = turn * pi / 180;
+  const Point end{radius * std::sin(angle), radius * (1 - std::cos(angle)), 0};
+  const Point along{std::cos(angle), std::sin(angle), 0};
+  Line kerb;
+  for (double at = -20; at < angle * radius + 20; at += 0.5) {
+    const Point on_kerb = at < 0                ? Point{at, 0, 0}
+                          : at < angle * radius ? Point{radius * std::sin(at / radius),
+                                                        radius * (1 - std::cos(at / radius)), 0}
+                                                : end + along * (at - angle * radius);
+    kerb.push_back(on_kerb + Point{noise(random), noise(random), 0});
+  }
+  return kerb;
+}
+
+TEST(DetectArcs, FindsTheCornersOfNoisyKerbs) {
+  std::mt19937_64 random(7);
+  ArcBounds bounds;
+  bounds.tolerance = 0.2;
+  int found = 0;
+  constexpr int kerbs = 300;
+  for (int i = 0; i < kerbs; ++i) {
+    const double radius = between(random, 3, 12);
+    for (const DetectedArc& arc :
+         detect_arcs(noisy_kerb(random, between(random, 60, 120), radius), bounds))
+      if (std::abs(arc.radius / radius - 1) < 0.15) {
+        ++found;
+        break;
+      }
+  }
+  EXPECT_GE(found, 0.95 * kerbs);
+}
+
 }  // namespace detect_arcs_test
 }  // namespace streetgen
