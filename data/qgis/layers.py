@@ -278,6 +278,8 @@ CHECKED = (
     Layer('checks', 'axis_to_mend', 'id', 'geom', proposed, shown=True,
           tip=f'<b>[% "proposal" %]: {escaped("rule")}, [% round("measure", 2) %] m</b><br>id [% "id" %]'),
     Layer('checks', 'fit_change', 'fit_proposal_id', 'geom', lambda look: single(with_arrow(line(look.handle('proposed'), 0.4), 1.8)), scale=5000),
+    Layer('checks', 'corner_proposal', 'corner_proposal_id', 'geom', lambda look: single(line(look.handle('proposed'), 0.6)), scale=5000,
+          tip='[% round("radius", 2) %] m, before [% round("before", 2) %] m, [% "state" %]'),
     Layer('checks', 'kerb_distance', 'kerb_distance_id', 'geom', off_its_kerb, tip='[% round("median", 2) %] m of [% "observations" %] points'),
     Layer('checks', 'report', 'report_id', 'geom', mark('cross2', 3, 'error'), query=REPORT, kind='Point', shown=True),
     Layer('checks', 'activity', 'activity_id', 'extent', border(), shown=True),

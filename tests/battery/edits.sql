@@ -85,7 +85,7 @@ DECLARE
       'crossing', 'bay', 'rule', 'rule', 'rule', 'other rule', 'distance', 'footway', 'footway', 'footway',
       'move footway', 'no footway', 'footway kerb', 'footway kerb', 'other footway kerb', 'area', 'area',
       'area of roadway', 'area of roadway', 'other area', 'track', 'track', 'track', 'move track', 'no track',
-      'fit', 'fit');
+      'fit', 'fit', 'fit corners', 'fit corners');
   other record;
 BEGIN
   CASE edit
@@ -134,6 +134,16 @@ BEGIN
           a.geom), edits.between(-7, 7), edits.between(-7, 7))), ST_AsEWKT(ST_Translate(ST_Force2D(a.geom),
           edits.between(-5, 5), edits.between(-5, 5)))), format('SELECT streetgen.accept_fit(%L, fit_run) FROM '
           'streetgen.fit(%1$L, options => %2$L)', 'edited', format('{"moves": "%s"}', edits.one_of('roadway', 'axis')))]
+        || CASE WHEN edits.chance(0.4) THEN ARRAY['SELECT streetgen.undo_fit(''edited'', max(fit_run)) FROM '
+          'edited.fit_run'] ELSE '{}' END
+        || CASE WHEN edits.chance(0.3) THEN ARRAY['DELETE FROM edited.observation'] ELSE '{}' END;
+    WHEN 'fit corners' THEN
+      -- Arcs of other radii, near corners of the axis.
+      RETURN ARRAY[format('INSERT INTO edited.observation (geom) SELECT ST_Scale(ST_CurveToLine(c.arc), '
+          'ST_MakePoint(%s, %1$s), c.centre) FROM edited.corner c JOIN edited.edge e ON e.edge_id IN (c.edge_a, '
+          'c.edge_b) WHERE e.axis_id = %s AND c.arc IS NOT NULL', edits.between(0.7, 1.4), a.axis_id),
+        format('SELECT streetgen.accept_fit(%L, fit_run) FROM streetgen.fit(%1$L, options => %L)', 'edited',
+          '{"moves": "corner"}')]
         || CASE WHEN edits.chance(0.4) THEN ARRAY['SELECT streetgen.undo_fit(''edited'', max(fit_run)) FROM '
           'edited.fit_run'] ELSE '{}' END
         || CASE WHEN edits.chance(0.3) THEN ARRAY['DELETE FROM edited.observation'] ELSE '{}' END;

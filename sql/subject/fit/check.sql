@@ -11,6 +11,12 @@ BEGIN
             SELECT axis_id FROM fit_proposal WHERE state = 'proposed')) h USING (axis_id)
         WHERE p.state = 'proposed' AND p.axis_hash IS DISTINCT FROM h.axis_hash
     UNION ALL
+    SELECT 'notice', 'proposal of a fit whose axis was edited since', 'corner_proposal', p.corner_proposal_id,
+            NULL::float8, p.geom
+        FROM corner_proposal p LEFT JOIN streetgen._corners_to_fit(model, ARRAY(SELECT o.corner_id
+            FROM corner_proposal o WHERE o.state = 'proposed')) c USING (corner_id)
+        WHERE p.state = 'proposed' AND (p.axes_hash IS DISTINCT FROM c.axes_hash OR c.by_hand)
+    UNION ALL
     SELECT 'notice', 'kerb far from its observations, m', 'kerb_distance', k.kerb_distance_id, k.median, k.geom
         FROM kerb_distance k WHERE k.median > 0.5 AND k.observations >= 10;
 END $$;

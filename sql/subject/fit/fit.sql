@@ -30,14 +30,14 @@ BEGIN
             HINT = 'The option is moves; bounds and weights are settings, whose names begin with fit_.';
     END IF;
     moves := coalesce(options ->> 'moves', 'roadway');
-    IF moves NOT IN ('roadway', 'axis') THEN
-        RAISE EXCEPTION 'option moves is "%", expected roadway or axis', moves USING ERRCODE = '22023',
-            HINT = 'roadway changes widths and offsets, axis also moves the axes.';
+    IF moves NOT IN ('roadway', 'axis', 'corner') THEN
+        RAISE EXCEPTION 'option moves is "%", expected roadway, axis or corner', moves USING ERRCODE = '22023',
+            HINT = 'roadway changes widths and offsets, axis also moves the axes, corner changes radii.';
     END IF;
     RETURN moves;
 END $$;
 COMMENT ON FUNCTION streetgen._fit_moves(jsonb) IS
-    'Option moves of a fit: roadway or axis. Another option or value: 22023.';
+    'Option moves of a fit: roadway, axis or corner. Another option or value: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._propose_fit(model name, of_axes bigint[], moves text) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -108,7 +108,8 @@ DECLARE
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
         streetgen._require_axes(model, of_axes);
-    RETURN streetgen._propose_fit(model, of_axes, moves);
+    RETURN CASE moves WHEN 'corner' THEN streetgen._propose_corners(model, of_axes)
+        ELSE streetgen._propose_fit(model, of_axes, moves) END;
 END $$;
 COMMENT ON FUNCTION streetgen._fit(name, bigint[], jsonb) IS
     'As streetgen.fit, and gives the run.';
@@ -137,8 +138,10 @@ CREATE OR REPLACE FUNCTION streetgen.fit(model name, axes bigint[] DEFAULT NULL,
 COMMENT ON FUNCTION streetgen.fit(name, bigint[], jsonb) IS
     'Fits streets to what table observation holds, and writes proposals to fit_proposal, one for each axis that would '
     'change; no axis changes before streetgen.accept_fit. axes: those that may change, NULL: all. options: moves is '
-    'roadway (widths and where the roadway lies beside its axis; the default) or axis (also nodes and vertices). Gives '
-    'a row: the run, its proposals, points observed and used, mean and median distance (metres) of kerbs observed to '
-    'those of the model, before and as proposed, and rounds of the solver. Bounds and weights are settings fit_…; '
-    'StreetGen paper, section 4.8. Tells its progress and can be cancelled. An unknown option or axis: 22023; without '
-    'the subject: 55000; without rights to edit: 42501.';
+    'roadway (widths and where the roadway lies beside its axis; the default), axis (also nodes and vertices) or '
+    'corner: radii, a proposal of corner_proposal for each corner that the arc of an observed kerb answers and whose '
+    'radius is not by hand; fit widths first. Gives a row: the run, its proposals, points observed and used, mean and '
+    'median distance (metres) of kerbs observed to those of the model, before and as proposed, and rounds of the '
+    'solver; of corners they are arcs and differences of radii. Bounds and weights are settings fit_…; StreetGen '
+    'paper, section 4.8. Tells its progress and can be cancelled. An unknown option or axis: 22023; without the '
+    'subject: 55000; without rights to edit: 42501.';

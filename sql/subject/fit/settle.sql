@@ -14,7 +14,8 @@ BEGIN
             HINT = format('SELECT * FROM %I.fit_run lists them.', model);
     END IF;
     unknown := ARRAY(SELECT u FROM unnest(axes) u WHERE NOT EXISTS (SELECT FROM fit_proposal p
-        WHERE p.fit_run = wanted AND p.axis_id = u) ORDER BY u);
+        WHERE p.fit_run = wanted AND p.axis_id = u) AND NOT EXISTS (SELECT FROM corner_proposal p
+        WHERE p.fit_run = wanted AND u IN (p.axis_a, p.axis_b)) ORDER BY u);
     IF unknown <> '{}' THEN
         RAISE EXCEPTION 'run % has no proposal for axis %', run, coalesce(unknown[1]::text, 'NULL')
             USING ERRCODE = '22023', HINT = format('Leave out axes %s.', array_to_string(unknown, ', ', 'NULL'));
@@ -162,13 +163,13 @@ BEGIN
             sidewalk_right = coalesce(p.sidewalk_right, a.sidewalk_right)
         FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
     PERFORM streetgen._settle_proposals(model, proposals, 'accepted');
-    RETURN cardinality(proposals);
+    RETURN cardinality(proposals) + streetgen._accept_corners(model, run, of_axes);
 END $$;
 COMMENT ON FUNCTION streetgen.accept_fit(name, bigint, bigint[]) IS
-    'Writes proposals of a run to their axes, in one statement, as an edit by hand, and gives how many; streets follow '
-    'at once. axes: of these alone, NULL: all that are still proposed. An axis that was edited since the fit: 55000, '
-    'its id in the hint; so where axes share nodes that move with others that are left out. A run or axis that is '
-    'none: 22023; without rights to edit: 42501.';
+    'Writes proposals of a run to their axes, or to corner_override, in one statement, as an edit by hand, and gives '
+    'how many; streets follow at once. axes: of these alone, NULL: all that are still proposed. An axis or corner that '
+    'was edited since the fit: 55000, its axes in the hint; so where axes share nodes that move with others that are '
+    'left out. A run or axis that is none: 22023; without rights to edit: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen.reject_fit(model name, fit_run bigint, axes bigint[] DEFAULT NULL) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -183,7 +184,7 @@ BEGIN
     UPDATE fit_proposal p SET state = 'rejected' WHERE p.fit_run = run AND p.state = 'proposed'
         AND (of_axes IS NULL OR p.axis_id = ANY (of_axes));
     GET DIAGNOSTICS rejected = ROW_COUNT;
-    RETURN rejected;
+    RETURN rejected + streetgen._reject_corners(model, run, of_axes);
 END $$;
 COMMENT ON FUNCTION streetgen.reject_fit(name, bigint, bigint[]) IS
     'Marks proposals of a run as rejected, and gives how many: accept_fit leaves them. axes: of these alone, NULL: all '
@@ -210,14 +211,14 @@ BEGIN
             FROM jsonb_populate_record(a, p.former) f)
         FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
     PERFORM streetgen._settle_proposals(model, proposals, 'undone');
-    RETURN cardinality(proposals);
+    RETURN cardinality(proposals) + streetgen._undo_corners(model, run);
 END $$;
 COMMENT ON FUNCTION streetgen.undo_fit(name, bigint) IS
-    'Puts back exactly what the axes were before proposals of a run were accepted, in one statement, and gives how '
-    'many. Where an axis was edited since, nothing is undone: 55000, with the ids in the hint. A run that is none: '
+    'Puts back exactly what axes and corners were before proposals of a run were accepted, in one statement, and gives '
+    'how many. Where an axis was edited since, nothing is undone: 55000, with the ids in the hint. A run that is none: '
     '22023; without rights to edit: 42501.';
 
 CREATE OR REPLACE FUNCTION streetgen._fit_edited() RETURNS TABLE(relation name)
-    LANGUAGE sql STABLE PARALLEL SAFE ROWS 3 SET search_path = pg_catalog
-    AS $$ VALUES ('observation'::name), ('fit_run'), ('fit_proposal') $$;
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ VALUES ('observation'::name), ('fit_run'), ('fit_proposal'), ('corner_proposal') $$;
 COMMENT ON FUNCTION streetgen._fit_edited() IS 'The tables of the fit that an editor may write.';

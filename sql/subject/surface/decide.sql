@@ -75,6 +75,17 @@ COMMENT ON FUNCTION streetgen._edit_section_limit() IS
     'Trigger of section_limit_editing: writes section_limit_override. A limit beyond its edge or past the other one: '
     '22023; INSERT: 0A000.';
 
+CREATE OR REPLACE FUNCTION streetgen._place_of_corner(node geometry, of_a float8, of_b float8, aside float8)
+    RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$
+    -- The direction in the middle of both, counter-clockwise from the first, in radians.
+    SELECT CASE WHEN aside IS NULL THEN node ELSE ST_Translate(node, aside * cos(middle), aside * sin(middle)) END
+    FROM (SELECT (of_a + of_b) / 2 - pi() * floor((of_b - of_a) / (2 * pi())) AS middle) m $$;
+COMMENT ON FUNCTION streetgen._place_of_corner(geometry, float8, float8, float8) IS
+    'The place by which corner_override names a corner between two directions (radians): the node, or metres aside of '
+    'it towards the corner, where its axes make another one.';
+
 CREATE OR REPLACE FUNCTION streetgen._edit_corner() RETURNS trigger
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -82,8 +93,6 @@ DECLARE
     tolerance constant float8 := streetgen._tolerance(TG_TABLE_SCHEMA);
     subject text;
     place record;
-    -- The direction in the middle of both, counter-clockwise from the first, in radians.
-    middle float8;
     known bigint[];
     -- The youngest that speaks of this corner alone.
     own bigint;
@@ -135,10 +144,9 @@ BEGIN
     PERFORM streetgen._check_edit_number('the radius of ' || subject, NEW.radius, 0, 200, 'm',
         '0 for no arc; delete the row to take back what was decided by hand.');
     IF own IS NULL THEN
-        middle := (place.of_a + place.of_b) / 2 - pi() * floor((place.of_b - place.of_a) / (2 * pi()));
         INSERT INTO corner_override (geom, axis_a, axis_b, radius) VALUES (
-            CASE WHEN place.twin THEN ST_Translate(place.node, tolerance * cos(middle), tolerance * sin(middle))
-            ELSE place.node END, place.axis_a, place.axis_b, NEW.radius);
+            streetgen._place_of_corner(place.node, place.of_a, place.of_b, CASE WHEN place.twin THEN tolerance END),
+            place.axis_a, place.axis_b, NEW.radius);
     ELSE
         UPDATE corner_override SET radius = NEW.radius WHERE corner_override_id = own;
     END IF;

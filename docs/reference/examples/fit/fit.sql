@@ -1,5 +1,5 @@
 -- argument axes: axes that may change; NULL: all
--- argument options: `moves`: `roadway` or `axis`
+-- argument options: `moves`: `roadway`, `axis` or `corner`
 -- see accept_fit, observe
 SELECT streetgen.create_model('surveyed', 2154, subjects => '{fit}');
 INSERT INTO surveyed.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 6);
