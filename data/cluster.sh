@@ -37,6 +37,11 @@ install_for_tests() {
 # The programs that judge what the suites write.
 install_judges() { install_missing assimp-utils sumo sumo-tools libxml2-utils python3 glpk-utils; }
 
+# What the readers of $STREETGEN_READERS need, which are built for Debian 12.
+install_readers() {
+  install_missing libboost-serialization1.74.0 libboost-filesystem1.74.0 libboost-program-options1.74.0 libpugixml1v5 libgeographiclib23
+}
+
 install_missing() {
   local missing=() package
   for package in "$@"; do

@@ -38,8 +38,9 @@ struct ChainEnds {
 // piece.  ASAM OpenDRIVE 1.7, section 8.
 std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends = {});
 
-// The same of a path from one place to another: it begins and ends there, with their headings, also
-// where the ends of the path lie beside them.
+// A path from one place to another as few lines and arcs: it begins and ends there, with their
+// headings, also where the ends of the path lie beside them or lead elsewhere.  There it leaves the
+// path by four times the tolerance at most, where that spares a sharp bend.
 std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
                                  double tolerance);
 

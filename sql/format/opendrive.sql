@@ -36,6 +36,12 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_step(element text, place text, l
 COMMENT ON FUNCTION streetgen._opendrive_step(text, text, float8, float8, float8) IS
     'The element of a polynomial that is straight over a whole road of that length.';
 
+CREATE OR REPLACE FUNCTION streetgen._opendrive_station(station float8, total float8) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    RETURN streetgen._decimal(floor(greatest(least(station, total), 0) * 10000) / 10000, 4);
+COMMENT ON FUNCTION streetgen._opendrive_station(float8, float8) IS
+    'A station of a road that is so long, metres: none beyond its end, whatever the digits.';
+
 CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(paint text, leftwards boolean, rightwards boolean,
     inside_left boolean DEFAULT true) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

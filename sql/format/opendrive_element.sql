@@ -78,16 +78,16 @@ BEGIN
             LATERAL (SELECT CASE WHEN ST_Dimension(o.geom) = 0 THEN o.geom
                 ELSE ST_LineInterpolatePoint(o.geom, 0.5) END AS place) c),
     own_station AS MATERIALIZED (
-        SELECT s.*, p.* FROM standing s JOIN drawn d USING (road_id), streetgen._chain_station(d.s, d.x, d.y, d.heading,
+        SELECT s.*, d.total, p.* FROM standing s JOIN drawn d USING (road_id), streetgen._chain_station(d.s, d.x, d.y, d.heading,
             d.length, d.curvature, d.curvature_end, s.x, s.y) p),
     -- Beyond the end of its road it stands at a road across the node, where that is nearer.
     stationed AS MATERIALIZED (
         SELECT o.street_object_id, o.type, o.angle, o.geom, o.kind, o.subtype, o.size, o.drawn, o.surface, o.x, o.y,
-            coalesce(c.road_id, o.road_id) AS road_id,
+            coalesce(c.road_id, o.road_id) AS road_id, coalesce(c.total, o.total) AS total,
             coalesce(c.station, o.station) AS station, coalesce(c.aside, o.aside) AS aside,
             coalesce(c.direction, o.direction) AS direction, coalesce(c.beyond, o.beyond) AS beyond
         FROM own_station o LEFT JOIN LATERAL (
-            SELECT c.road_id, p.* FROM connecting c, streetgen._chain_station(c.s, c.x, c.y, c.heading, c.length,
+            SELECT c.road_id, c.total, p.* FROM connecting c, streetgen._chain_station(c.s, c.x, c.y, c.heading, c.length,
                 c.curvature, c.curvature_end, o.x, o.y) p
             WHERE abs(o.beyond) > 0.01 AND c.node_id IN (o.from_node, o.to_node) AND abs(p.beyond) <= 0.01
                 AND abs(p.aside) <= sqrt(o.aside ^ 2 + o.beyond ^ 2)
@@ -101,8 +101,9 @@ BEGIN
         FROM stationed),
     object_text AS MATERIALIZED (
         SELECT road_id, '<objects>' || string_agg(streetgen._opendrive_open(xmlelement(name object, xmlattributes(
-                street_object_id AS id, streetgen._xml_text(type) AS name, kind AS type, subtype,
-                streetgen._decimal(station, 4) AS s, streetgen._decimal(aside, 4) AS t,
+                -- CARLA takes a name that begins with speed_ for a speed limit.
+                street_object_id AS id, streetgen._xml_text(replace(type, '_', ' ')) AS name, kind AS type, subtype,
+                streetgen._opendrive_station(station, total) AS s, streetgen._decimal(aside, 4) AS t,
                 0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
                     WHEN outlined THEN -direction ELSE pi() / 2 - radians(coalesce(angle, 0)) - direction END, 6)
                         AS hdg,
@@ -129,7 +130,7 @@ BEGIN
         FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false), (true)) v(at_end)),
     -- A signal hangs above the end of its lane; a sign stands half a metre beside the lanes that it is for.
     sign AS MATERIALIZED (
-        SELECT p.road_id, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first, p.number AS last,
+        SELECT p.road_id, d.total, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first, p.number AS last,
             'yes' AS dynamic, 'OpenDRIVE' AS country, '1000001' AS type, 'signal' AS name, g.number AS controller,
             CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id
         FROM signal_group g JOIN placed p ON (p.lane_id, p.at_end) = (g.lane_id, g.along_axis)
@@ -137,7 +138,7 @@ BEGIN
             streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(g.geom),
                 ST_Y(g.geom)) s
         UNION ALL
-        SELECT d.road_id, s.station, CASE WHEN m.along_axis = right_hand THEN
+        SELECT d.road_id, d.total, s.station, CASE WHEN m.along_axis = right_hand THEN
                     border[cardinality(border) - CASE WHEN m.along_axis THEN 0 ELSE stations - 1 END] - 0.5
                 ELSE border[CASE WHEN m.along_axis THEN stations ELSE 1 END] + 0.5 END,
             m.along_axis, 2, m.first, m.last, 'no', 'DE', m.type, m.kind, NULL, NULL, NULL
@@ -153,7 +154,7 @@ BEGIN
                 ST_Y(place)) s),
     numbered AS MATERIALIZED (SELECT *, row_number() OVER (ORDER BY road_id, along_axis, first, type) AS id FROM sign),
     signal_text AS MATERIALIZED (
-        SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._decimal(station, 4) || '" t="'
+        SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._opendrive_station(station, total) || '" t="'
             || streetgen._decimal(aside, 4) || '" id="' || id || '" name="' || name || '" dynamic="' || dynamic
             || '" orientation="' || CASE WHEN along_axis THEN '+' ELSE '-' END || '" zOffset="' || raised
             || '" country="' || country || '" type="' || type || '" subtype="-1"><validity fromLane="' || first
@@ -203,17 +204,21 @@ BEGIN
             LEFT JOIN shoulder c ON (c.road_id, c.side) = (l.road_id, 'left')
             LEFT JOIN shoulder d ON (d.road_id, d.side) = (l.road_id, 'right'))
     SELECT 1, 0::bigint, streetgen._opendrive_open(xmlelement(name header, xmlattributes(
-            1 AS "revMajor", right(options ->> 'version', 1) AS "revMinor", model AS name, 'StreetGen' AS vendor)))
+            1 AS "revMajor", right(options ->> 'version', 1) AS "revMinor", model AS name,
+            streetgen._decimal(north - y, 2) AS north, streetgen._decimal(south - y, 2) AS south,
+            streetgen._decimal(east - x, 2) AS east, streetgen._decimal(west - x, 2) AS west, 'StreetGen' AS vendor)))
         || '<geoReference><![CDATA['
         || trim(proj4text) || ']]></geoReference><offset x="' || x || '" y="' || y || '" z="0" hdg="0"/></header>'
-    FROM origin LEFT JOIN spatial_ref_sys USING (srid)
+    FROM origin LEFT JOIN spatial_ref_sys USING (srid), (SELECT max(ST_YMax(s.geom)) AS north,
+        min(ST_YMin(s.geom)) AS south, max(ST_XMax(s.geom)) AS east, min(ST_XMin(s.geom)) AS west
+        FROM edge s JOIN written_edge USING (edge_id)) box
     UNION ALL
     -- Not by ||, which copies what is there with each word.
     SELECT 2, d.road_id, concat(streetgen._opendrive_open(xmlelement(name road, xmlattributes(
             streetgen._xml_text(a.name) AS name, streetgen._decimal(d.total, 7) AS length,
             d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule))),
-        '<link>' || nullif(concat('<predecessor elementType="junction" elementId="' || f.place_id || '"/>',
-            '<successor elementType="junction" elementId="' || t.place_id || '"/>'), '') || '</link>',
+        '<link>', '<predecessor elementType="junction" elementId="' || f.place_id || '"/>',
+        '<successor elementType="junction" elementId="' || t.place_id || '"/>', '</link>',
         '<type s="0" type="unknown"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
         streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
         '<elevationProfile>' || streetgen._opendrive_change('elevation', 's', h.station, h.heights)

@@ -8,6 +8,7 @@
 #include "geometry/polyline.hpp"
 #include "geometry/tolerance.hpp"
 #include "road/chain_element.hpp"
+#include "road/heading.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 
@@ -21,13 +22,6 @@ constexpr double sharpest = 0.9 * M_PI;
 constexpr double half = 0.5;
 // Radians.  A turn that is smaller moves the end of a kilometre by ten micrometres.
 constexpr double straight_turn = 1e-8;
-
-double heading_of(const Point& direction) { return std::atan2(direction.y, direction.x); }
-Point along(double heading) { return {std::cos(heading), std::sin(heading), 0}; }
-
-double turn_between(const Point& from, const Point& to) {
-  return std::atan2(cross(from, to), dot(from, to));
-}
 
 // The points without which the line leaves what is kept by more than the tolerance.
 Line simplified(const Line& line, double tolerance) {
@@ -59,7 +53,7 @@ Line simplified(const Line& line, double tolerance) {
 // by itself, since the point behind may yet be moved.
 void set_out(Line& line, double heading, double tolerance) {
   const Point side = line[1] - line[0], way = along(heading);
-  const double turn = std::abs(turn_between(way, side));
+  const double turn = std::abs(turn_from(way, side));
   const double aside = std::max(std::sin(std::min(turn, M_PI / 2)), straight_turn);
   line.insert(line.begin() + 1, line[0] + way * std::min(norm(side) / 3, tolerance / aside));
 }
@@ -69,7 +63,7 @@ Line without_reversals(const Line& line, double tolerance) {
   Line out{line.front()};
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const Point before = line[i] - line[i - 1], behind = line[i + 1] - line[i];
-    const bool turns_back = std::abs(turn_between(before, behind)) > sharpest;
+    const bool turns_back = std::abs(turn_from(before, behind)) > sharpest;
     const double step = std::min(tolerance, std::max(norm(before), norm(behind)) / 2);
     const Point aside = line[i] + left_normal(unit(before)) * step;
     const bool step_first = norm(before) > norm(behind);
@@ -97,7 +91,7 @@ class Chain {
       from = to;
       if (back > 0) {
         const Point on = unit(line_[i + 2] - line_[i + 1]);
-        const double turn = turn_between(way, on), radius = back / std::tan(std::abs(turn) / 2);
+        const double turn = turn_from(way, on), radius = back / std::tan(std::abs(turn) / 2);
         add(from, heading_of(side), radius * std::abs(turn), (turn < 0 ? -1 : 1) / radius);
         from = line_[i + 1] + on * back;
       }
@@ -109,7 +103,7 @@ class Chain {
   // From the point to where the arc in its corner begins and ends, metres; 0 where it is straight.
   double tangent_at(std::size_t i) const {
     const Point before = line_[i] - line_[i - 1], behind = line_[i + 1] - line_[i];
-    const double turn = std::abs(turn_between(before, behind));
+    const double turn = std::abs(turn_from(before, behind));
     if (turn < straight_turn) return 0;
     return std::min({norm(before) / 2, norm(behind) / 2, tolerance_ / std::tan(turn / 4)});
   }
@@ -139,16 +133,6 @@ std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const Chain
   }
   points = without_reversals(points, tolerance * half);
   return Chain(points, tolerance * half).pieces();
-}
-
-std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
-                                 double tolerance) {
-  Line line{from.point};
-  for (std::size_t i = 1; i + 1 < path.size(); ++i)
-    if (distance(path[i], from.point) > tolerance && distance(path[i], to.point) > tolerance)
-      line.push_back(path[i]);
-  line.push_back(to.point);
-  return plan_view(line, tolerance, {from.heading, to.heading});
 }
 
 double length(const std::vector<PlanPiece>& chain) {

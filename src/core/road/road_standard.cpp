@@ -13,21 +13,22 @@ namespace {
 struct NormRadius {
   double speed, radius;
 };
-constexpr NormRadius norm[] = {{40, 55},   {50, 85},   {60, 130},  {70, 180},
-                               {80, 240},  {90, 320},  {100, 420}, {110, 560},
-                               {120, 700}, {130, 900}, {140, 1200}};
+constexpr NormRadius norm_radii[] = {{40, 55},   {50, 85},   {60, 130},  {70, 180},
+                                     {80, 240},  {90, 320},  {100, 420}, {110, 560},
+                                     {120, 700}, {130, 900}, {140, 1200}};
 
 double friction_of(const NormRadius& n) { return n.speed * n.speed / (127 * n.radius) - 0.07; }
 
 // Friction that the norm relies on, linear between its speeds and constant beyond.
 double norm_friction(double speed) {
-  if (speed <= norm[0].speed) return friction_of(norm[0]);
-  for (std::size_t i = 1; i < std::size(norm); ++i)
-    if (speed <= norm[i].speed) {
-      const double share = (speed - norm[i - 1].speed) / (norm[i].speed - norm[i - 1].speed);
-      return (1 - share) * friction_of(norm[i - 1]) + share * friction_of(norm[i]);
+  if (speed <= norm_radii[0].speed) return friction_of(norm_radii[0]);
+  for (std::size_t i = 1; i < std::size(norm_radii); ++i)
+    if (speed <= norm_radii[i].speed) {
+      const double share =
+          (speed - norm_radii[i - 1].speed) / (norm_radii[i].speed - norm_radii[i - 1].speed);
+      return (1 - share) * friction_of(norm_radii[i - 1]) + share * friction_of(norm_radii[i]);
     }
-  return friction_of(norm[std::size(norm) - 1]);
+  return friction_of(norm_radii[std::size(norm_radii) - 1]);
 }
 
 }  // namespace

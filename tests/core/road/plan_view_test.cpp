@@ -240,6 +240,35 @@ TEST(PathView, JoinsTwoPlaces) {
   }
 }
 
+// A turn as paths have it: a way in, an arc of points a metre or less apart, and a way out.
+Line turning(double in, double radius, double turn, double out) {
+  Line line{{0, 0}};
+  const double side = turn < 0 ? -1 : 1;
+  const int steps = std::max(4, static_cast<int>(std::ceil(radius * std::abs(turn))));
+  for (int i = 0; i <= steps; ++i) {
+    const double a = std::abs(turn) * i / steps;
+    line.push_back({in + radius * std::sin(a), side * radius * (1 - std::cos(a))});
+  }
+  line.push_back(line.back() + Point{std::cos(turn), std::sin(turn)} * out);
+  return line;
+}
+
+// One arc between two lines, however sharp the turn: as few pieces as a road engineer would draw.
+TEST(PathView, OfATurnIsAnArcBetweenLines) {
+  std::mt19937 random(23);
+  std::uniform_real_distribution<double> ways(0.2, 12), radii(2.5, 20), turns(0.3, 2.2);
+  for (int i = 0; i < 200; ++i) {
+    const double radius = radii(random), turn = (i % 2 == 0 ? 1 : -1) * turns(random);
+    const Line line = turning(ways(random), radius, turn, ways(random));
+    const auto chain = path_view(line, {line.front(), 0}, {line.back(), turn}, 0.05);
+    expect_smooth(chain);
+    expect_within(chain, line, 0.1);
+    EXPECT_LE(chain.size(), 3u) << i;
+    for (const PlanPiece& piece : chain)
+      EXPECT_LE(std::abs(piece.curvature), 1 / (radius - 1)) << i;
+  }
+}
+
 MultiPolygon strip(double left, double right, double left_end, double right_end) {
   return {{{{0, right}, {40, right_end}, {40, left_end}, {0, left}, {0, right}}}};
 }
