@@ -78,7 +78,8 @@ BEGIN
             LATERAL (SELECT CASE WHEN ST_Dimension(o.geom) = 0 THEN o.geom
                 ELSE ST_LineInterpolatePoint(o.geom, 0.5) END AS place) c),
     own_station AS MATERIALIZED (
-        SELECT s.*, d.total, p.* FROM standing s JOIN drawn d USING (road_id), streetgen._chain_station(d.s, d.x, d.y, d.heading,
+        SELECT s.*, d.total, p.* FROM standing s JOIN drawn d USING (road_id),
+            streetgen._chain_station(d.s, d.x, d.y, d.heading,
             d.length, d.curvature, d.curvature_end, s.x, s.y) p),
     -- Beyond the end of its road it stands at a road across the node, where that is nearer.
     stationed AS MATERIALIZED (
@@ -87,7 +88,8 @@ BEGIN
             coalesce(c.station, o.station) AS station, coalesce(c.aside, o.aside) AS aside,
             coalesce(c.direction, o.direction) AS direction, coalesce(c.beyond, o.beyond) AS beyond
         FROM own_station o LEFT JOIN LATERAL (
-            SELECT c.road_id, c.total, p.* FROM connecting c, streetgen._chain_station(c.s, c.x, c.y, c.heading, c.length,
+            SELECT c.road_id, c.total, p.*
+            FROM connecting c, streetgen._chain_station(c.s, c.x, c.y, c.heading, c.length,
                 c.curvature, c.curvature_end, o.x, o.y) p
             WHERE abs(o.beyond) > 0.01 AND c.node_id IN (o.from_node, o.to_node) AND abs(p.beyond) <= 0.01
                 AND abs(p.aside) <= sqrt(o.aside ^ 2 + o.beyond ^ 2)
@@ -154,7 +156,8 @@ BEGIN
                 ST_Y(place)) s),
     numbered AS MATERIALIZED (SELECT *, row_number() OVER (ORDER BY road_id, along_axis, first, type) AS id FROM sign),
     signal_text AS MATERIALIZED (
-        SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._opendrive_station(station, total) || '" t="'
+        SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._opendrive_station(station, total)
+            || '" t="'
             || streetgen._decimal(aside, 4) || '" id="' || id || '" name="' || name || '" dynamic="' || dynamic
             || '" orientation="' || CASE WHEN along_axis THEN '+' ELSE '-' END || '" zOffset="' || raised
             || '" country="' || country || '" type="' || type || '" subtype="-1"><validity fromLane="' || first
