@@ -23,6 +23,7 @@ struct MeshedSurface {
 struct HeightAxis {
   Line line;
   int level = 0;
+  double half_width = 0;  // of its roadway, metres
 };
 
 struct SurfaceMesh {
@@ -47,11 +48,13 @@ struct GroundMesh {
 // micrometres of each other are one, and a side gets a vertex that a neighbour has on it. Where a
 // raised surface meets a lower one, its kerb closes the step: both meshes have the kerb's vertices.
 //
-// The height of a vertex is that of the nearest place of the axes of its level, 0 where there are
-// no axes, and what its surface is raised. The mesh leaves the height of an axis on its surfaces by
-// at most the tolerance, metres, as it does on borders, but for steps of the height, as between the
-// axes of a junction. For that axes are edges of triangles where they climb, and a section is cut
-// across where they bend. Each side of a border is divided by itself, so neighbours agree.
+// The height of a vertex is that of the axis of its level in whose roadway it lies, at the nearest
+// place, of several the nearest one's; beyond all roadways that of the nearest roadway's; 0 where
+// there are no axes; and what its surface is raised. The mesh leaves the height of an axis on its
+// surfaces by at most the tolerance, metres, as it does on borders, but for steps of the height, as
+// between the axes of a junction. For that axes are edges of triangles where they climb, and a
+// section is cut across where they bend. Each side of a border is divided by itself, so neighbours
+// agree.
 //
 // GEOS makes the triangles: constrained Delaunay, without a vertex of its own.
 std::vector<GroundMesh> mesh_surfaces(const std::vector<MeshedSurface>& surfaces,

@@ -1,12 +1,12 @@
 -- glTF 2.0 in one binary file: streets to look at.
 
 CREATE OR REPLACE FUNCTION streetgen._gltf_mesh(surfaces bytea[], levels integer[], wanted boolean[], raised float8[],
-    lines bytea[], axes bytea[], axis_levels integer[], tolerance float8, kinds integer[], kerb integer,
-    x float8, y float8, z float8)
+    lines bytea[], axes bytea[], axis_levels integer[], axis_widths float8[], tolerance float8, kinds integer[],
+    kerb integer, x float8, y float8, z float8)
     RETURNS TABLE(kind integer, vertices bigint, indices bigint, lowest real[], highest real[], bytes bytea)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 5 AS 'MODULE_PATHNAME', 'streetgen_gltf_mesh';
-COMMENT ON FUNCTION streetgen._gltf_mesh(bytea[], integer[], boolean[], float8[], bytea[], bytea[], integer[], float8,
-    integer[], integer, float8, float8, float8) IS
+COMMENT ON FUNCTION streetgen._gltf_mesh(bytea[], integer[], boolean[], float8[], bytea[], bytea[], integer[], float8[],
+    float8, integer[], integer, float8, float8, float8) IS
     'The meshes that streetgen._road_mesh makes of its arguments as data of glTF, one row for each kind of surface '
     'and one for the kerbs, which are of kind kerb. Counted from an origin x, y, z; y of the file is up, z to the '
     'south. lowest and highest: the box of the positions. bytes: positions, normals, texture coordinates, indices.';
@@ -47,8 +47,8 @@ BEGIN
             FROM streetgen._paint_along(model, part.edges) p, streetgen._mesh_kind() k
             WHERE k.kind = 'marking' AND NOT ST_IsEmpty(p.surface))
         SELECT part.cell, t.* FROM streetgen._mesh_heights(model, part.about) a, laid l, streetgen._mesh_kind() k,
-            streetgen._gltf_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels, tolerance,
-                l.kinds, k.number, x, y, 0) t
+            streetgen._gltf_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels,
+                a.axis_widths, tolerance, l.kinds, k.number, x, y, 0) t
         WHERE k.kind = 'kerb' ORDER BY t.kind;
     END LOOP;
 END $$;

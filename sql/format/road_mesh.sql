@@ -1,45 +1,48 @@
 -- The roadway of a model as triangles.
 
 CREATE OR REPLACE FUNCTION streetgen._road_mesh(surfaces bytea[], levels integer[], wanted boolean[], raised float8[],
-    lines bytea[], axes bytea[], axis_levels integer[], tolerance float8, srid integer)
+    lines bytea[], axes bytea[], axis_levels integer[], axis_widths float8[], tolerance float8, srid integer)
     RETURNS TABLE(number integer, kerb boolean, mesh bytea, normals real[], texture real[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1000 AS 'MODULE_PATHNAME', 'streetgen_road_mesh';
-COMMENT ON FUNCTION streetgen._road_mesh(bytea[], integer[], boolean[], float8[], bytea[], bytea[], integer[], float8,
-    integer) IS
+COMMENT ON FUNCTION streetgen._road_mesh(bytea[], integer[], boolean[], float8[], bytea[], bytea[], integer[], float8[],
+    float8, integer) IS
     'The mesh (TIN Z as EWKB) of each surface (MULTIPOLYGON, EWKB) that is wanted, by its number from 1, with normals '
     'and texture coordinates of the corners. A surface may be raised, metres: then its kerbs beside lower ones are a '
     'mesh of their own. The others give their vertices on common borders. lines (EWKB): those that texture coordinates '
-    'are counted along. axes (EWKB): those that give the heights, of their levels; none: 0.';
+    'are counted along. axes (EWKB): those that give the heights, of their levels, in roadways so wide (m); '
+    'none: 0.';
 
 CREATE OR REPLACE FUNCTION streetgen._height_axes(model name, edges bigint[], lines geometry[])
-    RETURNS TABLE(axes bytea[], axis_levels integer[])
+    RETURNS TABLE(axes bytea[], axis_levels integer[], axis_widths float8[])
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY
         WITH known AS MATERIALIZED (
-            SELECT edge_id, line, e.level, from_node, to_node
+            SELECT edge_id, line, e.level, greatest(e.width, e.width_end) + 2 * abs(e.roadway_offset) AS width,
+                from_node, to_node
             FROM unnest(edges, lines) g(edge_id, line) JOIN edge e USING (edge_id)),
         -- Within an intersection of another level an arm says how high that one lies: both meet at its limit.
         arm AS (
-            SELECT edge_id, i.level, share, CASE which WHEN 'start' THEN ST_LineSubstring(line, 0, share)
+            SELECT edge_id, i.level, k.width, share, CASE which WHEN 'start' THEN ST_LineSubstring(line, 0, share)
                 ELSE ST_LineSubstring(line, share, 1) END AS line
             FROM known k JOIN section_limit l USING (edge_id) JOIN intersection i ON i.level <> k.level
                     AND i.node_id = CASE which WHEN 'start' THEN from_node ELSE to_node END,
                 LATERAL (SELECT abscissa / ST_Length2D(line) AS share, 0.01 / ST_Length2D(line) AS least) s
             WHERE share BETWEEN least AND 1 - least)
         SELECT coalesce(array_agg(a.line::bytea ORDER BY edge_id, a.level, a.place), '{}'),
-            coalesce(array_agg(a.level ORDER BY edge_id, a.level, a.place), '{}')
-        FROM (SELECT edge_id, level, 0::float8 AS place, line FROM known
-            UNION ALL SELECT edge_id, level, share, line FROM arm) a;
+            coalesce(array_agg(a.level ORDER BY edge_id, a.level, a.place), '{}'),
+            coalesce(array_agg(a.width ORDER BY edge_id, a.level, a.place), '{}')
+        FROM (SELECT edge_id, level, width, 0::float8 AS place, line FROM known
+            UNION ALL SELECT edge_id, level, width, share, line FROM arm) a;
 END $$;
 COMMENT ON FUNCTION streetgen._height_axes(name, bigint[], geometry[]) IS
     'Lines of edges (LINESTRING Z) as arguments of streetgen._road_mesh, with the parts of them that lie in '
     'intersections of other levels, which say the height there.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_heights(model name, about geometry)
-    RETURNS TABLE(axes bytea[], axis_levels integer[])
+    RETURNS TABLE(axes bytea[], axis_levels integer[], axis_widths float8[])
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -101,7 +104,8 @@ BEGIN
     FROM (SELECT array_agg(surface::bytea ORDER BY number) AS surfaces, array_agg(level ORDER BY number) AS levels,
             array_agg(wanted ORDER BY number) AS wanted, array_agg(0.0::float8) AS raised,
             array_agg(line::bytea ORDER BY number) AS lines FROM member) s, streetgen._mesh_heights(model, about) h,
-        streetgen._road_mesh(surfaces, levels, s.wanted, raised, lines, axes, axis_levels, tolerance, model_srid) t
+        streetgen._road_mesh(surfaces, levels, s.wanted, raised, lines, axes, axis_levels, axis_widths, tolerance,
+            model_srid) t
         JOIN member m USING (number)
     ORDER BY m.edge_id, m.node_id;
 END $$;
@@ -110,8 +114,8 @@ COMMENT ON FUNCTION streetgen.road_mesh(name, geometry, float8) IS
     'triangles: a row for each section (edge_id) and each intersection (node_id) whose surface is not empty, with its '
     'level and its mesh, a TIN Z in the SRID of the model. Triangles are counter-clockwise seen from above and tile '
     'the surface. Surfaces of one level meet in the same vertices, also of meshes of different extents. Heights are '
-    'those of the nearest profile of the level where the model computes subject height, else of the nearest axis where '
-    'it has dimension 3, else 0; edges that meet at a node have '
+    'those of profiles of the level where the model computes subject height, else of axes where it has dimension 3, '
+    'else 0: of the road in whose roadway a place lies, of several the nearest one; edges that meet at a node have '
     'its height there. normals has a unit vector (x, y, z) of each corner of each triangle in the order of the TIN, '
     'nine numbers a triangle: that of the roadway along the nearest axis, level across it, so neighbours agree. '
     'texture has two numbers of each corner, six a triangle: metres along the edge and to its left, on intersections '

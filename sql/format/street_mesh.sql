@@ -112,7 +112,7 @@ BEGIN
             FROM streetgen._mesh_kind() k, streetgen._mesh_laid(model, cell.edges, cell.nodes) l,
                 streetgen._mesh_heights(model, cell.about) a,
                 streetgen._road_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels,
-                    (options ->> 'tolerance')::float8, place.srid) t
+                    a.axis_widths, (options ->> 'tolerance')::float8, place.srid) t
             WHERE k.number = l.kinds[t.number];
     END LOOP;
 END $$;

@@ -15,7 +15,8 @@ class AxisHeight {
   explicit AxisHeight(const std::vector<HeightAxis>& axes);
 
   // The height of the nearest place of the level's axes, of equal ones the lower; 0 without axes.
-  // The same for the same place, whoever asks.
+  // An axis in whose roadway the place lies comes first, then the one of the nearest roadway. The
+  // same for the same place, whoever asks.
   double at(const Point& place, int level) const { return nearest(place, level).height; }
 
   // Unit, upwards: normal to the nearest segment of the axes and level across it. The mean where
@@ -25,6 +26,8 @@ class AxisHeight {
  private:
   struct Segment {
     Point from, to;
+    double half_width;
+    bool first, last;  // of its axis
   };
   struct Level {
     std::vector<Segment> segments;
@@ -32,6 +35,7 @@ class AxisHeight {
   };
   // The place from which an axis sees another place.
   struct Sight {
+    double beyond = 0;  // metres from the roadway
     double distance = 0, height = 0;
   };
   static Sight sight(const Segment& segment, const Point& place);

@@ -28,7 +28,7 @@ struct MeshArguments {
   LineArray surfaces;
   const Datum *levels, *wanted, *raised;
   LineArray lines, axes;
-  const Datum* axis_levels;
+  const Datum *axis_levels, *axis_widths;
   double tolerance;
 };
 
@@ -42,7 +42,8 @@ MeshArguments take_arguments(FunctionCallInfo fcinfo) {
   taken.lines = take_lines(PG_GETARG_ARRAYTYPE_P(4), "lines");
   taken.axes = take_lines(PG_GETARG_ARRAYTYPE_P(5), "axes");
   taken.axis_levels = take_values(fcinfo, 6, INT4OID, taken.axes.count, "axis_levels").values;
-  taken.tolerance = PG_GETARG_FLOAT8(7);
+  taken.axis_widths = take_values(fcinfo, 7, FLOAT8OID, taken.axes.count, "axis_widths").values;
+  taken.tolerance = PG_GETARG_FLOAT8(8);
   return taken;
 }
 
@@ -59,7 +60,9 @@ std::vector<GroundMesh> made(const MeshArguments& taken) {
          finite(DatumGetFloat8(taken.raised[i]), "raised"), DatumGetBool(taken.wanted[i])});
   std::vector<HeightAxis> axes;
   for (Line& line : read_lines(taken.axes, "axis", nullptr))
-    axes.push_back({std::move(line), DatumGetInt32(taken.axis_levels[axes.size()])});
+    axes.push_back(
+        {std::move(line), DatumGetInt32(taken.axis_levels[axes.size()]),
+         in_range(DatumGetFloat8(taken.axis_widths[axes.size()]), 0, 1000, "axis_widths") / 2});
   return mesh_surfaces(asked, axes, taken.tolerance);
 }
 
@@ -103,7 +106,7 @@ STREETGEN_FUNCTION(streetgen_road_mesh) {
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const MeshArguments taken = take_arguments(fcinfo);
-  const int srid = PG_GETARG_INT32(8);
+  const int srid = PG_GETARG_INT32(9);
   Slot<std::vector<MeshRow>>* slot = make_slot<std::vector<MeshRow>>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new std::vector<MeshRow>;
@@ -134,9 +137,9 @@ STREETGEN_FUNCTION(streetgen_gltf_mesh) {
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const MeshArguments taken = take_arguments(fcinfo);
   const Datum* materials =
-      take_values(fcinfo, 8, INT4OID, taken.surfaces.count, "materials").values;
-  const int kerb = PG_GETARG_INT32(9);
-  const Point origin{PG_GETARG_FLOAT8(10), PG_GETARG_FLOAT8(11), PG_GETARG_FLOAT8(12)};
+      take_values(fcinfo, 9, INT4OID, taken.surfaces.count, "materials").values;
+  const int kerb = PG_GETARG_INT32(10);
+  const Point origin{PG_GETARG_FLOAT8(11), PG_GETARG_FLOAT8(12), PG_GETARG_FLOAT8(13)};
   using Packed = std::map<int, GltfMesh>;
   Slot<Packed>* slot = make_slot<Packed>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {

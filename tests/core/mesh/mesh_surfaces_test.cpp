@@ -74,6 +74,15 @@ TEST(MeshSurfaces, CutsASectionAcrossAtACrest) {
   EXPECT_NEAR(area_of(mesh), 800, 1e-9);
 }
 
+TEST(MeshSurfaces, TakesTheHeightOfTheRoadwayInWhichAVertexLies) {
+  // The ramp ends nearer to the kerb than its own axis is.
+  const std::vector<HeightAxis> axes{{{{0, 0, 0}, {100, 0, 0}}, 0, 6},
+                                     {{{50, 8, 5}, {50, 80, 0}}, 0, 4}};
+  const auto mesh = mesh_surfaces({{rectangle(0, -6, 100, 6), 0, east}}, axes, 0.05)[0];
+  for (const Triangle& t : mesh.ground.triangles)
+    for (const Point& p : t) EXPECT_EQ(p.z, 0) << p.x << ' ' << p.y;
+}
+
 TEST(MeshSurfaces, KeepsAnAxisThatEndsWithinItsSurface) {
   const std::vector<HeightAxis> axes{{{{0, 0, 0}, {50, 0, 5}}, 0}};
   const auto mesh = mesh_surfaces({{rectangle(0, -4, 60, 4), 0, east}}, axes, 0.05)[0];
