@@ -28,7 +28,9 @@
 
 namespace streetgen {
 
-// s is the scale, of a kind with a greater factor greater alike: cauchy s^2 log(1 + (r/s)^2), soft_l1 2 s^2 (sqrt(1 + (r/s)^2) - 1), squares r^2.
+// s is the scale.  That of a kind grows with its factor, so that every loss begins at as many
+// metres as that of a kerb.  cauchy s^2 log(1 + (r/s)^2), soft_l1 2 s^2 (sqrt(1 + (r/s)^2) - 1),
+// squares r^2.
 enum class FitLoss { cauchy, soft_l1, squares };
 
 enum class ObservationKind { kerb, sidewalk_back, marking, object, width };

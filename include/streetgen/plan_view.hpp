@@ -39,8 +39,8 @@ struct ChainEnds {
 std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends = {});
 
 // A path from one place to another as few lines and arcs: it begins and ends there, with their
-// headings, also where the ends of the path lie beside them or lead elsewhere.  There it leaves the
-// path by four times the tolerance at most, where that spares a sharp bend.
+// headings, also where the ends of the path lie beside them or lead elsewhere.  Such a path may
+// leave its line by four times the tolerance, where that spares a sharp bend.
 std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
                                  double tolerance);
 

@@ -40,7 +40,7 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_station(station float8, total fl
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
     RETURN streetgen._decimal(floor(greatest(least(station, total), 0) * 10000) / 10000, 4);
 COMMENT ON FUNCTION streetgen._opendrive_station(float8, float8) IS
-    'A station of a road that is so long, metres: none beyond its end, whatever the digits.';
+    'The text of a station, metres, no less than 0 and no more than the length of its road, whatever the digits.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(paint text, leftwards boolean, rightwards boolean,
     inside_left boolean DEFAULT true) RETURNS text

@@ -20,6 +20,10 @@ CREATE FUNCTION pg_temp.streets() RETURNS TABLE (counted text, ground geometry) 
         UNION ALL SELECT turn, count(*) FROM town.interconnection GROUP BY 1 UNION ALL SELECT kind, count(*)
         FROM town.junction GROUP BY 1 UNION ALL SELECT 'node', count(*) FROM town.node) c),
     (SELECT ST_Union(surface) FROM town.roadway) $$;
+INSERT INTO town.sidewalk_override (axis_id, abscissa, side, width) SELECT axis_id, 250, 'left', 4 FROM town.axis
+    WHERE name = 'Main';
+CREATE TABLE place_before AS SELECT ST_LineInterpolatePoint(a.geom, o.abscissa / ST_Length(a.geom)) AS geom, o.axis_id
+    FROM town.sidewalk_override o JOIN town.axis a USING (axis_id);
 CREATE TABLE before AS SELECT * FROM pg_temp.streets();
 
 CREATE ROLE pieces_reader; CREATE ROLE pieces_editor;
@@ -45,6 +49,9 @@ SELECT 'a taper goes on where it was cut', bool_and(abs(width - (6 + 6 * ST_Line
 SELECT 'others have none', bool_and(width_end IS NULL) FROM town.axis WHERE name <> 'Main';
 SELECT 'one has the key of its source, the others are its pieces', array_agg(source_ref ORDER BY axis_id)
     = '{main,NULL,NULL}' AND count(DISTINCT source) = 1 FROM town.axis WHERE name = 'Main';
+SELECT 'a width by hand stays where it is, on the piece that lies there', o.axis_id <> p.axis_id AND ST_DWithin(p.geom,
+    ST_LineInterpolatePoint(a.geom, o.abscissa / ST_Length(a.geom)), 0.01)
+    FROM place_before p, town.sidewalk_override o JOIN town.axis a USING (axis_id);
 SELECT 'a second time cuts nothing', streetgen.cut_at_junctions('town') = 0;
 SELECT 'nothing is stale', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE rule LIKE 'stale%'
     OR severity = 'error');
@@ -56,5 +63,15 @@ SELECT FROM streetgen.import_axes('town', 'roads', :mapping) \g /dev/null
 SELECT 'a delivery reaches each piece', array_agg(width ORDER BY axis_id) = '{4,9}' FROM town.axis
     WHERE name = 'Cross Road';
 SELECT 'and brings no axis back', count(*) = 8 FROM town.axis;
+
+-- What lies on another axis is no street, and stays with the piece before it.
+SELECT streetgen.create_model('twin', 2154) \g /dev/null
+INSERT INTO twin.axis (axis_id, geom, width, name) VALUES
+    (1, pg_temp.line('LINESTRING(-50 0,0 0,60 0,160 0)'), 9, 'Long'), (2, pg_temp.line('LINESTRING(0 0,60 0)'), 12, 'Wide'),
+    (3, pg_temp.line('LINESTRING(0 0,0 70)'), 6, 'North'), (4, pg_temp.line('LINESTRING(60 0,60 70)'), 6, 'South');
+UPDATE twin.axis SET importance = 1 WHERE axis_id = 2;
+SELECT 'a twin has no edge between', count(*) = 2 FROM twin.edge WHERE axis_id = 1;
+SELECT streetgen.cut_at_junctions('twin') \g /dev/null
+SELECT 'no metre of an axis is lost', round(sum(ST_Length(geom))) = 210 FROM twin.axis WHERE name = 'Long';
 DROP OWNED BY pieces_reader, pieces_editor;
 DROP ROLE pieces_reader, pieces_editor;

@@ -51,7 +51,7 @@ BEGIN
                 WHERE fit_proposal_id = ANY (proposals))) h USING (axis_id)
         WHERE p.fit_proposal_id = ANY (proposals) AND p.axis_hash IS DISTINCT FROM h.axis_hash ORDER BY 1);
     IF edited <> '{}' THEN
-        RAISE EXCEPTION '% axes were edited since the fit, and nothing was %', cardinality(edited), done
+        RAISE EXCEPTION 'axes edited since the fit: %, and nothing was %', cardinality(edited), done
             USING ERRCODE = '55000', HINT = format('Leave these out: %s. Or fit again.', streetgen._listed(edited));
     END IF;
 END $$;

@@ -19,3 +19,8 @@ CREATE OR REPLACE FUNCTION streetgen._height_setting()
     ('deck_depth', '1', 'm', 'from the roadway of a road that passes over another one to the underside of its deck: '
         'view underpass', 0, 10, NULL) $$;
 COMMENT ON FUNCTION streetgen._height_setting() IS 'The settings of heights, with their defaults and ranges.';
+
+CREATE OR REPLACE FUNCTION streetgen._height_setting_beside() RETURNS TABLE(name text)
+    LANGUAGE sql STABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
+    AS $$ VALUES ('deck_depth') $$;
+COMMENT ON FUNCTION streetgen._height_setting_beside() IS 'The setting of heights on which no street depends.';

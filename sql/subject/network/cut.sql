@@ -40,15 +40,16 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY WITH street AS (
-        SELECT e.axis_id, e.start_abscissa, e.end_abscissa, row_number() OVER street = 1 AS first,
-            lead(e.start_abscissa) OVER street IS NULL AS last, ST_Length2D(a.geom) AS length, a.geom
+        -- What is no street, as it lies on another axis or is too short, stays with the piece before it.
+        SELECT e.axis_id, e.start_abscissa, row_number() OVER street = 1 AS first,
+            lead(e.start_abscissa) OVER street AS next, ST_Length2D(a.geom) AS length, a.geom
         FROM edge e JOIN axis a USING (axis_id)
         -- A ring is one road all round.
         WHERE (of_axes IS NULL OR a.axis_id = ANY (of_axes)) AND NOT ST_IsClosed(a.geom)
         WINDOW street AS (PARTITION BY e.axis_id ORDER BY e.start_abscissa)),
     part AS (
         SELECT axis_id, start_abscissa, geom, CASE WHEN first THEN 0 ELSE start_abscissa / length END AS low,
-            CASE WHEN last THEN 1 ELSE end_abscissa / length END AS high
+            coalesce(next / length, 1) AS high
         FROM street)
     SELECT p.axis_id, ST_Collect(ST_LineSubstring(p.geom, least(p.low, 1), least(p.high, 1))
         ORDER BY p.start_abscissa) FROM part p GROUP BY p.axis_id HAVING count(*) > 1;

@@ -46,8 +46,7 @@ struct Ends {
   Point from, way_from, to, way_to;  // unit ways
 };
 
-// Two arcs, whose tangents are as long at both ends; one where it does. None where an arc would
-// turn too far.
+// Two arcs, whose tangents are as long at both ends. None where one would turn too far.
 std::optional<Pieces> biarc(const Ends& ends) {
   const Point chord = ends.to - ends.from, ways = ends.way_from + ends.way_to;
   const double ahead = dot(chord, ways), square = dot(chord, chord);
@@ -66,7 +65,7 @@ std::optional<Pieces> biarc(const Ends& ends) {
 
 // A line, an arc and a line: the arc leaves the corner where the path does. None where the ends do
 // not lead to one corner.
-std::optional<Pieces> fillet(const Ends& ends, const Line& path) {
+std::optional<Pieces> fillet(const Ends& ends, const Line& path, double tolerance) {
   const double turn = turn_from(ends.way_from, ends.way_to);
   if (std::abs(turn) < 0.01 || std::abs(turn) > farthest_turn) return std::nullopt;
   const Point chord = ends.to - ends.from;
@@ -77,6 +76,8 @@ std::optional<Pieces> fillet(const Ends& ends, const Line& path) {
   double off = distance(corner, path.front());
   for (std::size_t i = 1; i < path.size(); ++i)
     off = std::min(off, distance_to_segment(corner, path[i - 1], path[i]));
+  // A path that turns on its corner gets an arc all the same.
+  off = std::max(off, tolerance / 2);
   const double half = std::abs(turn) / 2;
   const double tangent =
       std::min({off / (1 / std::cos(half) - 1) * std::tan(half), before, behind});
@@ -122,7 +123,7 @@ std::optional<Pieces> between(const Line& path, std::size_t from, std::size_t to
   const Line part(path.begin() + from, path.begin() + to + 1);
   const Ends ends{part.front(), from == 0 ? ways[0] : way_at(path, from), part.back(),
                   to + 1 == path.size() ? ways[1] : way_at(path, to)};
-  for (const auto& pieces : {biarc(ends), fillet(ends, part)})
+  for (const auto& pieces : {biarc(ends), fillet(ends, part, tolerance)})
     if (pieces && follows(*pieces, part, tolerance)) return pieces;
   return std::nullopt;
 }

@@ -269,6 +269,17 @@ TEST(PathView, OfATurnIsAnArcBetweenLines) {
   }
 }
 
+// A path that turns on the corner of its ends has an arc there, and no kink.
+TEST(PathView, RoundsACorner) {
+  for (const double turn : {0.4, 1.2, -1.5}) {
+    const Point out = Point{5, 0} + Point{std::cos(turn), std::sin(turn)} * 5;
+    const auto chain = path_view({{0, 0}, {5, 0}, out}, {{0, 0}, 0}, {out, turn}, 0.05);
+    ASSERT_GT(chain.size(), 1u);
+    expect_smooth(chain);
+    EXPECT_LT(turn_between(place_at(chain, length(chain)).heading, turn), 1e-6);
+  }
+}
+
 MultiPolygon strip(double left, double right, double left_end, double right_end) {
   return {{{{0, right}, {40, right_end}, {40, left_end}, {0, left}, {0, right}}}};
 }
