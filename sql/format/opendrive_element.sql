@@ -112,10 +112,13 @@ BEGIN
                 CASE WHEN kind = 'tree' AND NOT outlined THEN size / 2 END AS radius,
                 CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS length,
                 CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS width)))
-            || CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) ELSE '' END
+            -- CARLA reads the outline of a crosswalk alone, and esmini those in a list.
+            || CASE WHEN outlined THEN concat(CASE WHEN kind = 'crosswalk' THEN outline END, '<outlines>', outline,
+                '</outlines>') ELSE '' END
             || CASE WHEN kind = 'parkingSpace' THEN '<parkingSpace access="all"/>' ELSE '' END
             || '</object>', '' ORDER BY street_object_id) || '</objects>' AS text
-        FROM grounded, LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o
+        FROM grounded, LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o,
+            LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) END AS outline) c
         GROUP BY road_id),
     -- Lanes whose signals show the same in each state have one controller.
     signal_group AS MATERIALIZED (

@@ -15,9 +15,9 @@ COMMENT ON FUNCTION streetgen._opendrive_object_kind() IS
 CREATE OR REPLACE FUNCTION streetgen._opendrive_outline(ground geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
-    SELECT '<outlines><outline id="0" closed="true" outer="true">' || string_agg('<cornerLocal u="'
+    SELECT '<outline id="0" closed="true" outer="true">' || string_agg('<cornerLocal u="'
         || round((ST_X(p.geom) - x)::numeric, 4) || '" v="' || round((ST_Y(p.geom) - y)::numeric, 4)
-        || '" z="0" height="0"/>', '' ORDER BY p.path[1]) || '</outline></outlines>'
+        || '" z="0" height="0"/>', '' ORDER BY p.path[1]) || '</outline>'
     FROM ST_ExteriorRing(ST_ForcePolygonCCW(ground)) ring, ST_DumpPoints(ring) p WHERE p.path[1] < ST_NPoints(ring) $$;
 COMMENT ON FUNCTION streetgen._opendrive_outline(geometry, float8, float8) IS
     'The ground of an object (POLYGON) as an outline about its place x, y.';

@@ -76,9 +76,9 @@ BEGIN
         SELECT controller_id, starts, string_agg(sign, '' ORDER BY turn, number) AS signs
         FROM sign WHERE controller_id IN (SELECT controller_id FROM link) GROUP BY controller_id, starts)
     SELECT 1, controller_id, xmlelement(name "tlLogic", xmlattributes(controller_id AS id, 'static'
-            AS type, 'streetgen' AS "programID", round(min(c.start_offset)::numeric, 2) AS "offset"),
-        xmlagg(xmlelement(name phase, xmlattributes(round((s.ends - s.starts)::numeric, 2) AS duration,
-            signs AS state)) ORDER BY s.starts))::text
+            AS type, 'streetgen' AS "programID", trim_scale(round(min(c.start_offset)::numeric, 2)) AS "offset"),
+        xmlagg(xmlelement(name phase, xmlattributes(trim_scale(round((s.ends - s.starts)::numeric, 2))
+            AS duration, signs AS state)) ORDER BY s.starts))::text
     FROM shown JOIN part s USING (controller_id, starts)
         JOIN streetgen._signal_controllers(model) c USING (controller_id)
     GROUP BY controller_id

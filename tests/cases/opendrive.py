@@ -116,7 +116,7 @@ def beside(roads, east, north):
             x, y = x - t * math.sin(heading) + east, y + t * math.cos(heading) + north
             turn = heading + float(element.get('hdg', 0))
             corners = [(x + u * math.cos(turn) - v * math.sin(turn), y + u * math.sin(turn) + v * math.cos(turn))
-                       for c in element.iter('cornerLocal') for u, v in [(float(c.get('u')), float(c.get('v')))]]
+                       for c in element.iterfind('outlines//cornerLocal') for u, v in [(float(c.get('u')), float(c.get('v')))]]
             yield 'sign' if element.get('dynamic') == 'no' else element.tag, element.get('id'), edge, ring(corners) if corners else f'POINT({x:.4f} {y:.4f})'
 
 
