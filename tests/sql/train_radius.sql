@@ -31,6 +31,11 @@ SELECT 'a kind that it never met gets a radius', town.trained_radius(6, 30, 5, 2
 SELECT 'where a number lacks there is none', town.trained_radius(NULL, 30, 5, 2, 'tertiary') IS NULL;
 CREATE TABLE definition AS SELECT pg_get_functiondef('town.trained_radius'::regproc) AS text;
 SELECT streetgen.train_radius('town') \g /dev/null
+BEGIN;
+UPDATE town.axis SET kind = E'it\'s $f$ {odd} \\ "kind" $$; CREATE TABLE hostile (); --' WHERE kind = 'tertiary';
+SELECT 'whatever a kind is called', test.state($$SELECT streetgen.train_radius('town')$$) = 'none' AND to_regclass('hostile') IS NULL;
+SELECT 'it is known', abs(town.trained_radius(8, 50, 3, 2, kind) - 3) < 0.05 FROM town.axis WHERE kind LIKE 'it%' LIMIT 1;
+ROLLBACK;
 SELECT 'learnt again it is the same', text = pg_get_functiondef('town.trained_radius'::regproc) FROM definition;
 SELECT streetgen.set('town', 'radius_function', 'town.trained_radius') \g /dev/null
 SELECT streetgen.generate('town') \g /dev/null
@@ -62,4 +67,5 @@ SELECT streetgen.create_model('bare', 2154) \g /dev/null
 SELECT 'a model without the subject says how to get it', test.state($$SELECT streetgen.train_radius('bare')$$) = '55000';
 RESET streetgen_test.subjects;
 SELECT 'numbers that are no forest are refused', test.state($$SELECT streetgen.forest_value('{1,1}', '{3}')$$) = '22023' AND test.state($$SELECT streetgen.forest_value('{2,1,1,-1,5,0,0}', '{3}')$$) = '22023' AND test.state($$SELECT streetgen.forest_value('{1,1,1,-1,5,0,0}', '{NaN}')$$) = '22023';
+SELECT 'each sample has as many features', test.state($$SELECT streetgen._grow_forest('{1,2,3,4,5,6,7,8}', '{1,2,3}')$$) = '22023' AND test.state($$SELECT streetgen._grow_forest('{1,2,3,4,5,6}', '{1,2,3}')$$) = 'none';
 SELECT 'one leaf says its value', streetgen.forest_value('{1,1,1,-1,5,0,0}', '{3}') = 5 AND streetgen.forest_value('{1,1,3,0,4,1,2,-1,5,0,0,-1,6,0,0}', '{4}') = 6;

@@ -21,7 +21,9 @@ WHERE p.state = 'proposed'
 --{trained_radius
 CREATE OR REPLACE FUNCTION {function}(width float8, speed float8, importance integer, lane_count integer, kind text)
     RETURNS float8 LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE COST 1000 SET search_path = pg_catalog
-    AS $f$
+    AS {body}
+
+--{trained_radius_body
 DECLARE
     forest constant float8[] := {forest};
     kinds constant text[] := {kinds};
@@ -31,4 +33,4 @@ BEGIN
     END IF;
     RETURN streetgen.forest_value(forest, ARRAY[width, speed, importance, lane_count,
         coalesce(array_position(kinds, kind), 0)]);
-END $f$
+END

@@ -75,7 +75,9 @@ DECLARE
 BEGIN
     SELECT quote_literal(g.forest) AS forest, quote_literal(g.kinds) AS kinds INTO grown
         FROM streetgen._radius_forest(samples) g;
-    EXECUTE streetgen._part_in('trained_radius', model, to_jsonb(grown) || jsonb_build_object('function', written));
+    -- A kind is what an editor writes: no quotes in the text of the function would hold it.
+    EXECUTE streetgen._part_in('trained_radius', model, jsonb_build_object('function', written,
+        'body', quote_literal(streetgen._part_in('trained_radius_body', model, to_jsonb(grown)))));
     EXECUTE format('ALTER FUNCTION %1$s(float8, float8, integer, integer, text) OWNER TO %2$s', written,
         (SELECT nspowner::regrole FROM pg_namespace WHERE nspname = model));
     RETURN written;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "frame/border.hpp"
+#include "streetgen/error.hpp"
 #include "value/number_array.hpp"
 
 extern "C" {
@@ -17,6 +18,10 @@ namespace {
 
 std::vector<ForestSample> read_samples(const NumberArray& features, const NumberArray& values) {
   const std::vector<double> numbers = read_numbers(values, 1, "values");
+  if (values.count > 0 && features.count % values.count != 0)
+    throw Error(ErrorKind::invalid_input, std::to_string(values.count) + " values have " +
+                                              std::to_string(features.count) +
+                                              " features, not as many each");
   const int each = values.count > 0 ? features.count / values.count : 1;
   const std::vector<double> beside = read_numbers(features, each > 0 ? each : 1, "features");
   std::vector<ForestSample> samples;
