@@ -137,13 +137,24 @@ class Grower {
   std::vector<double> nodes_;
 };
 
-double tree_value(const double* nodes, const std::vector<double>& features) {
-  const double* node = nodes;
-  while (node[0] >= 0)
-    node = nodes +
-           node_numbers * static_cast<std::size_t>(
-                              node[features[static_cast<std::size_t>(node[0])] < node[1] ? 2 : 3]);
-  return node[1];
+[[noreturn]] void no_forest(const char* why) {
+  throw Error(ErrorKind::invalid_input, std::string("the forest ") + why);
+}
+
+// What a tree of so many nodes says.  Each node on the way leads to one behind itself.
+double tree_value(const double* nodes, std::size_t count, const std::vector<double>& features) {
+  std::size_t at = 0;
+  for (const double* node = nodes; node[0] != -1; node = nodes + at * node_numbers) {
+    const double feature = node[0];
+    if (!(feature >= 0 && feature < static_cast<double>(features.size()) &&
+          feature == std::floor(feature)))
+      no_forest("asks for a feature that is none");
+    const double to = node[features[static_cast<std::size_t>(feature)] < node[1] ? 2 : 3];
+    if (!(to > static_cast<double>(at) && to < static_cast<double>(count) && to == std::floor(to)))
+      no_forest("has a node that leads nowhere");
+    at = static_cast<std::size_t>(to);
+  }
+  return nodes[at * node_numbers + 1];
 }
 
 // The error of each sample by trees that were not grown of it, and by one number for all.
@@ -165,7 +176,9 @@ Tried try_leaf_size(const Samples& samples, std::size_t leaf_size, double one_nu
     std::sort(drawn.begin(), drawn.end());
     const std::vector<double> nodes = grower.tree(drawn, random);
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (!within[i]) said[i].push_back(tree_value(nodes.data(), samples[i].features));
+      if (!within[i])
+        said[i].push_back(
+            tree_value(nodes.data(), nodes.size() / node_numbers, samples[i].features));
     tried.forest.push_back(static_cast<double>(nodes.size() / node_numbers));
     tried.forest.insert(tried.forest.end(), nodes.begin(), nodes.end());
   }
@@ -196,24 +209,6 @@ double median_of(const Samples& samples) {
   std::vector<double> values;
   for (const ForestSample& sample : samples) values.push_back(sample.value);
   return median(std::move(values));
-}
-
-[[noreturn]] void no_forest(const char* why) {
-  throw Error(ErrorKind::invalid_input, std::string("the forest ") + why);
-}
-
-// The nodes of the tree at place `at`, proven: each leads to nodes behind itself.
-const double* checked_tree(const Forest& forest, std::size_t at, std::size_t count) {
-  const double* nodes = &forest[at];
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* node = nodes + i * node_numbers;
-    if (node[0] == -1) continue;
-    const auto leads = [&](double to) { return to > i && to < count && to == std::floor(to); };
-    if (!(node[0] >= 0 && node[0] < forest[0] && node[0] == std::floor(node[0])) ||
-        !leads(node[2]) || !leads(node[3]))
-      no_forest("has a node that leads nowhere");
-  }
-  return nodes;
 }
 
 }  // namespace
@@ -249,7 +244,7 @@ double forest_value(const Forest& forest, const std::vector<double>& features) {
         !(forest[at] * node_numbers <= forest.size() - at - 1))
       no_forest("ends within a tree");
     const auto count = static_cast<std::size_t>(forest[at]);
-    said.push_back(tree_value(checked_tree(forest, at + 1, count), features));
+    said.push_back(tree_value(&forest[at + 1], count, features));
     at += 1 + count * node_numbers;
   }
   return median(std::move(said));

@@ -64,6 +64,8 @@ TEST(Forest, RefusesWhatIsNone) {
   EXPECT_THROW(forest_value({}, {}), Error);
   // A node that leads back would never end.
   EXPECT_THROW(forest_value({1, 1, 1, 0, 5, 0, 0}, {1}), Error);
+  EXPECT_THROW(forest_value({1, 1, 3, 0, 5, 7, 2, -1, 3, 0, 0, -1, 4, 0, 0}, {1}), Error);
+  EXPECT_THROW(forest_value({1, 1, 1, 2, 5, 0, 0}, {1}), Error);
   EXPECT_THROW(forest_value({1, 1, 1e9, 0, 5, 0, 0}, {1}), Error);
   EXPECT_EQ(forest_value({1, 1, 3, 0, 5, 1, 2, -1, 3, 0, 0, -1, 4, 0, 0}, {1}), 3);
   for (std::size_t keep = 0; keep < forest.size(); ++keep)
