@@ -200,13 +200,21 @@ class ArcSearch {
     return false;
   }
 
-  // At point i, to points at least a stretch away.
-  double turn_over(const Run& run, int i, double stretch) const {
-    int before = i - 1, behind = i + 1;
-    const auto near = [&](int k) { return distance(points_[i], points_[k]) < stretch; };
-    while (before > run.first && near(before)) --before;
-    while (behind < run.last && near(behind)) ++behind;
-    return turn_at(points_[before], points_[i], points_[behind]);
+  // Whether the line turns by at most so much at each point of a run, between points at least a
+  // stretch before and behind it.
+  bool turns_at_most(const Run& run, double most, double stretch) const {
+    int before = run.first, behind = run.first + 2;
+    for (int i = run.first + 1; i < run.last; ++i) {
+      if (i % 256 == 0) poll_cancel();
+      const auto near = [&](int k) { return distance(points_[i], points_[k]) < stretch; };
+      while (before > run.first && near(before)) --before;
+      while (before < i - 1 && !near(before + 1)) ++before;
+      behind = std::max(behind, i + 1);
+      while (behind < run.last && near(behind)) ++behind;
+      while (behind > i + 1 && !near(behind - 1)) --behind;
+      if (std::abs(turn_at(points_[before], points_[i], points_[behind])) > most) return false;
+    }
+    return true;
   }
 
   bool is_arc(const Run& run) const {
@@ -220,11 +228,8 @@ class ArcSearch {
     if (off > share_of_height * height) return false;
     for (int i = run.first; i < run.last; ++i)
       if (!is_chord(run.circle, i, sense)) return false;
-    for (int i = run.first + 1; i < run.last; ++i) {
-      const double here = std::abs(turn_over(run, i, stretch_of_noise * off));
-      if (here > turn_of_point || here > share_of_point * std::abs(all)) return false;
-    }
-    return true;
+    return turns_at_most(run, std::min(turn_of_point, share_of_point * std::abs(all)),
+                         stretch_of_noise * off);
   }
 
   DetectedArc arc_of(const Run& run) const {
