@@ -98,8 +98,8 @@ FitMatch FitMatcher::match(int observation, const std::vector<double>& values) c
   FitMatch best;
   double least = rules_.reach;
   for (std::size_t i = first_near_[observation]; i < first_near_[observation + 1];) {
-    // Of an axis the place that is nearest, whatever its kerb: beside a bend two segments reach
-    // far.
+    // An axis has the place that is nearest, whatever its kerb: two segments reach far beside a
+    // bend.
     FitMatch match, other;
     const int axis = segments_[near_[i]].axis;
     for (; i < first_near_[observation + 1] && segments_[near_[i]].axis == axis; ++i)
@@ -118,6 +118,9 @@ FitMatch FitMatcher::match(int observation, const std::vector<double>& values) c
     match.at_junction = best.at_junction;
     best = match;
   }
+  // A street of one lane has no line between lanes.
+  if (one.kind == ObservationKind::marking && best.axis >= 0 && axes_[best.axis].lanes < 2)
+    return {};
   return best;
 }
 

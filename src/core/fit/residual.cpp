@@ -90,7 +90,6 @@ bool residual_of(const Observation& observation, const FitMatch& match, const Fi
   const double factor = observation.confidence * (object ? rules.object : rules.observation);
   if (object) residual.loss.scale = scale_of(rules.object, scale, rules);
   if (observation.kind == ObservationKind::marking) {
-    if (axis.lanes < 2) return false;
     const double share = nearest_border(fitted, axis.lanes, match) - 0.5;
     residual.value =
         factor * (match.offset - fitted.offset() - share * fitted.width(match.abscissa));

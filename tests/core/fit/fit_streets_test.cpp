@@ -230,6 +230,20 @@ TEST(FitStreets, HasALineBetweenLanesInTheMiddleAndNoKerbThere) {
   EXPECT_EQ(fitted.width_start, 6);
 }
 
+TEST(FitStreets, TakesNoLineBetweenLanesWhereThereIsOne) {
+  Observation line;
+  line.kind = ObservationKind::marking;
+  line.place = {50, 1, 0};
+  FitAxis axis = street({{0, 0, 0}, {100, 0, 0}}, 6);
+  for (int lanes : {1, 2}) {
+    axis.lanes = lanes;
+    const bool taken = lanes > 1;
+    EXPECT_EQ(fit_streets({axis}, {line}, FitRules()).used, taken);
+    EXPECT_EQ(taken_observations({axis}, {line}, FitRules())[0].fate,
+              taken ? ObservationFate::taken : ObservationFate::no_street);
+  }
+}
+
 TEST(FitStreets, WidensAStreetOfOneKerbAlikeWhetherItTapers) {
   std::vector<Observation> left, part;
   for (const Observation& one : kerbs(5, 3)) {
