@@ -68,6 +68,11 @@ DROP OWNED BY fit_editor; DROP ROLE fit_editor;
 SELECT 'while nobody follows', streetgen.live('town', false) >= 0;
 INSERT INTO town.observation (geom) VALUES (pg_temp.line('POINT(115 60)'));
 SELECT 'nothing is told', count(*) = 0 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
+SELECT 'something was', count(*) > 0 FROM town.kerb_distance;
+BEGIN;
+TRUNCATE town.observation;
+SELECT 'and still is when all go', count(*) > 0 FROM town.kerb_distance;
+ROLLBACK;
 SELECT 'until all is computed', streetgen.live('town', true) >= 0 AND (SELECT count(*) > 0 FROM streetgen.generate('town', wait => true));
 SELECT 'then it is', mean = 2 FROM town.kerb_distance JOIN town.edge USING (edge_id) WHERE axis_id = 3;
 DELETE FROM town.observation WHERE weight = 100;
@@ -120,13 +125,18 @@ INSERT INTO moved.axis (axis_id, geom, width) VALUES (4, pg_temp.line('LINESTRIN
 SELECT 'an axis that came since is not left behind', r.state = '55000' AND r.hint LIKE '%: 4.%' FROM test.refusal(format('SELECT streetgen.accept_fit(''moved'', %s)', :run)) r;
 DELETE FROM moved.axis WHERE axis_id = 4;
 SELECT 'one is rejected', streetgen.reject_fit('moved', :run, '{2}') = 1;
+INSERT INTO moved.axis (axis_id, geom, width) VALUES (9, pg_temp.line('LINESTRING(-50 300,-50 400)'), 6);
 SELECT 'nor one whose proposal was rejected', r.state = '55000' AND r.hint LIKE '%: 2.%' FROM test.refusal(format('SELECT streetgen.accept_fit(''moved'', %s)', :run)) r;
 SELECT fit_run AS run FROM streetgen.fit('moved', NULL, '{"moves": "axis"}') \gset
 SELECT 'those that belong together are told', r.hint LIKE '%: 1, 2, 3.%' FROM test.refusal(format('SELECT streetgen.accept_fit(''moved'', %s, ''{3}'')', :run)) r;
 SELECT 'accepted', streetgen.accept_fit('moved', :run) = 3;
+BEGIN;
+UPDATE moved.axis SET geom = ST_MakeLine((SELECT ST_StartPoint(geom) FROM moved.axis WHERE axis_id = 1), ST_EndPoint(geom)) WHERE axis_id = 9;
+SELECT 'an older axis that came there by hand loses no node', r.state = '55000' AND r.hint LIKE '%: 9.%' FROM test.refusal(format('SELECT streetgen.undo_fit(''moved'', %s)', :run)) r;
+ROLLBACK;
 INSERT INTO moved.axis (axis_id, geom, width) SELECT 4, ST_MakeLine(ST_StartPoint(geom), pg_temp.line('POINT(-50 30)')), 6 FROM moved.axis WHERE axis_id = 1;
 SELECT 'and undone as little', r.state = '55000' AND r.hint LIKE '%: 4.%' FROM test.refusal(format('SELECT streetgen.undo_fit(''moved'', %s)', :run)) r;
-DELETE FROM moved.axis WHERE axis_id = 4;
+DELETE FROM moved.axis WHERE axis_id IN (4, 9);
 SELECT 'undone without it', streetgen.undo_fit('moved', :run) = 3;
 UPDATE moved.axis SET level = -1 WHERE axis_id = 2;
 SELECT 'nodes of a tunnel stay', axes = 1 FROM streetgen.fit('moved', NULL, '{"moves": "axis"}');
@@ -152,6 +162,21 @@ SELECT 'accepted', streetgen.accept_fit('joined', 1) = 1;
 SELECT 'it meets another', (SELECT count(*) FROM joined.edge WHERE axis_id = 1) = 2;
 SELECT 'and is undone', streetgen.undo_fit('joined', 1) = 1;
 SELECT 'as it was', (SELECT count(*) FROM joined.edge WHERE axis_id = 1) = 1;
+
+-- A street that goes leaves what it took to another, however far fit_reach reaches.
+SELECT 'made', streetgen.create_model('far', 2154, subjects => '{fit}') IS NOT NULL;
+SELECT 'far', streetgen.set('far', 'fit_reach', '50') IS NOT NULL;
+INSERT INTO far.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0,120 0)'), 6), (2, pg_temp.line('LINESTRING(0 80,120 80)'), 6);
+INSERT INTO far.observation (geom) VALUES (pg_temp.line('POINT(60 43)'));
+SELECT 'one takes it', (SELECT string_agg(concat_ws(' ', axis_id, side), ', ') FROM far.kerb_distance JOIN far.edge USING (edge_id)) = '2 right';
+UPDATE far.axis SET geom = ST_Translate(geom, 0, 15) WHERE axis_id = 2;
+SELECT 'then the other', (SELECT string_agg(concat_ws(' ', axis_id, side), ', ') FROM far.kerb_distance JOIN far.edge USING (edge_id)) = '1 left';
+
+-- A line between lanes says nothing of a street of one.
+INSERT INTO far.observation (kind, geom) VALUES ('marking', pg_temp.line('POINT(60 1)'));
+SELECT 'of two it is taken', NOT EXISTS (SELECT FROM far.observation_unused);
+UPDATE far.axis SET lane_count = 1;
+SELECT 'of one it is unused', why = 'no street of two lanes within fit_reach of its kerb' FROM far.observation_unused;
 
 -- By hand, and objects.
 CALL pg_temp.draw('hand', 'left');
@@ -182,6 +207,15 @@ SELECT 'many points on one place are no harm', used = 20001 FROM streetgen.fit('
 -- Again, and what is wrong.
 DELETE FROM survey WHERE id IN (5, 6); UPDATE survey SET place = ST_Translate(place, 0, 0.5) WHERE id = 1;
 CREATE TABLE ids AS SELECT observation_id, source_ref FROM town.observation;
+BEGIN;
+CREATE TEMPORARY TABLE brought (at timestamptz) ON COMMIT DROP;
+CREATE FUNCTION pg_temp.brought() RETURNS trigger LANGUAGE plpgsql AS $$ BEGIN INSERT INTO pg_temp.brought VALUES (clock_timestamp()); RETURN NULL; END $$;
+CREATE TRIGGER brought AFTER DELETE ON town.kerb_distance FOR EACH STATEMENT EXECUTE FUNCTION pg_temp.brought();
+INSERT INTO survey SELECT 9, what, ST_Translate(place, 0, 1) FROM survey WHERE id = 1;
+DELETE FROM survey WHERE id = 6;
+SELECT 'rows come, change and go', count(*) > 0 FROM streetgen.observe('town', 'survey', :'mapping');
+SELECT 'and distances follow once', count(*) = 1 FROM brought;
+ROLLBACK;
 SELECT 'observed again', count(*) = 1 FROM streetgen.observe('town', 'survey', :'mapping');
 SELECT 'what is gone goes, and the rest keeps its ids', (SELECT count(*) FROM town.observation) = 4 AND NOT EXISTS (SELECT observation_id, source_ref FROM town.observation EXCEPT TABLE ids);
 CREATE VIEW bare AS SELECT place FROM survey;

@@ -35,8 +35,8 @@ BEGIN
         LEFT JOIN first f ON f.axis = t.axis;
 END $$;
 COMMENT ON FUNCTION streetgen._taken_points(name, bigint[], boolean) IS
-    'Each point of an observation near axes (NULL: of all) with the edge that takes it: fate is taken, no street or at '
-    'junction; aside from the axis, left positive, and off beyond the kerb of that side are metres.';
+    'Each point of an observation near axes (NULL: of all) with the edge that takes it: fate is taken, no street, at '
+    'junction or not sure; aside from the axis, left positive, and off beyond the kerb of that side are metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._update_fit(model name, axes bigint[], moved streetgen.moved_row[],
     noted bigint[])

@@ -53,7 +53,9 @@ BEGIN
         ELSIF TG_OP = 'UPDATE' THEN
             PERFORM streetgen._update_distances(current_schema(),
                 ARRAY(SELECT geom FROM old_observation UNION ALL SELECT geom FROM new_observation));
-        ELSE
+        ELSIF streetgen._live(current_schema()) THEN
+            -- TRUNCATE has its table alone. Who has read it is done, and who has not finds it empty: a session that
+            -- holds places may wait for this one, which waits for no place.
             PERFORM FROM streetgen._update_fit(current_schema(), NULL, NULL, NULL);
         END IF;
         RETURN NULL;

@@ -26,7 +26,8 @@ BEGIN
     PERFORM streetgen._use_model(model);
     SELECT streetgen._setting_number(model, 'fit_reach') + 2 * streetgen._setting_number(model, 'fit_move')
             + greatest(streetgen._setting_number(model, 'fit_width_greatest') / 2,
-                max(greatest(width, width_end) / 2 + abs(roadway_offset)))
+                -- As index edge_reach has it.
+                max(greatest(width, width_end) + 2 * abs(roadway_offset)) / 2)
         FROM edge INTO far;
     RETURN far;
 END $$;
@@ -55,9 +56,13 @@ BEGIN
             ARRAY[u.width, u.width_end, u.roadway_offset, coalesce(a.sidewalk_left, -1),
                 coalesce(a.sidewalk_right, -1)] AS numbers
         FROM taken t JOIN axis a USING (axis_id) JOIN axis_used u USING (axis_id)),
+    met AS MATERIALIZED (SELECT v.node_id FROM used u JOIN edge e USING (axis_id),
+            LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id) GROUP BY 1),
     below AS MATERIALIZED (
-        SELECT DISTINCT n.node_id FROM axis a JOIN edge e USING (axis_id)
-            JOIN node n ON n.node_id IN (e.from_node, e.to_node) WHERE a.level < 0),
+        SELECT m.node_id FROM met m JOIN edge e ON e.from_node = m.node_id JOIN axis a ON a.axis_id = e.axis_id
+            WHERE a.level < 0
+        UNION SELECT m.node_id FROM met m JOIN edge e ON e.to_node = m.node_id JOIN axis a ON a.axis_id = e.axis_id
+            WHERE a.level < 0),
     stretch AS MATERIALIZED (
         SELECT row_number() OVER (ORDER BY u.n, e.start_abscissa)::integer AS k, u.n, e.edge_id,
             ARRAY[e.start_abscissa, e.end_abscissa, e.start_abscissa + f.abscissa, e.start_abscissa + t.abscissa]

@@ -58,8 +58,10 @@ COMMENT ON COLUMN :"model".fit_run.moves IS 'roadway: widths and offsets; axis: 
 COMMENT ON CONSTRAINT fit_run_moves_check ON :"model".fit_run IS
     'roadway, axis or corner. streetgen.fit writes it.';
 COMMENT ON COLUMN :"model".fit_run.axes IS 'proposals, one an axis or a corner';
-COMMENT ON COLUMN :"model".fit_run.observations IS 'points of observations that there were';
-COMMENT ON COLUMN :"model".fit_run.used IS 'points that an axis took';
+COMMENT ON COLUMN :"model".fit_run.observations IS
+    'points of observations that there were; for corners arcs of kerbs';
+COMMENT ON COLUMN :"model".fit_run.used IS
+    'points that an axis took; for corners arcs that answer one';
 COMMENT ON COLUMN :"model".fit_run.mean_before IS
     'mean distance of the kerbs observed to those of the model, metres; NULL: none was';
 COMMENT ON COLUMN :"model".fit_run.median_before IS 'their median, metres';

@@ -10,9 +10,10 @@ DECLARE
     model_name constant name := model;
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT o.observation_id, o.kind, CASE p.fate WHEN 'no street'
-            THEN 'no street within fit_reach of its kerb' WHEN 'not sure' THEN 'its confidence is 0'
-            ELSE 'at a junction' END, count(*), o.source, o.source_ref,
+    RETURN QUERY SELECT o.observation_id, o.kind, CASE WHEN p.fate = 'at junction' THEN 'at a junction'
+            WHEN p.fate = 'not sure' THEN 'its confidence is 0'
+            WHEN o.kind = 'marking' THEN 'no street of two lanes within fit_reach of its kerb'
+            ELSE 'no street within fit_reach of its kerb' END, count(*), o.source, o.source_ref,
             ST_Multi(ST_Collect(p.place))
         FROM streetgen._taken_points(model_name, NULL, false) p JOIN observation o USING (observation_id)
         WHERE p.fate <> 'taken' GROUP BY o.observation_id, p.fate ORDER BY 1, 3;
@@ -54,7 +55,8 @@ BEGIN
     COMMENT ON COLUMN observation_unused.observation_id IS 'the observation';
     COMMENT ON COLUMN observation_unused.kind IS 'its kind';
     COMMENT ON COLUMN observation_unused.why IS
-        'no street within fit_reach of its kerb, at a junction, where no section is, or its confidence is 0';
+        'no street within fit_reach of its kerb, for a marking none of two lanes; at a junction, where no section is; '
+        'or its confidence is 0';
     COMMENT ON COLUMN observation_unused.points IS 'how many of its points';
     COMMENT ON COLUMN observation_unused.source IS 'table that it was taken from';
     COMMENT ON COLUMN observation_unused.source_ref IS 'its identity in the source';
