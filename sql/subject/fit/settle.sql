@@ -88,16 +88,39 @@ CREATE OR REPLACE FUNCTION streetgen._listed(ids bigint[]) RETURNS text
     AS $$ SELECT array_to_string(ids[:100], ', ') || CASE WHEN cardinality(ids) > 100 THEN ' …' ELSE '' END $$;
 COMMENT ON FUNCTION streetgen._listed(bigint[]) IS 'The ids for a hint, the first hundred of them.';
 
-CREATE OR REPLACE FUNCTION streetgen._newest_axis(model name, proposals bigint[]) RETURNS bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._met_axes(model name, run bigint, back boolean)
+    RETURNS TABLE(axis_id bigint, met bigint)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    model_name constant name := model;
+    wanted constant bigint := run;
+    goes_back constant boolean := back;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY WITH moved AS MATERIALIZED (SELECT * FROM streetgen._moved_ends(model_name, wanted, goes_back))
+    SELECT m.axis_id, e.axis_id FROM moved m JOIN edge e ON e.from_node = m.node_id
+    UNION SELECT m.axis_id, e.axis_id FROM moved m JOIN edge e ON e.to_node = m.node_id;
+END $$;
+COMMENT ON FUNCTION streetgen._met_axes(name, bigint, boolean) IS
+    'The axes that share nodes with those that streetgen._moved_ends takes away from there.';
+
+CREATE OR REPLACE FUNCTION streetgen._note_met_axes(model name, run bigint, proposals bigint[]) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN (SELECT max((former ->> 'newest_axis')::bigint) FROM fit_proposal
-        WHERE fit_proposal_id = ANY (proposals));
+    WITH met AS MATERIALIZED (
+        SELECT m.axis_id, jsonb_agg(m.met ORDER BY m.met) AS axes FROM streetgen._met_axes(model, run, true) m
+        GROUP BY 1)
+    UPDATE fit_proposal p SET former = p.former || jsonb_build_object('met',
+            coalesce((SELECT m.axes FROM met m WHERE m.axis_id = p.axis_id), '[]'))
+        WHERE p.fit_proposal_id = ANY (proposals);
 END $$;
-COMMENT ON FUNCTION streetgen._newest_axis(name, bigint[]) IS
-    'The greatest id of an axis when the last of some proposals was accepted: axes that came since have greater ones.';
+COMMENT ON FUNCTION streetgen._note_met_axes(name, bigint, bigint[]) IS
+    'Keeps with proposals that were just accepted the axes that share the nodes which an undoing takes them away from: '
+    'others came there since.';
 
 CREATE OR REPLACE FUNCTION streetgen._require_whole(model name, run bigint, proposals bigint[], back boolean)
     RETURNS void
@@ -107,22 +130,21 @@ DECLARE
     done constant text := CASE WHEN back THEN 'undone' ELSE 'accepted' END;
     belong bigint[];
     strange bigint[];
-    -- Older axes met them before, or were joined to them by the fit itself.
-    newest constant bigint := CASE WHEN back THEN streetgen._newest_axis(model, proposals) ELSE 0 END;
 BEGIN
     PERFORM streetgen._use_model(model);
-    WITH RECURSIVE moved AS MATERIALIZED (SELECT * FROM streetgen._moved_ends(model, run, back)),
-    meeting AS MATERIALIZED (
-        SELECT m.axis_id, e.axis_id AS other FROM moved m JOIN edge e ON e.from_node = m.node_id
-        UNION SELECT m.axis_id, e.axis_id FROM moved m JOIN edge e ON e.to_node = m.node_id),
+    WITH RECURSIVE meeting AS MATERIALIZED (
+        -- An axis that met another when it was accepted met it before, or was joined to it by the fit itself.
+        SELECT m.axis_id, m.met, o.axis_id IS NULL AS stays,
+            back AND coalesce(p.former -> 'met' @> to_jsonb(m.met), true) AS known
+        FROM streetgen._met_axes(model, run, back) m JOIN fit_proposal p ON p.fit_run = run AND p.axis_id = m.axis_id
+            LEFT JOIN fit_proposal o ON o.fit_run = run AND o.axis_id = m.met AND o.state = p.state),
     part(axis_id) AS (
         SELECT p.axis_id FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals)
-        UNION SELECT t.other FROM part JOIN meeting t USING (axis_id))
-    SELECT CASE WHEN count(p.axis_id) > cardinality(proposals) THEN array_agg(p.axis_id ORDER BY p.axis_id) END,
-        array_agg(part.axis_id ORDER BY part.axis_id) FILTER (WHERE p.axis_id IS NULL AND part.axis_id > newest)
-    FROM part LEFT JOIN fit_proposal p ON p.fit_run = run AND p.axis_id = part.axis_id
-        AND p.state = CASE WHEN back THEN 'accepted' ELSE 'proposed' END INTO belong, strange;
-    IF strange IS NOT NULL THEN
+        UNION SELECT t.met FROM part JOIN meeting t USING (axis_id) WHERE NOT t.stays)
+    SELECT CASE WHEN count(*) > cardinality(proposals) THEN array_agg(axis_id ORDER BY axis_id) END,
+        ARRAY(SELECT DISTINCT t.met FROM part JOIN meeting t USING (axis_id) WHERE t.stays AND NOT t.known ORDER BY 1)
+    FROM part INTO belong, strange;
+    IF strange <> '{}' THEN
         RAISE EXCEPTION 'axes that no proposal moves share nodes that move, and nothing was %', done
             USING ERRCODE = '55000', HINT = format('These would lose their nodes: %s. %s', streetgen._listed(strange),
                 CASE WHEN back THEN 'Part them from the street first.' ELSE 'Fit again.' END);
@@ -133,7 +155,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._require_whole(name, bigint, bigint[], boolean) IS
     'Raises 55000 where some proposals of a run, accepted or (back) undone, move a node away from axes that stay: from '
-    'others of the run, with all that belong together, or from axes that came since or whose proposal was settled.';
+    'others of the run, with all that belong together, or from axes that came there since or whose proposal was '
+    'settled.';
 
 CREATE OR REPLACE FUNCTION streetgen.accept_fit(model name, fit_run bigint, axes bigint[] DEFAULT NULL) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -151,8 +174,7 @@ BEGIN
         ORDER BY a.axis_id FOR UPDATE OF a;
     PERFORM streetgen._require_unedited(model, proposals, 'accepted'),
         streetgen._require_whole(model, run, proposals, false);
-    UPDATE fit_proposal p SET former = to_jsonb(f) || jsonb_build_object('geom', a.geom::text, 'newest_axis',
-            (SELECT max(n.axis_id) FROM axis n)) FROM axis a,
+    UPDATE fit_proposal p SET former = to_jsonb(f) || jsonb_build_object('geom', a.geom::text) FROM axis a,
         LATERAL (SELECT a.width, a.width_end, a.roadway_offset, a.sidewalk_left, a.sidewalk_right, a.width_by_hand,
             a.source_width, a.source_width_end) f
         WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
@@ -162,7 +184,8 @@ BEGIN
             sidewalk_left = coalesce(p.sidewalk_left, a.sidewalk_left),
             sidewalk_right = coalesce(p.sidewalk_right, a.sidewalk_right)
         FROM fit_proposal p WHERE p.fit_proposal_id = ANY (proposals) AND a.axis_id = p.axis_id;
-    PERFORM streetgen._settle_proposals(model, proposals, 'accepted');
+    PERFORM streetgen._settle_proposals(model, proposals, 'accepted'),
+        streetgen._note_met_axes(model, run, proposals);
     RETURN cardinality(proposals) + streetgen._accept_corners(model, run, of_axes);
 END $$;
 COMMENT ON FUNCTION streetgen.accept_fit(name, bigint, bigint[]) IS
