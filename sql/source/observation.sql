@@ -39,6 +39,26 @@ COMMENT ON FUNCTION streetgen._check_observations() IS
     'Raises 22023 for the first observation of the import of an unknown kind or relation, with a bad number or place, '
     'and for a source_ref that comes twice.';
 
+CREATE OR REPLACE FUNCTION streetgen._write_observations(model name, source text) RETURNS void
+    LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public SET streetgen.live = 'off'
+    AS $$
+#variable_conflict use_column
+DECLARE
+    origin constant text COLLATE "default" := source;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    DELETE FROM observation o WHERE o.source = origin AND NOT EXISTS (SELECT FROM pg_temp._observed i
+        WHERE i.source_ref = o.source_ref);
+    INSERT INTO observation (kind, geom, confidence, weight, relation, source, source_ref)
+        SELECT i.kind, i.geom, i.confidence, i.weight, i.relation, origin, i.source_ref
+        FROM pg_temp._observed i ORDER BY i.source_ref, i.geom
+        ON CONFLICT (source, source_ref) DO UPDATE SET (kind, geom, confidence, weight, relation)
+            = ROW (excluded.kind, excluded.geom, excluded.confidence, excluded.weight, excluded.relation);
+END $$;
+COMMENT ON FUNCTION streetgen._write_observations(name, text) IS
+    'Writes the observations of a source that were read, and takes away those that are gone. Distances do not follow '
+    'each of these statements: who calls it brings them up to date once.';
+
 CREATE OR REPLACE FUNCTION streetgen._observe(model name, source text)
     RETURNS TABLE(what text, class text, count bigint, source_refs text[])
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -47,6 +67,7 @@ CREATE OR REPLACE FUNCTION streetgen._observe(model name, source text)
 DECLARE
     origin constant text COLLATE "default" := source;
     model_name constant name := model;
+    places geometry[];
 BEGIN
     PERFORM streetgen._use_model(model), streetgen._check_observations();
     RETURN QUERY SELECT 'observation without geometry, left out', i.kind, count(*), (array_agg(i.label))[:1000]
@@ -58,13 +79,9 @@ BEGIN
         FROM pg_temp._import_observation i, streetgen.model m
         WHERE m.name = model_name AND i.geom IS NOT NULL AND NOT ST_IsEmpty(i.geom);
     DROP TABLE pg_temp._import_observation;
-    DELETE FROM observation o WHERE o.source = origin AND NOT EXISTS (SELECT FROM pg_temp._observed i
-        WHERE i.source_ref = o.source_ref);
-    INSERT INTO observation (kind, geom, confidence, weight, relation, source, source_ref)
-        SELECT i.kind, i.geom, i.confidence, i.weight, i.relation, origin, i.source_ref
-        FROM pg_temp._observed i ORDER BY i.source_ref, i.geom
-        ON CONFLICT (source, source_ref) DO UPDATE SET (kind, geom, confidence, weight, relation)
-            = ROW (excluded.kind, excluded.geom, excluded.confidence, excluded.weight, excluded.relation);
+    places := ARRAY(SELECT o.geom FROM observation o WHERE o.source = origin
+        UNION ALL SELECT i.geom FROM pg_temp._observed i);
+    PERFORM streetgen._write_observations(model, origin), streetgen._update_distances(model, places);
     RETURN QUERY SELECT 'observations', i.kind, count(*), NULL::text[] FROM pg_temp._observed i
         GROUP BY i.kind ORDER BY i.kind;
     DROP TABLE pg_temp._observed;
