@@ -28,8 +28,8 @@ COMMENT ON FUNCTION streetgen._kerb_arcs(name, bigint[]) IS
     'streetgen.detect_arcs finds them in lines and borders of areas. Points make no arc. axes: of kerbs near these, '
     'NULL: all.';
 
-CREATE OR REPLACE FUNCTION streetgen._observed_corners(model name, axes bigint[])
-    RETURNS TABLE(corner_id bigint, axis_a bigint, axis_b bigint, radius float8, arc geometry)
+CREATE OR REPLACE FUNCTION streetgen._answering_arcs(model name, axes bigint[])
+    RETURNS TABLE(arc geometry, radius float8, corner_id bigint, axis_a bigint, axis_b bigint)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -49,12 +49,23 @@ BEGIN
         -- The nose of an island turns the other way, as do kerbs of the far side.
         WHERE c.method <> 'nose' AND a.level >= 0 AND b.level >= 0
             AND cos(ST_Angle(c.centre, ST_PointN(c.arc, 2), s.centre, s.middle)) > cos(pi() / 4)
-        ORDER BY s.n, off, c.corner_id)
-    SELECT DISTINCT ON (n.corner_id) n.corner_id, n.axis_a, n.axis_b, n.radius, n.arc FROM near n
-    WHERE of_axes IS NULL OR n.axis_a = ANY (of_axes) OR n.axis_b = ANY (of_axes)
-    ORDER BY n.corner_id, n.off, n.n;
+        ORDER BY s.n, off, c.corner_id),
+    nearest AS (
+        SELECT DISTINCT ON (n.corner_id) n.* FROM near n
+        WHERE of_axes IS NULL OR n.axis_a = ANY (of_axes) OR n.axis_b = ANY (of_axes)
+        ORDER BY n.corner_id, n.off, n.n)
+    SELECT s.arc, s.radius, n.corner_id, n.axis_a, n.axis_b FROM seen s LEFT JOIN nearest n USING (n);
 END $$;
+COMMENT ON FUNCTION streetgen._answering_arcs(name, bigint[]) IS
+    'The arcs of observed kerbs (CIRCULARSTRING) with their radius (metres) and the corner that each answers, NULL: '
+    'none. The middle of the arc lies within 3 m of that of the corner and both turn the same way. An arc answers the '
+    'nearest corner, and the nearest arc answers a corner. axes: corners of these, NULL: all.';
+
+CREATE OR REPLACE FUNCTION streetgen._observed_corners(model name, axes bigint[])
+    RETURNS TABLE(corner_id bigint, axis_a bigint, axis_b bigint, radius float8, arc geometry)
+    LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog
+    AS $$ SELECT corner_id, axis_a, axis_b, radius, arc FROM streetgen._answering_arcs(model, axes)
+        WHERE corner_id IS NOT NULL ORDER BY corner_id $$;
 COMMENT ON FUNCTION streetgen._observed_corners(name, bigint[]) IS
-    'The corners that an arc of an observed kerb answers, with its radius (metres) and the arc (CIRCULARSTRING): its '
-    'middle lies within 3 m of the arc of the corner and both turn the same way. An arc answers the nearest corner, '
-    'and the nearest arc answers a corner. axes: corners of these, NULL: all.';
+    'The corners that an arc of an observed kerb answers, as streetgen._answering_arcs has them. axes: corners of '
+    'these, NULL: all.';

@@ -37,7 +37,8 @@ DECLARE
     run bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
-    WITH answered AS MATERIALIZED (SELECT * FROM streetgen._observed_corners(model_name, of_axes)),
+    WITH seen AS MATERIALIZED (SELECT * FROM streetgen._answering_arcs(model_name, of_axes)),
+    answered AS MATERIALIZED (SELECT corner_id, radius, arc FROM seen WHERE corner_id IS NOT NULL),
     there AS MATERIALIZED (
         SELECT c.*, o.arc, o.observed, abs(o.observed - c.radius) AS off
         FROM (SELECT *, round(radius::numeric, 3)::float8 AS observed FROM answered) o
@@ -46,8 +47,7 @@ BEGIN
     run AS (
         INSERT INTO fit_run (moves, axes, observations, used, mean_before, median_before, mean_after, median_after,
                 iterations)
-        SELECT 'corner', (SELECT count(*) FROM proposed),
-            (SELECT count(*) FROM streetgen._kerb_arcs(model_name, of_axes)), count(*), avg(off),
+        SELECT 'corner', (SELECT count(*) FROM proposed), (SELECT count(*) FROM seen), count(*), avg(off),
             percentile_cont(0.5) WITHIN GROUP (ORDER BY off), avg(rest),
             percentile_cont(0.5) WITHIN GROUP (ORDER BY rest), 0
         FROM there, LATERAL (SELECT CASE WHEN by_hand THEN off ELSE 0 END AS rest) r RETURNING fit_run),
