@@ -20,7 +20,7 @@ constexpr double as_good_as_straight = 1e-9;
 // Radians. An arc that turns farther is none that one drives.
 constexpr double farthest_turn = 0.95 * M_PI;
 // Metres. What is shorter than the one is no piece; between them its heading is lost in digits.
-constexpr double nothing = 1e-7, shortest = 1e-3;
+constexpr double nothing = 1e-7, shortest = 1e-2;
 // Of a piece, between its ends, where its distance to the path is looked at.
 constexpr int looks = 12;
 
@@ -81,6 +81,7 @@ std::optional<Pieces> fillet(const Ends& ends, const Line& path, double toleranc
   const double half = std::abs(turn) / 2;
   const double tangent =
       std::min({off / (1 / std::cos(half) - 1) * std::tan(half), before, behind});
+  if (tangent < shortest) return std::nullopt;
   const Point arc_from = corner - ends.way_from * tangent, arc_to = corner + ends.way_to * tangent;
   Pieces pieces;
   if (!add_arc(ends.from, ends.way_from, arc_from, pieces) ||

@@ -278,6 +278,9 @@ TEST(PathView, RoundsACorner) {
     expect_smooth(chain);
     EXPECT_LT(turn_between(place_at(chain, length(chain)).heading, turn), 1e-6);
   }
+  // The end lies on the corner itself, and leads elsewhere.
+  const auto ended = path_view({{0, 0}, {5, 0}}, {{0, 0}, 0}, {{5, 1e-9}, 0.4}, 0.05);
+  expect_smooth(ended);
 }
 
 MultiPolygon strip(double left, double right, double left_end, double right_end) {
