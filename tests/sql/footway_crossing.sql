@@ -117,3 +117,21 @@ SELECT count(*) FROM streetgen.generate('mapped', wait => true) \g /dev/null
 SELECT streetgen.import_osm_objects('mapped', 'osm') \g /dev/null
 SELECT 'a node on a footway leads where that does, another one square across', string_agg(round(c.angle) || ' ' || coalesce(f.source_ref, '-'), ', ' ORDER BY o.source_ref) = '58 6, 90 -' AND bool_and(c.surface IS NOT NULL) FROM mapped.pedestrian_crossing c JOIN mapped.street_object o USING (street_object_id) LEFT JOIN mapped.footway f USING (footway_id) WHERE o.placed_by = 'import';
 SELECT 'a marking that nobody knows is refused', test.state($$UPDATE mapped.footway SET marking = 'stars'$$) = '23514';
+
+-- A crossing of a rule stands at the border of its street, and has the paint of the footway that comes there.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('border', 2154, subjects => '{footway,object}', driving_side => 'right');
+  INSERT INTO border.axis (axis_id, geom, width) VALUES (1, pg_temp.line('LINESTRING(0 0,100 0)'), 16);
+  INSERT INTO border.placement_rule (type, along, side, every, axis_offset, orientation)
+    VALUES ('crossing', 'border', 'both', 30, -1, 0);
+END $$;
+CREATE FUNCTION pg_temp.paint() RETURNS text LANGUAGE sql AS $$ SELECT string_agg(painted_as, ' '
+    ORDER BY o.side, o.abscissa) FROM border.pedestrian_crossing c JOIN border.street_object o USING (street_object_id) $$;
+SELECT 'such crossings are painted', pg_temp.paint() ~ 'zebra' AND pg_temp.paint() !~ 'no';
+INSERT INTO border.footway (geom, kind, role, marking, level)
+    VALUES (pg_temp.line('LINESTRING(0 7.2,100 7.2)'), 'footway', 'crossing', 'no', 0);
+SELECT 'a footway there takes the paint away', pg_temp.paint() ~ 'no';
+CREATE TABLE edited_paint AS SELECT pg_temp.paint() AS paint;
+UPDATE border.axis SET level = level;
+SELECT FROM streetgen.generate('border') \g /dev/null
+SELECT 'as from scratch', paint = pg_temp.paint() FROM edited_paint;

@@ -35,6 +35,16 @@ BEGIN
                     AND ST_DWithin(w.strip, l.geom, half) OFFSET 0) w JOIN edge e USING (edge_id)
             WHERE e.axis_id <> ALL (axes));
     END IF;
+    IF crossed THEN
+        -- A crossing that stands at the border of its street has the paint of the footway over it, too.
+        axes := axes || ARRAY(SELECT DISTINCT o.axis_id FROM unnest(footways) f,
+            LATERAL (SELECT ST_SetSRID(ST_GeomFromGeoJSON(f ->> 'geom'), m.srid) AS geom FROM streetgen.model m
+                WHERE m.name = model OFFSET 0) l,
+            LATERAL (SELECT * FROM street_object o WHERE o.geom && ST_Expand(l.geom, 1.01)
+                AND ST_DWithin(o.geom, l.geom, 1.01) OFFSET 0) o
+                JOIN pedestrian_crossing c USING (street_object_id)
+            WHERE o.method = 'relative' AND o.axis_id <> ALL (axes));
+    END IF;
     RETURN axes;
 END $$;
 COMMENT ON FUNCTION streetgen._axes_of_footway(name, jsonb[]) IS
