@@ -231,3 +231,19 @@ SELECT 'unknown options, axes and runs are refused', test.state($$SELECT streetg
 SELECT 'switched off', count(*) >= 0 FROM streetgen.switch_subject('town', 'fit', false);
 SELECT 'observations and proposals stay', to_regclass('town.kerb_distance') IS NULL AND (SELECT count(*) FROM town.observation) = 8 AND (SELECT count(*) FROM town.fit_proposal) > 0;
 SELECT 'a model without the subject says how to get it', test.state($$SELECT streetgen.fit('town')$$) = '55000' AND test.state($$SELECT streetgen.observe('town', 'survey', '{"geom": "place"}')$$) = '55000';
+
+-- Street 2 ends beside street 1, whose kerbs lie so that it would move there: it stays, and no node joins them.
+SELECT streetgen.create_model('beside', 2154, subjects => '{fit}', driving_side => 'right') \g /dev/null
+INSERT INTO beside.axis (axis_id, geom, width) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 6),
+    (2, 'SRID=2154;LINESTRING(650050 6860001.5, 650050 6860080)', 6),
+    (3, 'SRID=2154;LINESTRING(650000 6860200, 650100 6860200)', 6);
+INSERT INTO beside.observation (geom) VALUES ('SRID=2154;LINESTRING(650005 6860005, 650040 6860005)'),
+    ('SRID=2154;LINESTRING(650060 6860005, 650095 6860005)'), ('SRID=2154;LINESTRING(650005 6859998, 650095 6859998)'),
+    ('SRID=2154;LINESTRING(650005 6860204, 650095 6860204)'), ('SRID=2154;LINESTRING(650005 6860198, 650095 6860198)');
+SELECT count(*) AS nodes FROM beside.node \gset
+SELECT streetgen.accept_fit('beside', fit_run) FROM streetgen.fit('beside', options => '{"moves": "axis"}') \g /dev/null
+SELECT 'a fit joins no streets', count(*) = :nodes FROM beside.node;
+SELECT 'what would come to touch another stays, and others move', bool_and(ST_Y(ST_StartPoint(geom)) = 6860000)
+    FILTER (WHERE axis_id = 1) AND bool_and(ST_Y(ST_StartPoint(geom)) > 6860200.9) FILTER (WHERE axis_id = 3)
+    FROM beside.axis;

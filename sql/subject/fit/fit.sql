@@ -100,16 +100,64 @@ COMMENT ON FUNCTION streetgen._propose_fit(name, bigint[], text) IS
     'Fits axes of a model (NULL: all), writes the run and a proposal for each axis that would change by over 1 cm, and '
     'gives the run. Widths are rounded to millimetres, sidewalks to centimetres.';
 
+CREATE OR REPLACE FUNCTION streetgen._fit_touching(model name, run bigint) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    wanted constant bigint := run;
+    tolerance constant float8 := streetgen._tolerance(model);
+    reach constant float8 := tolerance + 3 * streetgen._setting_number(model, 'fit_move');
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN ARRAY(SELECT DISTINCT v.axis_id
+        FROM fit_proposal p JOIN axis a USING (axis_id), LATERAL (SELECT * FROM axis o
+                WHERE o.geom && ST_Expand(p.geom, reach) AND o.axis_id <> p.axis_id AND o.level = a.level OFFSET 0) o
+            LEFT JOIN fit_proposal q ON (q.fit_run, q.axis_id) = (wanted, o.axis_id),
+            LATERAL (VALUES (p.axis_id), (q.axis_id)) v(axis_id)
+        WHERE p.fit_run = wanted AND p.geom::bytea <> a.geom::bytea AND v.axis_id IS NOT NULL
+            AND ST_DWithin(p.geom, coalesce(q.geom, o.geom), tolerance)
+            AND NOT ST_DWithin(a.geom, o.geom, tolerance));
+END $$;
+COMMENT ON FUNCTION streetgen._fit_touching(name, bigint) IS
+    'The axes of a run whose proposed lines come to touch others of their level, which would join streets.';
+
+CREATE OR REPLACE FUNCTION streetgen._fit_without(model name, run bigint, of_axes bigint[], touching bigint[])
+    RETURNS bigint[]
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    wanted constant bigint := run;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    DELETE FROM fit_run r WHERE r.fit_run = wanted;
+    RETURN ARRAY(SELECT a.axis_id FROM axis a WHERE (of_axes IS NULL OR a.axis_id = ANY (of_axes))
+        AND a.axis_id <> ALL (touching) ORDER BY 1);
+END $$;
+COMMENT ON FUNCTION streetgen._fit_without(name, bigint, bigint[], bigint[]) IS
+    'Forgets a run, and gives the axes that may change without those that came to touch others.';
+
 CREATE OR REPLACE FUNCTION streetgen._fit(model name, of_axes bigint[], options jsonb) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
     moves constant text := streetgen._fit_moves(options);
+    most_rounds constant integer := 4;
+    run bigint;
+    touching bigint[];
 BEGIN
     PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'fit'),
         streetgen._require_axes(model, of_axes);
-    RETURN CASE moves WHEN 'corner' THEN streetgen._propose_corners(model, of_axes)
-        ELSE streetgen._propose_fit(model, of_axes, moves) END;
+    IF moves = 'corner' THEN
+        RETURN streetgen._propose_corners(model, of_axes);
+    END IF;
+    FOR round IN 1 .. most_rounds LOOP
+        run := streetgen._propose_fit(model, of_axes, moves);
+        touching := CASE moves WHEN 'axis' THEN streetgen._fit_touching(model, run) ELSE '{}' END;
+        EXIT WHEN touching = '{}' OR round = most_rounds;
+        -- What would join another street stays, and its neighbours are fitted anew.
+        of_axes := streetgen._fit_without(model, run, of_axes, touching);
+    END LOOP;
+    RETURN run;
 END $$;
 COMMENT ON FUNCTION streetgen._fit(name, bigint[], jsonb) IS
     'As streetgen.fit, and gives the run.';
@@ -138,7 +186,8 @@ CREATE OR REPLACE FUNCTION streetgen.fit(model name, axes bigint[] DEFAULT NULL,
 COMMENT ON FUNCTION streetgen.fit(name, bigint[], jsonb) IS
     'Fits streets to what table observation holds, and writes proposals to fit_proposal, one for each axis that would '
     'change; no axis changes before streetgen.accept_fit. axes: those that may change, NULL: all. options: moves is '
-    'roadway (widths and where the roadway lies beside its axis; the default), axis (also nodes and vertices) or '
+    'roadway (widths and where the roadway lies beside its axis; the default), axis (also nodes and vertices; an axis '
+    'that would come to touch another street stays) or '
     'corner: radii, a proposal of corner_proposal for each corner that the arc of an observed kerb answers and whose '
     'radius is not by hand; fit widths first. Gives a row: the run, its proposals, points observed and used, mean and '
     'median distance (metres) of kerbs observed to those of the model, before and as proposed, and rounds of the '
