@@ -61,8 +61,8 @@ struct StreetAxis {
   std::optional<Transition> transition_start{}, transition_end{};
 };
 
-// Of the radii of a corner's two axes; major: that of the more important one, of equal ones the
-// wider one.
+// A corner takes one of the radii of its two axes, or their mean.  major is that of the more
+// important axis, and of equally important ones that of the wider.
 enum class RadiusRule { min, max, mean, major };
 // An axis may be too short for the wanted radius: the first remedy, before the other one.
 enum class ShortAxis { reduce, follow };

@@ -20,7 +20,7 @@ BEGIN
     WHERE o.kind = 'kerb' AND ST_Dimension(line.geom) = 1
         AND (axes IS NULL OR EXISTS (SELECT FROM axis x WHERE x.axis_id = ANY (axes)
             AND ST_DWithin(x.geom, o.geom, beside)))
-        -- Where points lie off an arc, so far along the straight lines behind its ends are taken for it.
+        -- An arc of points that lie off it takes so much of the straight lines behind its ends.
         AND ST_Length(a.arc) <= a.radius * radians(turn_greatest) + 2 * sqrt(2 * a.radius * a.deviation);
 END $$;
 COMMENT ON FUNCTION streetgen._kerb_arcs(name, bigint[]) IS

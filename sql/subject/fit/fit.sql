@@ -154,7 +154,7 @@ BEGIN
         run := streetgen._propose_fit(model, of_axes, moves);
         touching := CASE moves WHEN 'axis' THEN streetgen._fit_touching(model, run) ELSE '{}' END;
         EXIT WHEN touching = '{}' OR round = most_rounds;
-        -- What would join another street stays, and its neighbours are fitted anew.
+        -- An axis that would join another street stays, and its neighbours are fitted anew.
         of_axes := streetgen._fit_without(model, run, of_axes, touching);
     END LOOP;
     RETURN run;

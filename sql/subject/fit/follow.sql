@@ -11,7 +11,7 @@ DECLARE
     axes bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    -- What nobody follows is for generate.
+    -- Streets that follow no edit get their distances from generate.
     IF places = '{}' OR NOT streetgen._live(model) THEN
         RETURN;
     END IF;

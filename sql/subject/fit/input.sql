@@ -26,7 +26,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     SELECT streetgen._setting_number(model, 'fit_reach') + 2 * streetgen._setting_number(model, 'fit_move')
             + greatest(streetgen._setting_number(model, 'fit_width_greatest') / 2,
-                -- As index edge_reach has it.
+                -- Index edge_reach holds this number.
                 max(greatest(width, width_end) + 2 * abs(roadway_offset)) / 2)
         FROM edge INTO far;
     RETURN far;

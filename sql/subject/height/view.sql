@@ -1,4 +1,4 @@
--- How high vehicles may be that pass under roads.
+-- Views of how high vehicles may be that pass under roads.
 
 CREATE OR REPLACE FUNCTION streetgen._make_height_views(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
