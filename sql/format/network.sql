@@ -78,23 +78,26 @@ COMMENT ON FUNCTION streetgen._places(name, jsonb) IS
 
 CREATE OR REPLACE FUNCTION streetgen._connecting_ways(model name, options jsonb)
     RETURNS TABLE(way_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text,
-        traffic text, geom geometry)
+        traffic text, geom geometry, way_kind text, interconnections bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 200 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
     IF options ->> 'junctions' = 'group' THEN
         RETURN QUERY SELECT coalesce(m.junction_movement_id, m.interconnections[1]), m.lane_in, m.lane_out, m.along_in,
-            m.along_out, m.turn, CASE m.reason WHEN 'traffic' THEN m.traffic END, m.geom
+            m.along_out, m.turn, CASE m.reason WHEN 'traffic' THEN m.traffic END, m.geom,
+            CASE WHEN m.junction_movement_id IS NULL THEN 'interconnection' ELSE 'movement' END, m.interconnections
             FROM movement m WHERE m.connecting;
     ELSE
         RETURN QUERY SELECT i.interconnection_id, i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn,
-            CASE i.reason WHEN 'traffic' THEN i.traffic END, i.geom FROM interconnection i WHERE i.connecting;
+            CASE i.reason WHEN 'traffic' THEN i.traffic END, i.geom, 'interconnection', ARRAY[i.interconnection_id]
+            FROM interconnection i WHERE i.connecting;
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._connecting_ways(name, jsonb) IS
     'The pairs of lanes that connect, with their turn and path, and for whom alone beside what their lanes say: across '
-    'each node, or across each junction where options take its nodes as one.';
+    'each node, or across each junction where options take its nodes as one. way_id is '
+    'the key of a way_kind: interconnection, or movement.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_without_through(model name) RETURNS TABLE(lane_id bigint, word text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public

@@ -26,7 +26,8 @@ BEGIN
             WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
     origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
     side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
-    joined_node AS MATERIALIZED (SELECT * FROM streetgen._joined_nodes(model, options)),
+    joined_node AS MATERIALIZED (
+        SELECT node_id, streetgen._file_id('node', place_id) AS place_id FROM streetgen._joined_nodes(model, options)),
     road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options)),
     drawn AS NOT MATERIALIZED (SELECT * FROM road WHERE NOT connecting),
     connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
@@ -104,7 +105,8 @@ BEGIN
     object_text AS MATERIALIZED (
         SELECT road_id, '<objects>' || string_agg(streetgen._opendrive_open(xmlelement(name object, xmlattributes(
                 -- CARLA takes a name that begins with speed_ for a speed limit.
-                street_object_id AS id, streetgen._xml_text(replace(type, '_', ' ')) AS name, kind AS type, subtype,
+                streetgen._file_id('object', street_object_id) AS id,
+                streetgen._xml_text(replace(type, '_', ' ')) AS name, kind AS type, subtype,
                 streetgen._opendrive_station(station, total) AS s, streetgen._decimal(aside, 4) AS t,
                 0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
                     WHEN outlined THEN -direction ELSE pi() / 2 - radians(coalesce(angle, 0)) - direction END, 6)
@@ -120,9 +122,11 @@ BEGIN
         FROM grounded, LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o,
             LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) END AS outline) c
         GROUP BY road_id),
-    -- Lanes whose signals show the same in each state have one controller.
+    -- Lanes whose signals show the same in each state have one controller, which has the id of the first.
     signal_group AS MATERIALIZED (
-        SELECT *, dense_rank() OVER (ORDER BY controller_id, greens) AS number FROM streetgen._signal_heads(model)),
+        SELECT *, min(id) OVER (PARTITION BY controller_id, greens) AS number
+        FROM (SELECT *, streetgen._file_id('lane', lane_id, along_axis::integer) AS id
+            FROM streetgen._signal_heads(model)) h),
     program AS MATERIALIZED (
         SELECT controller_id, 'cycle ' || round(min(c.cycle)::numeric, 2) || ' offset '
             || round(min(c.start_offset)::numeric, 2) || ': ' || string_agg(s.ordinality || ' ' || s.kind || ' '
@@ -135,7 +139,8 @@ BEGIN
         FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false), (true)) v(at_end)),
     -- A signal hangs above the end of its lane; a sign stands half a metre beside the lanes that it is for.
     sign AS MATERIALIZED (
-        SELECT p.road_id, d.total, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first, p.number AS last,
+        SELECT g.id, p.road_id, d.total, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first,
+            p.number AS last,
             'yes' AS dynamic, 'OpenDRIVE' AS country, '1000001' AS type, 'signal' AS name, g.number AS controller,
             CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id
         FROM signal_group g JOIN placed p ON (p.lane_id, p.at_end) = (g.lane_id, g.along_axis)
@@ -143,12 +148,14 @@ BEGIN
             streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(g.geom),
                 ST_Y(g.geom)) s
         UNION ALL
-        SELECT d.road_id, d.total, s.station, CASE WHEN m.along_axis = right_hand THEN
+        SELECT streetgen._file_id('lane', m.lane_id, m.along_axis::integer), d.road_id, d.total, s.station,
+            CASE WHEN m.along_axis = right_hand THEN
                     border[cardinality(border) - CASE WHEN m.along_axis THEN 0 ELSE stations - 1 END] - 0.5
                 ELSE border[CASE WHEN m.along_axis THEN stations ELSE 1 END] + 0.5 END,
             m.along_axis, 2, m.first, m.last, 'no', 'DE', m.type, m.kind, NULL, NULL, NULL
         FROM (SELECT p.road_id, m.along_axis, m.kind, CASE m.kind WHEN 'stop' THEN '206' ELSE '205' END AS type,
-                min(p.number) AS first, max(p.number) AS last, (array_agg(m.geom ORDER BY p.number))[1] AS geom
+                min(l.lane_id) AS lane_id, min(p.number) AS first, max(p.number) AS last,
+                (array_agg(m.geom ORDER BY p.number))[1] AS geom
             FROM marking m JOIN lane l USING (edge_id, lane_position)
                 JOIN placed p ON (p.lane_id, p.at_end) = (l.lane_id, m.along_axis)
             WHERE m.kind <> 'arrow' AND NOT EXISTS (SELECT FROM signal_group g
@@ -157,7 +164,6 @@ BEGIN
             LATERAL (SELECT cardinality(station) AS stations, ST_LineInterpolatePoint(m.geom, 0.5) AS place) c,
             streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(place),
                 ST_Y(place)) s),
-    numbered AS MATERIALIZED (SELECT *, row_number() OVER (ORDER BY road_id, along_axis, first, type) AS id FROM sign),
     signal_text AS MATERIALIZED (
         SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._opendrive_station(station, total)
             || '" t="'
@@ -165,17 +171,17 @@ BEGIN
             || '" orientation="' || CASE WHEN along_axis THEN '+' ELSE '-' END || '" zOffset="' || raised
             || '" country="' || country || '" type="' || type || '" subtype="-1"><validity fromLane="' || first
             || '" toLane="' || last || '"/></signal>', '' ORDER BY id) || '</signals>' AS text
-        FROM numbered GROUP BY road_id),
+        FROM sign GROUP BY road_id),
     controller_line AS (
         SELECT 4 AS turn, controller AS id, '<controller id="' || controller || '" name="' || min(controller_id)
             || '">' || string_agg('<control signalId="' || id || '" type="0"/>', '' ORDER BY id)
             || '<userData code="green" value="' || array_to_string(min(greens), ' ') || '"/></controller>' AS element
-        FROM numbered JOIN (SELECT DISTINCT number AS controller, greens FROM signal_group) g USING (controller)
+        FROM sign JOIN (SELECT DISTINCT number AS controller, greens FROM signal_group) g USING (controller)
         GROUP BY controller),
     junction_controller AS MATERIALIZED (
         SELECT place_id, string_agg('<controller id="' || controller || '" type="0"/>', '' ORDER BY controller)
             || string_agg(DISTINCT '<userData code="program" value="' || p.text || '"/>', '') AS text
-        FROM (SELECT DISTINCT place_id, controller, controller_id FROM numbered JOIN joined_node USING (node_id)) n
+        FROM (SELECT DISTINCT place_id, controller, controller_id FROM sign JOIN joined_node USING (node_id)) n
             JOIN program p USING (controller_id)
         GROUP BY place_id),
     crossroads AS MATERIALIZED (

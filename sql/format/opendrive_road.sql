@@ -26,24 +26,26 @@ BEGIN
     -- Ways over inner lanes, each lane once: the shortest one from lane to lane, where none leads straight to it.
     -- Nobody turns back within two metres.
     longer AS (
-        SELECT way_id, ARRAY[way_id] AS ways, lane_in, lane_out, along_in, along_out, traffic, geom,
+        SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic, geom,
             '{}'::bigint[] AS over
         FROM way WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out IN (SELECT lane_id FROM inner_lane)
         UNION ALL
-        SELECT r.way_id, r.ways || w.way_id, r.lane_in, w.lane_out, r.along_in, w.along_out,
+        SELECT least(r.way_kind, w.way_kind), CASE WHEN r.way_kind = w.way_kind THEN least(r.way_id, w.way_id)
+                WHEN r.way_kind < w.way_kind THEN r.way_id ELSE w.way_id END,
+            r.interconnections || w.interconnections, r.lane_in, w.lane_out, r.along_in, w.along_out,
             coalesce(r.traffic, w.traffic), ST_MakeLine(ARRAY[
             r.geom, CASE WHEN r.along_out THEN i.geom ELSE ST_Reverse(i.geom) END, w.geom]), over || i.lane_id
         FROM longer r JOIN inner_lane i ON i.lane_id = r.lane_out
             JOIN way w ON (w.lane_in, w.along_in) = (r.lane_out, r.along_out)
         WHERE i.lane_id <> ALL (over)),
     joined_way AS (
-        SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) way_id, array_to_string(ways, ' ') AS ways, lane_in,
+        SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) way_kind, way_id, interconnections, lane_in,
             lane_out, along_in, along_out, traffic, geom
         FROM longer
         WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND (lane_out <> lane_in OR ST_Length(geom) >= 2)
-        ORDER BY lane_in, along_in, lane_out, along_out, ST_Length(geom), ways),
+        ORDER BY lane_in, along_in, lane_out, along_out, ST_Length(geom), interconnections),
     junction_way AS NOT MATERIALIZED (
-        SELECT way_id, way_id::text AS ways, lane_in, lane_out, along_in, along_out, traffic, geom FROM way
+        SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic, geom FROM way
         WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out NOT IN (SELECT lane_id FROM inner_lane)
         UNION ALL SELECT * FROM joined_way j WHERE NOT EXISTS (SELECT FROM way w
             WHERE (w.lane_in, w.along_in, w.lane_out, w.along_out) = (j.lane_in, j.along_in, j.lane_out, j.along_out))),
@@ -58,7 +60,8 @@ BEGIN
         FROM lane l, side WHERE edge_id IN (SELECT edge_id FROM written_edge)
             AND lane_id NOT IN (SELECT lane_id FROM inner_lane)),
     road AS (
-        SELECT edge_id, run, row_number() OVER (ORDER BY edge_id, run) AS road_id, min(lane_position) - 1 AS before,
+        SELECT edge_id, run, streetgen._file_id('edge', edge_id, run::integer) AS road_id,
+            min(lane_position) - 1 AS before,
             count(*) FILTER (WHERE NOT on_right)::integer AS lefts, array_agg(lane_id ORDER BY lane_position) AS lanes,
             array_agg(streetgen._opendrive_lane_type(kind, both_ways, turn) ORDER BY lane_position) AS types,
             array_agg(geom::bytea ORDER BY lane_position) AS lines,
@@ -100,8 +103,10 @@ BEGIN
         FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
             v(at_end, places)),
     way_road AS MATERIALIZED (
-        SELECT (SELECT max(road_id) FROM drawn) + row_number() OVER (ORDER BY way_id, a.road_id, ways) AS road_id, ways,
-            a.road_id AS road_in, b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
+        SELECT streetgen._file_id(way_kind, way_id, (row_number() OVER (PARTITION BY way_kind, way_id
+                ORDER BY interconnections, a.road_id, b.road_id) - 1)::integer) AS road_id,
+            array_to_string(interconnections, ' ') AS ways, a.road_id AS road_in, b.road_id AS road_out,
+            a.number AS number_in, b.number AS number_out,
             a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
             CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, k.lane_in, e.speed,
             coalesce(streetgen._opendrive_lane_type(split_part(k.traffic, '|', 1), false), a.type) AS type,

@@ -27,7 +27,12 @@ CREATE TEMPORARY TABLE written AS SELECT pg_temp.file('town') AS file, pg_temp.f
 SELECT 'there is a road for each edge', pg_temp.found('//road[@junction="-1"]', file) = (SELECT count(*) FROM town.edge) FROM written;
 SELECT 'and a connecting road for each interconnection that connects', pg_temp.found('//road[@junction!="-1"]', file) = (SELECT count(*) FROM town.interconnection WHERE connecting) FROM written;
 SELECT 'every lane is there, with its kind', pg_temp.texts('//road[@junction="-1"]//lane[@id!="0"]/@type', file) = (SELECT array_agg(t ORDER BY t COLLATE "C") FROM (SELECT streetgen._opendrive_lane_type(kind, both_ways) AS t FROM town.lane) l) FROM written;
-SELECT 'ids are whole numbers, each once', (SELECT count(DISTINCT id) = count(*) AND bool_and(id ~ '^[0-9]+$') FROM unnest(pg_temp.texts('//road/@id', file)) id) FROM written;
+SELECT 'ids of roads and junctions are numbers of 32 bits, each once', (SELECT count(DISTINCT id) = count(*) AND bool_and(id::bigint BETWEEN 1 AND 2147483647) FROM unnest(pg_temp.texts('//road/@id|//junction/@id', file)) id) FROM written;
+SELECT 'a road has the id of its edge', (SELECT bool_and(pg_temp.texts('//road[userData[@code="edge" and @value="' || edge_id || '"]]/@id', file) = ARRAY[streetgen._file_id('edge', edge_id)::text]) FROM town.edge) FROM written;
+SELECT 'a connecting road that of its interconnection', (SELECT bool_and(pg_temp.texts('//road[userData[@code="interconnection" and @value="' || interconnection_id || '"]]/@id', file) = ARRAY[streetgen._file_id('interconnection', interconnection_id)::text]) FROM town.interconnection WHERE connecting) FROM written;
+SELECT 'ids of kinds are disjoint, those of parts too', count(DISTINCT streetgen._file_id(kind, id, part)) = count(*) FROM (VALUES ('node', 1), ('object', 1), ('lane', 4), ('edge', 10), ('movement', 16), ('interconnection', 32)) k(kind, parts), generate_series(0, parts - 1) part, generate_series(1, 5) id;
+SELECT 'they lie within 31 bits', streetgen._file_id('node', 1) > 0 AND streetgen._file_id('interconnection', 33554431, 31) = 2147483647;
+SELECT 'an id beyond, a part beyond and a kind unknown are refused', bool_and(test.state('SELECT streetgen._file_id(' || what || ')') = '22003') FROM unnest(ARRAY['''edge'', 33554432', '''edge'', 0', '''node'', 1, 1', '''edge'', 1, -1', '''edge'', 1, 10', '''car'', 1']) what;
 SELECT 'a connecting road is one of its junction', (SELECT bool_and(pg_temp.found('//junction[@id="' || j || '"]/connection[@connectingRoad="' || r || '"]', file) = 1)
   FROM unnest(xpath('//road[@junction!="-1"]', file)) x, LATERAL (SELECT (xpath('/road/@id', x))[1]::text AS r, (xpath('/road/@junction', x))[1]::text AS j) i) FROM written;
 SELECT 'lanes are linked in the junction as in the road', (SELECT bool_and(pg_temp.found('//connection[@connectingRoad="' || r || '" and @incomingRoad="' || i || '"]/laneLink[@from="' || p || '" and @to="-1"]', file) = 1)
@@ -47,6 +52,10 @@ SELECT 'the version as asked for', pg_temp.texts('//header/@revMinor', pg_temp.f
 SELECT 'the same bytes again', file::text = pg_temp.file('town')::text FROM written;
 SELECT 'bad options are refused: ' || bad, test.state(format($$SELECT FROM streetgen.export_opendrive('town', %L)$$, bad)) = '22023' FROM unnest(ARRAY['{"colour": 1}', '{"version": "1.4"}', '{"tolerance": 0}', '{"extent": [0, 0, 1, 1]}']) bad;
 SELECT 'a model without interconnections is refused, and one without junctions that are asked for', test.state($$SELECT FROM streetgen.export_opendrive('bare')$$) = '55000' AND test.state($$SELECT FROM streetgen.export_opendrive('town', '{"junctions": "group"}')$$) = '55000';
+SELECT FROM streetgen.create_model('beyond', 2154, driving_side => 'right') \g /dev/null
+SELECT setval(pg_get_serial_sequence('beyond.edge', 'edge_id'), 5000000000) \g /dev/null
+INSERT INTO beyond.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
+SELECT 'so is a model with an edge beyond 32 bits', test.state($$SELECT FROM streetgen.export_opendrive('beyond')$$) = '22003';
 -- A lane that lies among those of the other direction.
 SELECT FROM streetgen.create_model('wide', 2154, subjects => '{interconnection,junction}', driving_side => 'right') \g /dev/null
 INSERT INTO wide.axis (axis_id, geom, width, direction) VALUES
