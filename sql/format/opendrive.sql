@@ -86,5 +86,5 @@ COMMENT ON FUNCTION streetgen.export_opendrive(name, jsonb) IS
     'Coordinates are counted from the whole metres of offset, and geoReference is the text of PROJ. Lanes that meet '
     'at one place are cut back by 0.05 m for the road that connects them. options as streetgen.export_option() lists '
     'them: an unknown one, or no edge that they take: 22023. A caller who may not read the model: 42501; a model '
-    'without interconnections, or junctions that are asked for: 55000. What is stale is written as it was, with a '
-    'warning.';
+    'without interconnections, or junctions that are asked for: 55000; an id beyond 33,554,431: 22003. What is stale '
+    'is written as it was, with a warning.';
