@@ -14,13 +14,16 @@ layer_of() {
   done
 }
 
-# A shapefile is several files, and so is a network of SUMO with the plain files that it was made of.
+# A shapefile is several files, and so is a network of SUMO with the plain files that it was made of, and what a configuration names.
 parts_of() {
   case $1 in
     *.shp) printf '%s\n' "${1%.shp}".{shp,shx,dbf,prj,cpg} ;;
     *.net.xml)
       printf '%s\n' "$1"
       [ -z "$keep_plain" ] || printf '%s\n' "${1%.net.xml}".{nod,edg,con,typ,tll}.xml ;;
+    *.sumocfg)
+      printf '%s\n' "$1" "${1%.sumocfg}.add.xml"
+      parts_of "${1%.sumocfg}.net.xml" ;;
     *) printf '%s\n' "$1" ;;
   esac
 }
@@ -31,9 +34,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
+      *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .opensidewalks.geojson the network on foot" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -81,6 +84,7 @@ write_file() {
     *.shp) write_layer "$file" "$model" "$layer" false -f 'ESRI Shapefile' -a_srs "EPSG:$srid" -lco ENCODING=UTF-8 -lco RESIZE=YES ;;
     *.obj) run_sql -At -v model="$model" -f "$root/data/wavefront.sql" >"$file" || fail "the mesh cannot be written to $(basename "$file")" ;;
     *.net.xml) write_sumo "$file" "$model" ;;
+    *.sumocfg) write_sumo_configuration "$file" "$model" ;;
     *.city.json) write_lines "$file" "streetgen.export_cityjson($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.glb) write_parts "$file" "streetgen.export_gltf($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.symuvia.xml) write_lines "$file" "streetgen.export_symuvia($(quoted "$model"), $(quoted "$export_options"))" ;;

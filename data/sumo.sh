@@ -30,3 +30,20 @@ write_sumo() {
   ! grep -q '^crossing lost' "$list" || say "where a crossing is lost netconvert finds no sidewalk to come from"
   [ -n "$keep_plain" ] || rm "$name".{nod,edg,con,typ,tll}.xml
 }
+
+# write_sumo_configuration FILE MODEL: FILE.sumocfg, and beside it the network and the additional file that it names.
+write_sumo_configuration() {
+  local name=${1%.sumocfg} stem
+  stem=$(basename "$name")
+  write_sumo "$name.net.xml" "$2"
+  told=error write_lines "$name.add.xml" "streetgen.export_sumo($(quoted "$2"), 'additional', $(quoted "$export_options"))"
+  cat >"$1" <<EOF
+<?xml version="1.0" encoding="UTF-8"?>
+<configuration xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation="http://sumo.dlr.de/xsd/sumoConfiguration.xsd">
+    <input>
+        <net-file value="$stem.net.xml"/>
+        <additional-files value="$stem.add.xml"/>
+    </input>
+</configuration>
+EOF
+}

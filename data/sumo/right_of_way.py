@@ -86,11 +86,11 @@ class RightOfWay:
         return line
 
     def phase(self, program, state):
-        """The signs of a phase of a program."""
+        """The signs of a phase of a program: who has green yields to somebody with green at that time, or goes without looking."""
         signs = list(state)
         for number, before in self.shown[program]:
-            if state[number] == "G" and any(other is None or other == program and state[int(place)] in "Gg" for other, place in before):
-                signs[number] = "g"
+            if state[number] in "Gg":
+                signs[number] = "g" if any(other is None or other == program and state[int(place)] in "Gg" for other, place in before) else "G"
         return "".join(signs)
 
     def connection(self, line):

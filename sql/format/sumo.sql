@@ -21,6 +21,18 @@ COMMENT ON FUNCTION streetgen._sumo_lane_class() IS
     'those that they do not. SUMO knows no street that one may drive to and not through: who has business there is of '
     'class private. Cars park on a parking lane, but none drives there.';
 
+CREATE OR REPLACE FUNCTION streetgen._sumo_type(kind text, importance integer) RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN kind IN ('motorway', 'motorway_link', 'trunk', 'trunk_link', 'primary', 'primary_link',
+            'secondary', 'secondary_link', 'tertiary', 'tertiary_link', 'unclassified', 'residential', 'road',
+            'living_street', 'service', 'track', 'pedestrian', 'cycleway', 'footway', 'path', 'steps', 'busway')
+            THEN 'highway.' || kind
+        WHEN kind IN ('runway', 'taxiway') THEN 'aeroway.' || kind
+        ELSE 'highway.' || (ARRAY['trunk', 'primary', 'secondary', 'tertiary', 'residential', 'service'])
+            [least(greatest(importance, 1), 6)] END;
+COMMENT ON FUNCTION streetgen._sumo_type(text, integer) IS
+    'The type of an edge of SUMO: that of OpenStreetMap where the street is of such a kind, else by its importance.';
+
 CREATE OR REPLACE FUNCTION streetgen._sumo_nodes(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
@@ -108,24 +120,28 @@ BEGIN
             UNION ALL SELECT name, 0, since, until, walk_width, false, walk_line, 'sidewalk'
             FROM sumo_edge WHERE walk = 1) l
         JOIN streetgen._sumo_lane_class() c USING (kind)),
+    -- Words of users are escaped: of <a name="…"/> what stands between the name and the end.
+    street AS MATERIALIZED (
+        SELECT e.edge_id, 100 - e.importance AS priority, e.speed, streetgen._sumo_type(a.kind, e.importance) AS type,
+            left(substr(xmlelement(name a, xmlattributes(streetgen._xml_text(a.name) AS name))::text, 3), -2) AS named,
+            xmlelement(name param, xmlattributes('origId' AS key, streetgen._xml_text(
+                coalesce(a.source_ref, a.axis_id::text)) AS value))::text AS origin_id
+        FROM edge e LEFT JOIN axis a USING (axis_id)),
     lane_element AS (
-        SELECT name, string_agg('<lane index="' || index || coalesce('" allow="' || allow, '')
-            || coalesce('" disallow="' || disallow, '') || '" width="' || round(width::numeric, digits)
-            || coalesce('" shape="' || streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits,
-                tolerance), '') || '"/>', '' ORDER BY index) AS elements
-        FROM origin, lane_line GROUP BY name)
-    SELECT 1, lane_group_id, concat('<edge id="', s.name, '" from="', comes_from, '" to="', goes_to,
-        '" priority="', 100 - e.importance, '" numLanes="', s.lane_count + walk, '" speed="',
+        SELECT l.name, string_agg('<lane index="' || index || coalesce('" allow="' || allow, '')
+            || coalesce('" disallow="' || disallow, '') || '" width="' || round(l.width::numeric, digits)
+            || coalesce('" shape="' || streetgen._coordinates(streetgen._at_least_long(l.line, 0.16), x, y, digits,
+                tolerance), '') || '">' || origin_id || '</lane>', '' ORDER BY index) AS elements
+        FROM origin, lane_line l JOIN sumo_edge USING (name) JOIN street USING (edge_id) GROUP BY l.name)
+    SELECT 1, lane_group_id, concat('<edge id="', s.name, '" from="', comes_from, '" to="', goes_to, '" type="', type,
+        '" priority="', priority, '" numLanes="', s.lane_count + walk, '" speed="',
         round(e.speed::numeric / 3.6, 2), '"', named, ' spreadType="center',
         '" shape="' || streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01), '">', elements,
         '<stopOffset value="' || round(back::numeric, digits) || '"/>',
         CASE WHEN s.until = 1 AND (s.edge_id, s.along_axis) IN (SELECT edge_id, along_axis FROM marking
             WHERE kind = 'stop') THEN '<param key="waits" value="stop"/>' END, '</edge>')
     FROM origin, sumo_edge s JOIN lane_element USING (name) LEFT JOIN held_back USING (name)
-    JOIN (SELECT edge_id, axis_id, importance, speed FROM edge) e USING (edge_id)
-    -- Words of users are escaped: of <a type="…" name="…"/> what stands between the name and the end.
-    LEFT JOIN (SELECT axis_id, left(substr(xmlelement(name a, xmlattributes(streetgen._xml_text(kind) AS type,
-        streetgen._xml_text(name) AS name))::text, 3), -2) AS named FROM axis) a USING (axis_id)
+        JOIN street e USING (edge_id)
     UNION ALL
     SELECT 2, roundabout_id, xmlelement(name roundabout, xmlattributes(
         string_agg(comes_from, ' ' ORDER BY ordinality) AS nodes,
@@ -192,8 +208,12 @@ BEGIN
     UNION ALL
     SELECT 3, c.edge_id, xmlelement(name crossing, xmlattributes(c.place_id AS node,
         array_to_string(names, ' ') AS edges, 1 AS priority, round(along::numeric, digits) AS width,
-        number AS "linkIndex", streetgen._coordinates(c.line, x, y, digits, 0) AS shape))::text
-    FROM origin, streetgen._sumo_crossings(model, options) c;
+        number + links AS "linkIndex", streetgen._coordinates(c.line, x, y, digits, 0) AS shape))::text
+    FROM origin, streetgen._sumo_crossings(model, options) c LEFT JOIN (
+        SELECT junction_id AS controller_id, count(*) AS links
+        FROM going_on JOIN (SELECT DISTINCT place_id::text AS goes_to, junction_id
+            FROM streetgen._places(model, options) WHERE kind = 'signals') p USING (goes_to)
+        WHERE lane_in IS NOT NULL GROUP BY junction_id) k USING (controller_id);
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_connections(name, jsonb) IS
     'The elements of a plain file of SUMO: the connections, and the crossings.';
@@ -204,15 +224,15 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_types(model name, options jsonb)
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT 1, row_number() OVER (ORDER BY class COLLATE "C"), xmlelement(name type, xmlattributes(
-        streetgen._xml_text(class) AS id, 100 - importance AS priority,
-        round(speed::numeric / 3.6, 2) AS speed))::text
-    FROM axis_class
-    WHERE class IN (SELECT kind FROM edge JOIN axis USING (axis_id)
-        WHERE edge_id IN (SELECT streetgen._written_edges(model, options)));
+    RETURN QUERY SELECT 1, row_number() OVER (ORDER BY type COLLATE "C"), xmlelement(name type, xmlattributes(
+        type AS id, 100 - min(importance) AS priority, round(max(speed)::numeric / 3.6, 2) AS speed))::text
+    FROM (SELECT streetgen._sumo_type(a.kind, e.importance) AS type, e.importance, e.speed
+        FROM edge e JOIN axis a USING (axis_id)
+        WHERE e.edge_id IN (SELECT streetgen._written_edges(model, options))) t
+    GROUP BY type;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_types(name, jsonb) IS
-    'The elements of a plain file of SUMO: the kinds of streets.';
+    'The elements of a plain file of SUMO: the types of edges, with the most important and the fastest of each.';
 
 CREATE OR REPLACE FUNCTION streetgen.export_sumo(model name, part text, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
@@ -221,7 +241,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_sumo(model name, part text, options 
     AS $$
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'sumo', 'interconnection', options);
-    parts constant text[] := '{nodes,edges,connections,types,tlLogics}';
+    parts constant text[] := '{nodes,edges,connections,types,tlLogics,additional}';
 BEGIN
     PERFORM streetgen._check_given('part', part);
     IF part <> ALL (parts) THEN
@@ -234,7 +254,8 @@ BEGIN
                 UNION ALL SELECT * FROM streetgen._sumo_streets(model, known) WHERE part = 'edges'
                 UNION ALL SELECT * FROM streetgen._sumo_connections(model, known) WHERE part = 'connections'
                 UNION ALL SELECT * FROM streetgen._sumo_types(model, known) WHERE part = 'types'
-                UNION ALL SELECT * FROM streetgen._sumo_signals(model, known) WHERE part = 'tlLogics') e
+                UNION ALL SELECT * FROM streetgen._sumo_signals(model, known) WHERE part = 'tlLogics'
+                UNION ALL SELECT * FROM streetgen._sumo_stands(model, known) WHERE part = 'additional') e
             UNION ALL SELECT rank, ref, markup COLLATE "C" FROM streetgen._xml_frame(format('<%s xmlns:xsi='
                 '"http://www.w3.org/2001/XMLSchema-instance" xsi:noNamespaceSchemaLocation='
                 '"http://sumo.dlr.de/xsd/%s_file.xsd">', part, CASE part WHEN 'tlLogics' THEN 'tllogic' ELSE part END),
@@ -243,7 +264,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'A plain file of SUMO, line by line, of which netconvert makes a network: part nodes, edges, connections, types or '
-    'tlLogics. An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one '
+    'tlLogics; or part additional, bus stops and parking areas beside the lanes of that network. '
+    'An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one '
     'ends in .end. '
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
     'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '

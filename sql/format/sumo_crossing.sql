@@ -16,7 +16,7 @@ BEGIN
         SELECT DISTINCT place_id, controller_id
         FROM place JOIN streetgen._signal_controllers(model) ON controller_id = junction_id
         WHERE kind = 'signals' AND cycle > 0)
-    -- Crossings have the first signals of a controller.
+    -- Crossings have the last signals of a controller, as netconvert has them: tools of SUMO forget what comes last.
     SELECT c.edge_id, c.at_start, c.along, c.across, c.line, c.place_id, c.names, controller_id,
         CASE WHEN controller_id IS NOT NULL THEN row_number() OVER (
             PARTITION BY controller_id ORDER BY edge_id, at_start) - 1 END
@@ -31,4 +31,4 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_crossings(name, jsonb) IS
     'The crossings of edges with sidewalks on both sides for SUMO, with their place, the names of their edges, and '
-    'their controller with the number of their signal from 0 where they have one.';
+    'their controller where they have one, with the number of their signal from 0 after those of its connections.';

@@ -61,12 +61,12 @@ BEGIN
     yielding AS MATERIALIZED (SELECT controller_id, link FROM driven_over GROUP BY 1, 2 HAVING NOT bool_or(stops)),
     sign AS (
         -- Who has green in no state looks for a gap.
-        SELECT p.controller_id, p.starts, 0 AS turn, c.number, CASE WHEN bool_or(w.starts <= p.starts
+        SELECT p.controller_id, p.starts, 1 AS turn, c.number, CASE WHEN bool_or(w.starts <= p.starts
                 AND w.until >= p.ends - 0.005) THEN 'G' WHEN count(w.starts) > 0 THEN 'r' ELSE 'g' END AS sign
         FROM part p JOIN crossed c USING (controller_id) LEFT JOIN walked w USING (controller_id, number)
         GROUP BY p.controller_id, p.starts, c.number
         UNION ALL
-        SELECT s.controller_id, s.starts, 1, k.number, CASE WHEN k.open THEN 'g'
+        SELECT s.controller_id, s.starts, 0, k.number, CASE WHEN k.open THEN 'g'
                 WHEN v.number IS NULL OR s.kind IN ('all_red', 'walk') THEN 'r' WHEN s.kind = 'amber' THEN 'y'
                 WHEN v.protected AND y.link IS NULL THEN 'G' ELSE 'g' END
         FROM part s JOIN link k USING (controller_id) LEFT JOIN served v ON (v.controller_id, v.number, v.ordinality)
@@ -76,17 +76,18 @@ BEGIN
         SELECT controller_id, starts, string_agg(sign, '' ORDER BY turn, number) AS signs
         FROM sign WHERE controller_id IN (SELECT controller_id FROM link) GROUP BY controller_id, starts)
     SELECT 1, controller_id, xmlelement(name "tlLogic", xmlattributes(controller_id AS id, 'static'
-            AS type, 'streetgen' AS "programID", trim_scale(round(min(c.start_offset)::numeric, 2)) AS "offset"),
-        xmlagg(xmlelement(name phase, xmlattributes(trim_scale(round((s.ends - s.starts)::numeric, 2))
-            AS duration, signs AS state)) ORDER BY s.starts))::text
+            AS type, 'streetgen' AS "programID", round(min(c.start_offset)) AS "offset"),
+        -- Tools of SUMO read whole seconds: what is beyond goes to the next phase, and the cycle lasts as long.
+        xmlagg(xmlelement(name phase, xmlattributes(round(s.ends) - round(s.starts) AS duration, signs AS state))
+            ORDER BY s.starts))::text
     FROM shown JOIN part s USING (controller_id, starts)
         JOIN streetgen._signal_controllers(model) c USING (controller_id)
+    WHERE round(s.ends) > round(s.starts)
     GROUP BY controller_id
     UNION ALL SELECT 2, controller_id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
-        index_in AS "fromLane", index_out AS "toLane", controller_id AS tl,
-        number + (SELECT count(*) FROM crossed c WHERE c.controller_id = link.controller_id) AS "linkIndex"))::text
+        index_in AS "fromLane", index_out AS "toLane", controller_id AS tl, number AS "linkIndex"))::text
     FROM link;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_signals(name, jsonb) IS
-    'The elements of a plain file of SUMO: the programs of controllers and the connections that they serve, after '
+    'The elements of a plain file of SUMO: the programs of controllers and the connections that they serve, before '
     'their crossings; nothing of a model that computes no signals.';

@@ -9,6 +9,7 @@ DO $$ BEGIN
     (3, 'SRID=2154;LINESTRING(650100 6860000,650100 6860100)', 9, 'direct', 'general|cycle|parking', 0, 'north', 'runway'),
     (4, 'SRID=2154;LINESTRING(650050 6859950,650050 6860050)', 7, 'both', NULL, 1, 'bridge', NULL),
     (5, 'SRID=2154;LINESTRING(650200 6860000,650300 6860000,650300 6860100,650200 6860000)', 7, 'both', NULL, 0, 'loop', NULL);
+  UPDATE town.axis SET source_ref = 'w<1' WHERE axis_id = 1;
 END $$;
 CREATE FUNCTION pg_temp.file(model name, part text, options jsonb DEFAULT '{}') RETURNS xml LANGUAGE sql AS $$
   SELECT xmlparse(document string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo(model, part, options) $$;
@@ -21,7 +22,10 @@ SELECT 'there is a connection for each interconnection that connects', pg_temp.f
 SELECT 'an edge without a way on is parted from those that leave its node', pg_temp.found('//delete', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.lane_group a JOIN town.lane_group b ON b.from_node = a.to_node
   WHERE NOT EXISTS (SELECT FROM town.interconnection WHERE connecting AND lane_in = ANY (a.lanes) AND along_in = a.along_axis));
 SELECT 'a loop ends where it began', pg_temp.found('//edge[@id="5.end" and @from = //edge[@id="5"]/@to and @to = //edge[@id="5"]/@from]', pg_temp.file('town', 'edges')) = 1;
-SELECT 'a type for each kind', pg_temp.found('/types/type', pg_temp.file('town', 'types')) = 2;
+SELECT 'types are those of OpenStreetMap where the kind is one, else by importance', (SELECT array_agg(DISTINCT concat(abs(id::float8), ' ', type) ORDER BY concat(abs(id::float8), ' ', type)) FROM unnest(xpath('//edge[not(contains(@id, "end"))]', f)) e,
+    LATERAL (SELECT (xpath('string(/edge/@id)', e))[1]::text AS id, (xpath('string(/edge/@type)', e))[1]::text AS type) v) = '{1 highway.residential,2 highway.residential,3 aeroway.runway,4 highway.residential,5 highway.residential}' FROM pg_temp.file('town', 'edges') f;
+SELECT 'each has a row', (SELECT array_agg(id::text ORDER BY id::text) FROM unnest(xpath('/types/type/@id', pg_temp.file('town', 'types'))) id) = '{aeroway.runway,highway.residential}';
+SELECT 'each lane says of which way it is', pg_temp.found('//lane/param[@key="origId" and @value="w<1"]', f) = 4 AND pg_temp.found('//lane[count(param[@key="origId"]) = 1]', f) = pg_temp.found('//lane', f) FROM pg_temp.file('town', 'edges') f;
 SELECT 'lines are numbered from one without a gap', bool_and(ordinality = turn) FROM (SELECT ordinality, row_number() OVER () AS turn FROM streetgen.export_sumo('town', 'edges')) l;
 SELECT 'a name keeps what XML can hold', (xpath('string(//edge[@id="1"]/@name)', pg_temp.file('town', 'edges')))[1]::text = (xpath('string(/n/@m)', '<n m="&lt;&quot;Rue&quot; &amp; d''Ab&gt;"/>'))[1]::text;
 SELECT 'widths are those of the lanes', (SELECT array_agg(w::text::numeric ORDER BY w::text::numeric) FROM unnest(xpath('//edge[not(contains(@id, "end"))]/lane/@width', pg_temp.file('town', 'edges'))) w)
@@ -36,7 +40,7 @@ SELECT 'a level by itself', (SELECT array_agg(DISTINCT abs(id::text::float8)) FR
 SELECT 'digits as asked for', (SELECT bool_and(x::text ~ '^[0-9]+[.][0-9]{4}$') FROM unnest(xpath('//node/@x', pg_temp.file('town', 'nodes', '{"precision": 4}'))) x);
 SELECT 'a model without streets is refused, and an extent without them', test.state($$SELECT FROM streetgen.export_sumo('empty', 'edges')$$) = '22023' AND test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', '{"extent": [0, 0, 1, 1]}')$$) = '22023';
 SELECT 'the same bytes again: ' || part, (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', part)) = (SELECT md5(string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', part))
-  FROM unnest('{nodes,edges,connections,types,tlLogics}'::text[]) part;
+  FROM unnest('{nodes,edges,connections,types,tlLogics,additional}'::text[]) part;
 -- Options and arguments.
 SELECT 'an unknown option is refused', test.state($$SELECT FROM streetgen.export_sumo('town', 'edges', '{"colour": 1}')$$) = '22023';
 SELECT 'so is ' || bad, test.state(format($$SELECT FROM streetgen.export_sumo('town', 'edges', %L)$$, bad)) = '22023'
@@ -115,11 +119,17 @@ SELECT 'it lies where the model has it, from the right to the left of those who 
 SELECT 'who waits leaves it free', abs((xpath('string(//edge[@id="1"]/stopOffset/@value)', f))[1]::text::float8 - ((SELECT abscissa - 75 FROM foot.section_limit WHERE (edge_id, which) = (1, 'end')) + 1.5 + 0.5)) < 0.006
   AND pg_temp.found('//edge[@id="-1" or @id="2"]/stopOffset', f) = 0 FROM pg_temp.file('foot', 'edges') f;
 CREATE TEMPORARY VIEW shown AS SELECT model, (xpath('string(/phase/@state)', p))[1]::text AS state, f FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'tlLogics') f, unnest(xpath('//phase', f)) p;
-SELECT model || ': a program shows crossings, then connections', bool_and(length(state) = 3 + pg_temp.found('//connection', f)) AND bool_and(pg_temp.found('//connection[@linkIndex="3"]', f) = 1) FROM shown GROUP BY model;
-SELECT model || ': each crossing has green, and then nobody drives in from there or straight out', bool_and(i < 3) FILTER (WHERE stopped) AND count(DISTINCT i) FILTER (WHERE stopped) = 3 FROM (
-  SELECT model, i, substr(state, i + 1, 1) = 'G' AND NOT EXISTS (SELECT FROM unnest(xpath('//connection', s.f)) k, LATERAL (SELECT (xpath('string(/connection/@from)', k))[1]::text AS a, (xpath('string(/connection/@to)', k))[1]::text AS b,
+SELECT model || ': a program shows connections, then crossings', bool_and(length(state) = 3 + pg_temp.found('//connection', f)) AND bool_and(pg_temp.found('//connection[@linkIndex="0"]', f) = 1) AND bool_and((SELECT array_agg((i::text)::integer - pg_temp.found('//connection', f) ORDER BY i::text::integer)
+  FROM unnest(xpath('//crossing/@linkIndex', pg_temp.file(model, 'connections'))) i) = '{0,1,2}') FROM shown GROUP BY model;
+SELECT model || ': durations are whole seconds', bool_and(state ~ '^[0-9]+$') FROM (SELECT model, unnest(xpath('//@duration|//@offset', pg_temp.file(model, 'tlLogics')))::text AS state FROM (VALUES ('foot'::name), ('left_foot')) m(model)) d GROUP BY model;
+BEGIN;
+UPDATE foot.signal_state SET duration = duration + 0.6 WHERE ordinality IN (1, 2);
+SELECT 'a fraction goes to the next phase, and the cycle lasts as long', bool_and(d ~ '^[0-9]+$') AND sum(d::float8) = (SELECT round(sum(duration)) FROM foot.signal_state) FROM unnest(xpath('//@duration', pg_temp.file('foot', 'tlLogics'))) u, LATERAL (SELECT u::text AS d) t;
+ROLLBACK;
+SELECT model || ': each crossing has green, and then nobody drives in from there or straight out', bool_and(i >= first) FILTER (WHERE stopped) AND count(DISTINCT i) FILTER (WHERE stopped) = 3 FROM (
+  SELECT model, i, first, substr(state, i + 1, 1) = 'G' AND NOT EXISTS (SELECT FROM unnest(xpath('//connection', s.f)) k, LATERAL (SELECT (xpath('string(/connection/@from)', k))[1]::text AS a, (xpath('string(/connection/@to)', k))[1]::text AS b,
       (xpath('string(/connection/@linkIndex)', k))[1]::text::integer AS link) l, unnest(string_to_array((xpath(format('string(//crossing[@linkIndex="%s"]/@edges)', i), pg_temp.file(model, 'connections')))[1]::text, ' ')) e
-    WHERE substr(state, link + 1, 1) IN ('G', 'g') AND (a = e OR b = e AND (a, b) IN (('1', '2'), ('4', '3')))) AS stopped FROM shown s, generate_series(0, 2) i WHERE substr(state, i + 1, 1) = 'G') c GROUP BY model;
+    WHERE substr(state, link + 1, 1) IN ('G', 'g') AND (a = e OR b = e AND (a, b) IN (('1', '2'), ('4', '3')))) AS stopped FROM shown s, LATERAL (SELECT pg_temp.found('//connection', s.f) AS first) n, generate_series(first, first + 2) i WHERE substr(state, i + 1, 1) = 'G') c GROUP BY model;
 SELECT FROM streetgen.switch_subject('left_foot', 'sidewalk', false) \g /dev/null
 SELECT 'without crossings there are none, and without sidewalks neither', pg_temp.found('//crossing', pg_temp.file('wide', 'connections')) = 0
   AND pg_temp.found('//crossing', pg_temp.file('left_foot', 'connections')) = 0 AND pg_temp.found('//lane[@allow="pedestrian"]', pg_temp.file('left_foot', 'edges')) = 0;
@@ -159,3 +169,13 @@ INSERT INTO roomy.axis (axis_id, geom, width, direction, lanes_forward, lane_wid
 SELECT 'a sidewalk lies beyond the room at its kerb', bool_and(ST_Contains(ST_Buffer(surface, 0.1), line)) AND count(DISTINCT side) = 2
   FROM roomy.sidewalk s JOIN LATERAL (SELECT ST_Translate(ST_SetSRID(ST_GeomFromText('LINESTRING(' || translate(shape::text, ' ,', ', ') || ')'), 2154), 650000, 6860000) AS line
     FROM unnest(xpath('//lane[@allow="pedestrian"]/@shape', pg_temp.file('roomy', 'edges'))) shape) l ON ST_Intersects(ST_Buffer(surface, 0.1), line) WHERE node_id IS NULL;
+
+-- Where vehicles stand, along the lane that drives past.
+SELECT FROM streetgen.create_model('stands', 2154, subjects => '{interconnection,sidewalk,object}', driving_side => 'right') \g /dev/null
+INSERT INTO stands.axis (axis_id, geom, width, direction, kind_forward, kind_backward, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 9, 'both', 'general|parking', 'general', 2, 2),
+    (2, 'SRID=2154;LINESTRING(650000 6860050,650100 6860050)', 7, 'both', NULL, NULL, 2, 2);
+INSERT INTO stands.street_object (type, placement, axis_id, abscissa, side, axis_offset) VALUES ('bus_stop', 'border', 2, 60, 'left', 0.5);
+CREATE TEMPORARY TABLE stand AS SELECT (xpath('name(/*)', e))[1]::text AS kind, (xpath('string(/*/@lane)', e))[1]::text AS lane, (xpath('string(/*/@startPos)', e))[1]::text::float8 AS low, (xpath('string(/*/@endPos)', e))[1]::text::float8 AS high, (xpath('string(/*/@roadsideCapacity)', e))[1]::text AS lots
+  FROM unnest(xpath('/additional/*', pg_temp.file('stands', 'additional'))) e;
+SELECT 'a parking lane is a place along the lane beside it, a car every six metres', count(*) = 1 AND bool_and(lane = '1_2' AND lots::integer = floor((high - low) / 6) AND high - low > 90) FROM stand WHERE kind = 'parkingArea';
+SELECT 'a bus stop lies on the lane of its side, where the bus stands', count(*) = 1 AND bool_and(lane = '-2_1' AND 38 BETWEEN low AND high AND high - low BETWEEN 10 AND 20) FROM stand WHERE kind = 'busStop';
