@@ -38,10 +38,4 @@ RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, dou
 // The same across a chain that is known.
 RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>& lanes);
 
-// The borders as lines, in the direction of the chain, with a point wherever a border or the chain
-// bends.  Chords leave the arcs of the chain by `tolerance` metres at most.
-std::vector<Line> border_lines(const std::vector<PlanPiece>& chain,
-                               const std::vector<double>& stations,
-                               const std::vector<std::vector<double>>& borders, double tolerance);
-
 }  // namespace streetgen

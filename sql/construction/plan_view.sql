@@ -53,11 +53,14 @@ COMMENT ON FUNCTION streetgen._chain_station(float8[], float8[], float8[], float
     'before it begins, else 0). Arrays of different length, or empty: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._chain_borders(s float8[], x float8[], y float8[], heading float8[],
-    length float8[], curvature float8[], curvature_end float8[], station float8[], border float8[], tolerance float8)
-    RETURNS TABLE(number integer, nth integer, last boolean, x1 float8, y1 float8)
+    length float8[], curvature float8[], curvature_end float8[], station float8[], border float8[], ends float8[],
+    height_station float8[], height float8[], tolerance float8)
+    RETURNS TABLE(number integer, nth integer, last boolean, x1 float8, y1 float8, z1 float8)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 20 AS 'MODULE_PATHNAME', 'streetgen_chain_borders';
 COMMENT ON FUNCTION streetgen._chain_borders(float8[], float8[], float8[], float8[], float8[], float8[], float8[],
-    float8[], float8[], float8) IS
-    'The points of borders along a plan view of arrays. station and border are those of streetgen._road_lanes. A row '
-    'has the number of the border from the left, that of the point along the chain, both from 1, and whether it is the '
-    'last one. Chords leave arcs by tolerance, metres. Arrays that do not fit: 22023.';
+    float8[], float8[], float8[], float8[], float8[], float8) IS
+    'The points of borders along a plan view of arrays. station and border are those of streetgen._road_lanes; ends: '
+    'where each border begins and ends, x, y, x, y, or empty. height is the height at height_station, metres along '
+    'the plan view; both are empty where there are no heights. A row has the number of the border from the left, that '
+    'of the point along the chain, both from 1, and whether it is the last one. Borders never fold. Chords leave them '
+    'by tolerance, metres. Arrays that do not fit: 22023.';

@@ -3,10 +3,10 @@
 CREATE OR REPLACE FUNCTION streetgen._opendrive_lane_type(kind text, both_ways boolean, turn text DEFAULT NULL)
     RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
-    RETURN CASE WHEN both_ways THEN 'bidirectional' WHEN kind = 'general' THEN 'driving'
+    RETURN CASE WHEN kind = 'closed' THEN 'restricted' WHEN both_ways THEN 'bidirectional'
+        WHEN kind = 'general' THEN 'driving'
         WHEN kind = 'merging' THEN CASE WHEN turn LIKE 'merge%' THEN 'entry' ELSE 'exit' END
-        WHEN kind = 'cycle' THEN 'biking' WHEN kind = 'carpool' THEN 'HOV'
-        WHEN kind = 'closed' THEN 'restricted' ELSE kind END;
+        WHEN kind = 'cycle' THEN 'biking' WHEN kind = 'carpool' THEN 'HOV' ELSE kind END;
 COMMENT ON FUNCTION streetgen._opendrive_lane_type(text, boolean, text) IS
     'The type that a lane has in OpenDRIVE, by its kind, whether both directions use it, and where it leads.';
 

@@ -197,36 +197,6 @@ LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
 
 }  // namespace
 
-std::vector<Line> border_lines(const std::vector<PlanPiece>& chain,
-                               const std::vector<double>& stations,
-                               const std::vector<std::vector<double>>& borders, double tolerance) {
-  std::vector<double> at = stations;
-  for (const PlanPiece& piece : chain) {
-    const double bend = std::max(std::abs(piece.curvature), std::abs(piece.curvature_end));
-    const int parts =
-        std::max(1, static_cast<int>(std::ceil(piece.length * std::sqrt(bend / (8 * tolerance)))));
-    for (int i = 0; i < parts; ++i) at.push_back(piece.s + piece.length * i / parts);
-  }
-  std::sort(at.begin(), at.end());
-  std::vector<Line> lines(borders.size());
-  std::size_t behind = 1;
-  double before = -1;
-  for (const double s : at) {
-    // Points nearer than a millimetre to each other become one; the end always stays.
-    if (s - before < 1e-3 || (s < stations.back() && stations.back() - s < 1e-3)) continue;
-    before = s;
-    while (behind + 1 < stations.size() && stations[behind] < s) ++behind;
-    const double from = stations[behind - 1], share = (s - from) / (stations[behind] - from);
-    const ChainPlace place = place_at(chain, s);
-    const Point left{-std::sin(place.heading), std::cos(place.heading), 0};
-    for (std::size_t b = 0; b < borders.size(); ++b) {
-      const double a = borders[b][behind - 1], c = borders[b][behind];
-      lines[b].push_back(place.point + left * (a + (c - a) * std::clamp(share, 0.0, 1.0)));
-    }
-  }
-  return lines;
-}
-
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance) {
   return road_lanes(plan_view(axis, tolerance), lanes);
 }

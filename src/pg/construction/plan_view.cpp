@@ -8,6 +8,7 @@
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "frame/geometry_result.hpp"
+#include "streetgen/border_line.hpp"
 #include "streetgen/road_lanes.hpp"
 #include "value/alignment_numbers.hpp"
 #include "value/line_array.hpp"
@@ -151,7 +152,8 @@ STREETGEN_FUNCTION(streetgen_chain_station) {
   PG_RETURN_NULL();
 }
 
-// The columns of a chain, stations, values by border and station, and the tolerance.
+// The columns of a chain, stations, values by border and station, ends of borders, stations and
+// heights, and the tolerance.
 STREETGEN_FUNCTION(streetgen_chain_borders) {
   using namespace streetgen;
   using namespace streetgen::pg;
@@ -159,27 +161,43 @@ STREETGEN_FUNCTION(streetgen_chain_borders) {
   for (int i = 0; i < chain_columns; ++i) columns[i] = take_numbers(fcinfo, i);
   const NumberArray station = take_numbers(fcinfo, chain_columns);
   const NumberArray border = take_numbers(fcinfo, chain_columns + 1);
-  const double tolerance = PG_GETARG_FLOAT8(chain_columns + 2);
+  const NumberArray end = take_numbers(fcinfo, chain_columns + 2);
+  const NumberArray height_station = take_numbers(fcinfo, chain_columns + 3);
+  const NumberArray height = take_numbers(fcinfo, chain_columns + 4);
+  const double tolerance = PG_GETARG_FLOAT8(chain_columns + 5);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   auto* slot = make_slot<std::vector<Line>>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new std::vector<Line>;
-    const std::vector<double> stations = read_numbers(station, 1, "station");
-    if (stations.size() < 2) throw Error(ErrorKind::invalid_input, "there are not two stations");
-    const std::vector<double> values = read_numbers(border, stations.size(), "border");
-    std::vector<std::vector<double>> borders;
-    for (auto at = values.begin(); at != values.end(); at += stations.size())
-      borders.emplace_back(at, at + stations.size());
-    *slot->value = border_lines(read_chain(columns), stations, borders, tolerance_of(tolerance));
+    BorderCourse course;
+    course.chain = read_chain(columns);
+    course.stations = read_numbers(station, 1, "station");
+    if (course.stations.size() < 2)
+      throw Error(ErrorKind::invalid_input, "there are not two stations");
+    const std::vector<double> values = read_numbers(border, course.stations.size(), "border");
+    for (auto at = values.begin(); at != values.end(); at += course.stations.size())
+      course.borders.emplace_back(at, at + course.stations.size());
+    course.height_stations = read_numbers(height_station, 1, "height_station");
+    course.heights = read_numbers(height, 1, "height");
+    if (course.heights.size() != course.height_stations.size())
+      throw Error(ErrorKind::invalid_input, "there are not as many heights as stations of heights");
+    std::vector<BorderEnds> ends;
+    const std::vector<double> places = read_numbers(end, 4, "ends");
+    for (std::size_t i = 0; i < places.size(); i += 4)
+      ends.push_back({{places[i], places[i + 1], 0}, {places[i + 2], places[i + 3], 0}});
+    *slot->value = border_lines(course, ends, tolerance_of(tolerance));
   });
   report(outcome);
   for (std::size_t b = 0; b < slot->value->size(); ++b) {
     const Line& line = (*slot->value)[b];
     for (std::size_t i = 0; i < line.size(); ++i) {
       Datum values[] = {Int32GetDatum(static_cast<int>(b) + 1),
-                        Int32GetDatum(static_cast<int>(i) + 1), BoolGetDatum(i + 1 == line.size()),
-                        Float8GetDatum(line[i].x), Float8GetDatum(line[i].y)};
-      const bool nulls[] = {false, false, false, false, false};
+                        Int32GetDatum(static_cast<int>(i) + 1),
+                        BoolGetDatum(i + 1 == line.size()),
+                        Float8GetDatum(line[i].x),
+                        Float8GetDatum(line[i].y),
+                        Float8GetDatum(line[i].z)};
+      const bool nulls[] = {false, false, false, false, false, false};
       tuplestore_putvalues(result_of(fcinfo)->setResult, result_of(fcinfo)->setDesc, values,
                            const_cast<bool*>(nulls));
     }
