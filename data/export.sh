@@ -24,6 +24,7 @@ parts_of() {
     *.sumocfg)
       printf '%s\n' "$1" "${1%.sumocfg}.add.xml"
       parts_of "${1%.sumocfg}.net.xml" ;;
+    *.obj) printf '%s\n' "$1" "${1%.obj}.mtl" ;;
     *) printf '%s\n' "$1" ;;
   esac
 }
@@ -36,7 +37,7 @@ check_files() {
     case $file in
       *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj the mesh, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -71,6 +72,12 @@ write_parts() {
     -c "SELECT upper(encode(part, 'hex')) FROM $2" | basenc --base16 -d >"$1" || fail "$(basename "$1") cannot be written"
 }
 
+# write_wavefront FILE MODEL: the objects, which name the file of their materials.
+write_wavefront() {
+  write_lines "$1" "(SELECT $(quoted "mtllib $(basename "${1%.obj}").mtl") AS line UNION ALL (SELECT line FROM streetgen.export_wavefront($(quoted "$2"), 'objects', $(quoted "$export_options")))) f"
+  told=error write_lines "${1%.obj}.mtl" "streetgen.export_wavefront($(quoted "$2"), 'materials', $(quoted "$export_options"))"
+}
+
 # write_file FILE MODEL LAYER SRID
 write_file() {
   local file=$1 model=$2 layer=$3 srid=$4 of_model update=()
@@ -82,7 +89,7 @@ write_file() {
         update=(-update)
       done ;;
     *.shp) write_layer "$file" "$model" "$layer" false -f 'ESRI Shapefile' -a_srs "EPSG:$srid" -lco ENCODING=UTF-8 -lco RESIZE=YES ;;
-    *.obj) run_sql -At -v model="$model" -f "$root/data/wavefront.sql" >"$file" || fail "the mesh cannot be written to $(basename "$file")" ;;
+    *.obj) write_wavefront "$file" "$model" ;;
     *.net.xml) write_sumo "$file" "$model" ;;
     *.sumocfg) write_sumo_configuration "$file" "$model" ;;
     *.city.json) write_lines "$file" "streetgen.export_cityjson($(quoted "$model"), $(quoted "$export_options"))" ;;

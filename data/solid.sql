@@ -4,7 +4,7 @@
 CREATE FUNCTION pg_temp.paint(model text) RETURNS TABLE (level integer, surface geometry) LANGUAGE plpgsql AS $$ BEGIN
     RETURN QUERY EXECUTE format('SELECT e.level, s.surface::geometry FROM %1$I.lane_separator s JOIN %1$I.edge e USING (edge_id) UNION ALL SELECT e.level, m.surface FROM %1$I.marking m JOIN %1$I.edge e USING (edge_id)', model); END $$;
 WITH corner AS (
-    SELECT format('%s %s %s', kind, id, t.path[1]) AS id, kind, k, ST_X(p) AS x, ST_Y(p) AS y, ST_Z(p) * :steep AS z
+    SELECT format('%s %s %s', layer, id, t.path[1]) AS id, layer AS kind, k, ST_X(p) AS x, ST_Y(p) AS y, ST_Z(p) * :steep AS z
     FROM streetgen._street_mesh(:'model', json_build_object('extent', :'extent'::json, 'level', NULL, 'tolerance', 0.05)::jsonb) m, ST_Dump(mesh) t, generate_series(1, 3) k, ST_PointN(ST_ExteriorRing(t.geom), k) p),
 box AS (SELECT (e ->> 0)::float8 AS x, (e ->> 3)::float8 AS y, (e ->> 2)::float8 - (e ->> 0)::float8 AS w, (e ->> 3)::float8 - (e ->> 1)::float8 AS h FROM (SELECT :'extent'::json AS e) e),
 frame AS (SELECT *, :width / w AS scale FROM box),

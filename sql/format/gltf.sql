@@ -1,59 +1,51 @@
 -- glTF 2.0 in one binary file: streets to look at.
 
 CREATE OR REPLACE FUNCTION streetgen._gltf_mesh(surfaces bytea[], levels integer[], wanted boolean[], raised float8[],
-    lines bytea[], axes bytea[], axis_levels integer[], axis_widths float8[], tolerance float8, kinds integer[],
-    kerb integer, x float8, y float8, z float8)
-    RETURNS TABLE(kind integer, vertices bigint, indices bigint, lowest real[], highest real[], bytes bytea)
+    lines bytea[], axes bytea[], axis_levels integer[], axis_widths float8[], tolerance float8, parts integer[],
+    kerb_parts integer[], x float8, y float8, z float8)
+    RETURNS TABLE(part integer, vertices bigint, indices bigint, lowest real[], highest real[], bytes bytea)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 5 AS 'MODULE_PATHNAME', 'streetgen_gltf_mesh';
 COMMENT ON FUNCTION streetgen._gltf_mesh(bytea[], integer[], boolean[], float8[], bytea[], bytea[], integer[], float8[],
-    float8, integer[], integer, float8, float8, float8) IS
-    'The meshes that streetgen._road_mesh makes of its arguments as data of glTF, one row for each kind of surface '
-    'and one for the kerbs, which are of kind kerb. Counted from an origin x, y, z; y of the file is up, z to the '
+    float8, integer[], integer[], float8, float8, float8) IS
+    'The meshes that streetgen._road_mesh makes of its arguments as data of glTF, one row for each part: parts has '
+    'that of each surface, kerb_parts that of its kerbs. Counted from an origin x, y, z; y of the file is up, z to the '
     'south. lowest and highest: the box of the positions. bytes: positions, normals, texture coordinates, indices.';
 
-CREATE OR REPLACE FUNCTION streetgen._paint_along(model name, edges bigint[])
-    RETURNS TABLE(id bigint, level integer, surface geometry, line geometry)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    IF 'lane' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT 2 * s.lane_separator_id, e.level, s.surface, e.geom
-            FROM lane_separator s JOIN edge e ON e.edge_id = s.edge_id WHERE s.edge_id = ANY (edges);
-        RETURN QUERY SELECT 2 * m.marking_id + 1, e.level, m.surface, e.geom
-            FROM marking m JOIN edge e ON e.edge_id = m.edge_id WHERE m.edge_id = ANY (edges);
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._paint_along(name, bigint[]) IS
-    'The lines between lanes and the markings of edges; none of a model that computes no lanes.';
-
-CREATE OR REPLACE FUNCTION streetgen._gltf_blocks(model name, options jsonb, x float8, y float8)
-    RETURNS TABLE(cell integer, kind integer, vertices bigint, indices bigint, lowest real[], highest real[],
-        bytes bytea)
+CREATE OR REPLACE FUNCTION streetgen._gltf_blocks(model name, options jsonb, x float8, y float8, z float8)
+    RETURNS TABLE(cell integer, edge_id bigint, node_id bigint, material integer, vertices bigint, indices bigint,
+        lowest real[], highest real[], bytes bytea)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
     part record;
-    tolerance constant float8 := options ->> 'tolerance';
+    by_street constant boolean := options ->> 'nodes' = 'street';
+    layers constant text[] := ARRAY(SELECT l.layer FROM streetgen._mesh_layer() l);
+    kerb_material constant integer := (SELECT m.number FROM streetgen._mesh_material(model) m
+        WHERE (m.layer, m.kind) = ('kerb', ''));
 BEGIN
     FOR part IN SELECT * FROM streetgen._mesh_cells(model, options) c ORDER BY c.cell LOOP
-        RETURN QUERY WITH laid AS (
-            SELECT l.surfaces, l.levels, l.wanted, l.raised, l.lines, l.kinds
-            FROM streetgen._mesh_laid(model, part.edges, part.nodes) l
-            -- Paint lies above both: it leaves the heights by a tolerance, and so does the roadway.
-            UNION ALL SELECT array_agg(p.surface::bytea ORDER BY p.id), array_agg(p.level ORDER BY p.id),
-                array_agg(true), array_agg(k.raised + 2 * tolerance), array_agg(p.line::bytea ORDER BY p.id),
-                array_agg(k.number)
-            FROM streetgen._paint_along(model, part.edges) p, streetgen._mesh_kind() k
-            WHERE k.kind = 'marking' AND NOT ST_IsEmpty(p.surface))
-        SELECT part.cell, t.* FROM streetgen._mesh_heights(model, part.about) a, laid l, streetgen._mesh_kind() k,
+        RETURN QUERY WITH heights AS MATERIALIZED (SELECT * FROM streetgen._mesh_heights(model, part.about)),
+        laid AS MATERIALIZED (SELECT l.* FROM heights a, streetgen._mesh_laid(model, part.edges, part.nodes, layers,
+            options, streetgen._mesh_lift(a.axes, options)) l),
+        -- A part is one material, of one street where streets are nodes.
+        owner AS MATERIALIZED (
+            SELECT n, u.edge_id, u.node_id, u.material,
+                CASE WHEN by_street THEN dense_rank() OVER (ORDER BY u.edge_id, u.node_id)::integer ELSE 1 END AS owner
+            FROM laid l, unnest(l.edge_ids, l.node_ids, l.materials) WITH ORDINALITY u(edge_id, node_id, material, n)),
+        parts AS (SELECT array_agg(1000 * owner + material ORDER BY n) AS parts,
+            array_agg(1000 * owner + kerb_material ORDER BY n) AS kerb_parts FROM owner)
+        SELECT part.cell, o.edge_id, o.node_id, t.part % 1000, t.vertices, t.indices, t.lowest, t.highest, t.bytes
+        FROM heights a, laid l, parts p,
             streetgen._gltf_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels,
-                a.axis_widths, tolerance, l.kinds, k.number, x, y, 0) t
-        WHERE k.kind = 'kerb' ORDER BY t.kind;
+                a.axis_widths, (options ->> 'tolerance')::float8, p.parts, p.kerb_parts, x, y, z) t
+            LEFT JOIN (SELECT DISTINCT owner, edge_id, node_id FROM owner WHERE by_street) o ON o.owner = t.part / 1000
+        ORDER BY t.part;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._gltf_blocks(name, jsonb, float8, float8) IS
-    'The data of a file of glTF: a row for each kind of surface of each cell, counted from an origin.';
+COMMENT ON FUNCTION streetgen._gltf_blocks(name, jsonb, float8, float8, float8) IS
+    'The data of a file of glTF: a row for each material of each square, or of each edge and node in it, counted from '
+    'an origin.';
 
 CREATE OR REPLACE FUNCTION streetgen._gltf_word(value bigint) RETURNS bytea
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -77,10 +69,16 @@ CREATE OR REPLACE FUNCTION streetgen.export_gltf(model name, options jsonb DEFAU
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'gltf', 'surface', options);
 BEGIN
+    PERFORM streetgen._use_model(model);
     RETURN QUERY WITH origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, known)),
     block AS MATERIALIZED (
-        SELECT b.*, row_number() OVER place - 1 AS number, sum(length(bytes)) OVER place - length(bytes) AS start
-        FROM origin o, streetgen._gltf_blocks(model, known, o.x, o.y) b WINDOW place AS (ORDER BY cell, kind)),
+        SELECT b.*, dense_rank() OVER (ORDER BY cell, edge_id, node_id) - 1 AS mesh,
+            row_number() OVER place - 1 AS number, sum(length(bytes)) OVER place - length(bytes) AS start
+        FROM origin o, streetgen._gltf_blocks(model, known, o.x, o.y, o.z) b
+        WINDOW place AS (ORDER BY cell, edge_id, node_id, material)),
+    material AS MATERIALIZED (
+        SELECT m.*, row_number() OVER (ORDER BY number) - 1 AS place FROM streetgen._mesh_material(model) m
+        WHERE number IN (SELECT material FROM block)),
     size AS (SELECT sum(length(bytes))::bigint AS bytes FROM block),
     view AS NOT MATERIALIZED (
         SELECT number, start, a.*
@@ -91,23 +89,26 @@ BEGIN
             (3, 32 * vertices, 4 * indices, 34963, 5125, indices, 'SCALAR', NULL, NULL))
             a(k, after, bytes, target, component, count, type, low, high)),
     mesh AS (
-        SELECT cell, row_number() OVER (ORDER BY cell) - 1 AS number, json_build_object('name', 'cell_' || cell,
-            'primitives', json_agg(json_build_object('attributes', json_build_object('POSITION', 4 * number,
+        SELECT mesh AS number, coalesce('edge_' || edge_id, 'node_' || node_id, 'cell_' || cell) AS name,
+            CASE WHEN num_nonnulls(edge_id, node_id) > 0 THEN json_build_object('edge_id', edge_id, 'node_id', node_id,
+                'name', min(a.name), 'class', min(a.kind)) END AS extras,
+            json_agg(json_build_object('attributes', json_build_object('POSITION', 4 * number,
                 'NORMAL', 4 * number + 1, 'TEXCOORD_0', 4 * number + 2), 'indices', 4 * number + 3,
-                'material', kind) ORDER BY number)) AS mesh
-        FROM block GROUP BY cell),
+                'material', place) ORDER BY number) AS primitives
+        FROM (SELECT b.*, m.place FROM block b JOIN material m ON m.number = material) b LEFT JOIN (
+            SELECT edge_id, streetgen._xml_text(name) AS name, streetgen._xml_text(kind) AS kind
+            FROM edge JOIN axis USING (axis_id)) a USING (edge_id)
+        GROUP BY mesh, cell, edge_id, node_id),
     -- A list of thousands of elements in one value would be copied many times: it is written piece by piece.
     element AS (
         SELECT 2 AS turn, number, number::text AS text FROM mesh
-        UNION ALL SELECT 4, number, json_build_object('name', 'cell_' || cell, 'mesh', number)::text FROM mesh
-        UNION ALL SELECT 6, number, mesh::text FROM mesh
+        UNION ALL SELECT 4, number, json_strip_nulls(json_build_object('name', name, 'mesh', number, 'extras', extras))
+            ::text FROM mesh
+        UNION ALL SELECT 6, number, json_build_object('name', name, 'primitives', primitives)::text FROM mesh
         UNION ALL SELECT 8, 4 * number + k, json_strip_nulls(json_build_object('bufferView', 4 * number + k,
             'componentType', component, 'count', count, 'type', type, 'min', low, 'max', high))::text FROM view
         UNION ALL SELECT 10, 4 * number + k, json_build_object('buffer', 0, 'byteOffset', start + after, 'byteLength',
             bytes, 'target', target)::text FROM view),
-    -- As one sees it from near.
-    paint AS (SELECT DISTINCT ON (layer) layer, fill FROM streetgen._symbols(model, 'street', 1) s
-        WHERE s.kind = '' AND marker IS NULL AND fill IS NOT NULL ORDER BY layer, symbol DESC),
     told AS MATERIALIZED (
         SELECT turn, number / 1000 AS id, convert_to(CASE WHEN number / 1000 > 0 THEN ', ' ELSE '' END
             || string_agg(text, ', ' ORDER BY number), 'UTF8') AS bytes
@@ -115,13 +116,13 @@ BEGIN
         UNION ALL SELECT turn, 0, convert_to(text, 'UTF8') FROM origin o, size, LATERAL (VALUES
             (1, '{"asset" : ' || json_build_object('version', '2.0', 'generator', 'StreetGen ' || streetgen.version(),
                 'extras', json_build_object('model', streetgen._xml_text(model), 'srid', o.srid, 'origin',
-                    json_build_array(o.x, o.y, 0), 'axes', 'x east, y up, z south, metres'))
+                    json_build_array(o.x, o.y, o.z), 'axes', 'x east, y up, z south, metres'))
                 || ', "scene" : 0, "scenes" : [{"nodes" : ['),
             (3, ']}], "nodes" : ['), (5, '], "meshes" : ['),
-            (7, '], "materials" : ' || (SELECT json_agg(json_strip_nulls(json_build_object('name', k.kind,
+            (7, '], "materials" : ' || (SELECT json_agg(json_strip_nulls(json_build_object('name', m.name,
                 'pbrMetallicRoughness', json_build_object('baseColorFactor', streetgen._linear_colour(fill),
-                    'metallicFactor', 0, 'roughnessFactor', roughness))) ORDER BY number)
-                FROM streetgen._mesh_kind() k LEFT JOIN paint p ON layer = k.kind) || ', "accessors" : ['),
+                    'metallicFactor', 0, 'roughnessFactor', roughness))) ORDER BY place) FROM material m)
+                || ', "accessors" : ['),
             (9, '], "bufferViews" : ['),
             (11, '], "buffers" : ' || json_build_array(json_build_object('byteLength', size.bytes)) || '}')) t(turn,
                 text)),
@@ -140,11 +141,13 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.export_gltf(name, jsonb) IS
     'A binary file of glTF 2.0 (.glb), in parts of at most 1 MB that follow each other. What streets consist of has a '
-    'material each, in the colour of theme street: section, intersection, sidewalk and kerb (subject sidewalk), '
-    'marking (subject lane). Sidewalks lie '
-    '0.15 m above the roadway and kerbs close the step; paint lies above the roadway by 5 mm and twice the tolerance. '
-    'Heights, normals and texture coordinates, metres, are those of streetgen.road_mesh. x is to the east, y up, z to '
-    'the south. Positions are floats, counted from whole metres that extras of the asset name with the SRID; a float '
-    'resolves a millimetre ten kilometres from there. A node is a square of 500 m. options as '
+    'material each, in the colour of theme street, and so have the kinds that it draws by themselves: section, '
+    'section_stone, intersection, sidewalk and kerb (subject sidewalk), lane_cycle, lane_separator and marking (lane), '
+    'crossing, bay and refuge (object), block (block) and others. Sidewalks lie 0.15 m above the roadway, blocks '
+    '0.13 m, and kerbs close the step. Paint lies above the roadway by 5 mm and, where streets have heights, twice the '
+    'tolerance. Heights, normals and texture coordinates, metres, are those of streetgen.road_mesh. x is to the east, '
+    'y up, z to the south. Positions are floats, counted from an origin that extras of the asset name with the SRID; a '
+    'float resolves a millimetre ten kilometres from there. A node is a square of 500 m, or by option nodes each edge '
+    'and each node of the model, whose extras have its id, name and class. options as '
     'streetgen.export_option() lists them: an unknown one, or no edge that they take: 22023. A caller who may not read '
     'the model: 42501. What is stale is written as it was, with a warning.';

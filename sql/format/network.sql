@@ -44,19 +44,25 @@ END $$;
 COMMENT ON FUNCTION streetgen._written_edges(name, jsonb) IS 'The edges that options of a writer take.';
 
 CREATE OR REPLACE FUNCTION streetgen._export_origin(model name, options jsonb)
-    RETURNS TABLE(x float8, y float8, digits integer, tolerance float8, srid integer)
+    RETURNS TABLE(x float8, y float8, z float8, digits integer, tolerance float8, srid integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    given constant jsonb := CASE jsonb_typeof(options -> 'origin') WHEN 'array' THEN options -> 'origin' END;
+    share constant float8 := CASE options ->> 'origin' WHEN 'middle' THEN 0.5 ELSE 0 END;
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY SELECT coalesce(floor(min(ST_XMin(e.geom))), 0), coalesce(floor(min(ST_YMin(e.geom))), 0),
-            (options ->> 'precision')::integer, (options ->> 'tolerance')::float8,
+    RETURN QUERY SELECT coalesce((given ->> 0)::float8, floor(ST_XMin(box) + share * (ST_XMax(box) - ST_XMin(box))), 0),
+            coalesce((given ->> 1)::float8, floor(ST_YMin(box) + share * (ST_YMax(box) - ST_YMin(box))), 0),
+            coalesce((given ->> 2)::float8, 0), (options ->> 'precision')::integer, (options ->> 'tolerance')::float8,
             (SELECT m.srid FROM streetgen.model m WHERE m.name = model)
-        FROM edge e WHERE e.edge_id IN (SELECT streetgen._written_edges(model, options));
+        FROM (SELECT ST_Extent(e.geom) AS box FROM edge e
+            WHERE e.edge_id IN (SELECT streetgen._written_edges(model, options))) b;
 END $$;
 COMMENT ON FUNCTION streetgen._export_origin(name, jsonb) IS
-    'The whole metres from which a writer counts coordinates, so that they stay small, with digits, tolerance and '
-    'SRID.';
+    'The place from which a writer counts coordinates and heights, so that they stay small, with digits, tolerance and '
+    'SRID. By option origin it is the lower left corner of the edges that are written, in whole metres, or their '
+    'middle, or a place that is given. Its height is 0 unless given.';
 
 CREATE OR REPLACE FUNCTION streetgen._places(model name, options jsonb)
     RETURNS TABLE(node_id bigint, place_id bigint, junction_id bigint, kind text, surface geometry)

@@ -63,7 +63,7 @@ BEGIN
             JOIN drawn d ON d.edge_id = s.edge_id AND s.lane_id = ANY (d.lanes),
             LATERAL (SELECT count(*) AS more FROM shoulder b
                 WHERE (b.road_id, b.side) = (d.road_id, s.side)) outer_lane,
-            (SELECT k.raised FROM streetgen._mesh_kind() k WHERE k.kind = 'sidewalk') k),
+            (SELECT k.raised FROM streetgen._mesh_layer() k WHERE k.layer = 'sidewalk') k),
     road_of_edge AS MATERIALIZED (SELECT edge_id, min(road_id) AS road_id FROM drawn GROUP BY edge_id),
     -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
     standing AS MATERIALIZED (

@@ -5,14 +5,18 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
-    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,opensidewalks}'::text[], 'box', 'null'::jsonb, 'm',
-        'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all', -1e12::float8,
-        1e12::float8, NULL::text[]),
-    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf}', 'integer', 'null', '',
+    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront,opensidewalks}'::text[], 'box',
+        'null'::jsonb, 'm', 'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all',
+        -1e12::float8, 1e12::float8, NULL::text[]),
+    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront}', 'integer', 'null', '',
         'edges of this level alone; null: all', -50, 50, NULL),
     ('junctions', '{sumo,symuvia,opendrive,lanelet2}', 'word', '"node"', '',
         'what a junction is: each node, or the nodes of a '
         'junction as one, without the edges inside', NULL, NULL, '{node,group}'),
+    ('origin', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront}', 'place', '"corner"', 'm',
+        'where coordinates are counted from: whole metres of the lower left corner or of the middle of what is '
+        'written, or [x, y] or [x, y, z] in the SRID of the model; z is 0 unless given', -1e12, 1e12,
+        '{corner,middle}'),
     ('precision', '{sumo}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('precision', '{symuvia}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{sumo}', 'number', '0', 'm', 'how far a simplified line may leave that of the model; 0: all its '
@@ -22,14 +26,24 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
     ('precision', '{opendrive}', 'integer', '4', 'digits', 'digits of a coordinate behind the point', 3, 8, NULL),
     ('tolerance', '{opendrive,lanelet2}', 'number', '0.05', 'm',
         'how far lines and arcs may leave the lines of the model', 0.001, 1, NULL),
+    ('nodes', '{gltf}', 'word', '"cell"', '', 'what a node is: a square of 500 m, or each edge and each node of the '
+        'model, to be picked', NULL, NULL, '{cell,street}'),
     ('version', '{opendrive}', 'word', '"1.7"', '', 'the version of OpenDRIVE', NULL, NULL, '{1.7,1.6}'),
-    ('precision', '{cityjson}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
-    ('tolerance', '{cityjson,gltf}', 'number', '0.05', 'm', 'how far triangles may leave the heights of the streets',
-        0.001, 10, NULL)
+    ('precision', '{cityjson,wavefront}', 'integer', '3', 'digits',
+        'digits of a coordinate behind the point', 2, 8, NULL),
+    ('tolerance', '{cityjson,gltf,wavefront}', 'number', '0.05', 'm',
+        'how far triangles may leave the heights of the streets', 0.001, 10, NULL)
     $$;
 COMMENT ON FUNCTION streetgen.export_option() IS
     'The options of the writers of files: name, the formats that have it (the word behind export_), kind (box, '
-    'integer, number or word), default value, unit, meaning, range of numbers and words of choice.';
+    'place, integer, number or word), default value, unit, meaning, range of numbers and words of choice.';
+
+CREATE OR REPLACE FUNCTION streetgen._are_numbers(list jsonb, minimum float8, maximum float8) RETURNS boolean
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT bool_and(CASE jsonb_typeof(v) WHEN 'number' THEN (v #>> '{}')::numeric
+            BETWEEN minimum::numeric AND maximum::numeric ELSE false END) FROM jsonb_array_elements(list) v $$;
+COMMENT ON FUNCTION streetgen._are_numbers(jsonb, float8, float8) IS
+    'Whether all elements of a list are numbers within a range.';
 
 CREATE OR REPLACE FUNCTION streetgen._fits_option(kind text, value jsonb, minimum float8, maximum float8,
     choice text[]) RETURNS boolean
@@ -37,9 +51,11 @@ CREATE OR REPLACE FUNCTION streetgen._fits_option(kind text, value jsonb, minimu
     AS $$
     SELECT CASE kind
         WHEN 'word' THEN jsonb_typeof(value) = 'string' AND value #>> '{}' = ANY (choice)
+        WHEN 'place' THEN jsonb_typeof(value) = 'string' AND value #>> '{}' = ANY (choice)
+            OR jsonb_typeof(value) = 'array' AND jsonb_array_length(value) IN (2, 3)
+                AND streetgen._are_numbers(value, minimum, maximum)
         WHEN 'box' THEN jsonb_typeof(value) = 'array' AND jsonb_array_length(value) = 4
-            AND (SELECT bool_and(streetgen._fits_option('number', v, minimum, maximum, NULL))
-                FROM jsonb_array_elements(value) v)
+            AND streetgen._are_numbers(value, minimum, maximum)
             AND (value ->> 0)::numeric <= (value ->> 2)::numeric AND (value ->> 1)::numeric <= (value ->> 3)::numeric
         ELSE jsonb_typeof(value) = 'number' AND (value #>> '{}')::numeric BETWEEN minimum::numeric AND maximum::numeric
             AND (kind = 'number' OR (value #>> '{}')::numeric % 1 = 0) END
@@ -73,6 +89,7 @@ BEGIN
         RAISE EXCEPTION 'option "%" is %, expected %', wrong.key, left(wrong.value::text, 100),
             CASE wrong.kind WHEN 'word' THEN array_to_string(wrong.choice, ' or ')
                 WHEN 'box' THEN '[xmin, ymin, xmax, ymax]'
+                WHEN 'place' THEN array_to_string(wrong.choice, ', ') || ', [x, y] or [x, y, z]'
                 ELSE format('a%s number from %s to %s', CASE wrong.kind WHEN 'integer' THEN ' whole' ELSE '' END,
                     wrong.minimum, wrong.maximum) END USING ERRCODE = '22023',
             HINT = 'SELECT * FROM streetgen.export_option() explains the options.';

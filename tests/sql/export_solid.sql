@@ -2,8 +2,9 @@
 \ir shared/truths.sql
 -- Files in three dimensions, CityJSON and glTF, held against the tables.  (name, holds)
 DO $$ BEGIN
-  PERFORM streetgen.create_model('town', 2154, 3, subjects => '{lane,sidewalk}'), streetgen.create_model('flat', 2154, subjects => '{surface}'), streetgen.create_model('bare', 2154), streetgen.create_model('painted', 2154), streetgen.create_model('wide', 2154, subjects => '{surface}');
+  PERFORM streetgen.create_model('town', 2154, 3, subjects => '{lane,sidewalk}'), streetgen.create_model('flat', 2154, subjects => '{surface}'), streetgen.create_model('bare', 2154), streetgen.create_model('painted', 2154), streetgen.create_model('high', 2154, 3), streetgen.create_model('wide', 2154, subjects => '{surface}');
   INSERT INTO painted.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 9);
+  INSERT INTO high.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000 50, 650100 6860000 50)', 9);
   INSERT INTO town.axis (geom, width, level, sidewalk_left, sidewalk_right, name) VALUES
     ('SRID=2154;LINESTRING(650000 6860000 100, 650100 6860000 106)', 9, 0, 2, 3, 'a "<&'), ('SRID=2154;LINESTRING(650100 6860000 106, 650140 6860000 110, 650180 6860000 109, 650240 6860020 101)', 7, 0, 2, 2, NULL),
     ('SRID=2154;LINESTRING(650100 6860000 106, 650110 6859960 103, 650110 6859920 103)', 6, 0, 1.5, 0, NULL), ('SRID=2154;LINESTRING(650160 6859950 120, 650160 6860050 118)', 8, 1, 0, 0, NULL),
@@ -15,7 +16,7 @@ CREATE FUNCTION pg_temp.city(model name, options jsonb DEFAULT '{}') RETURNS jso
 CREATE FUNCTION pg_temp.file(model name, options jsonb DEFAULT '{}') RETURNS bytea LANGUAGE sql AS $$ SELECT string_agg(part, '' ORDER BY ordinality) FROM streetgen.export_gltf(model, options) $$;
 
 CREATE TEMPORARY TABLE city AS SELECT pg_temp.city('town') AS city;
-CREATE TEMPORARY TABLE vertex AS SELECT n - 1 AS vertex, 650000 + (v ->> 0)::float8 / 1000 AS x, 6859915 + (v ->> 1)::float8 / 1000 AS y, (v ->> 2)::float8 / 1000 AS z FROM city, jsonb_array_elements(city -> 'vertices') WITH ORDINALITY e(v, n);
+CREATE TEMPORARY TABLE vertex AS SELECT n - 1 AS vertex, 650000 + (v ->> 0)::float8 / 1000 AS x, (city #>> '{transform,translate,1}')::float8 + (v ->> 1)::float8 / 1000 AS y, (v ->> 2)::float8 / 1000 AS z FROM city, jsonb_array_elements(city -> 'vertices') WITH ORDINALITY e(v, n);
 CREATE TEMPORARY TABLE face AS
 SELECT o.key AS road, t.n AS triangle, ARRAY[(t.b #>> '{0,0}')::bigint, (t.b #>> '{0,1}')::bigint, (t.b #>> '{0,2}')::bigint] AS corner, s ->> 'type' AS type, s ->> 'function' AS function
 FROM city, jsonb_each(city -> 'CityObjects') o, LATERAL (SELECT o.value #> '{geometry,0}' AS g) g, jsonb_array_elements(g -> 'boundaries') WITH ORDINALITY t(b, n),
@@ -31,7 +32,7 @@ SELECT 'coordinates are counted from whole metres', city #> '{transform,translat
 SELECT 'a road for each edge and each node with a surface', (SELECT array_agg(DISTINCT road ORDER BY road) FROM face) = (SELECT array_agg(DISTINCT r ORDER BY r) FROM (SELECT 'edge_' || edge_id AS r FROM town.section WHERE NOT ST_IsEmpty(surface)
     UNION ALL SELECT 'node_' || node_id FROM town.intersection WHERE NOT ST_IsEmpty(surface) UNION ALL SELECT coalesce('node_' || node_id, 'edge_' || edge_id) FROM town.sidewalk) s);
 SELECT 'names come as they are', city #>> '{CityObjects,edge_1,attributes,name}' = 'a "<&' FROM city;
-SELECT 'what a surface is: ' || function, type = CASE function WHEN 'kerbstone' THEN 'AuxiliaryTrafficArea' ELSE 'TrafficArea' END FROM (SELECT DISTINCT function, type FROM face) f ORDER BY function;
+SELECT 'what a surface is: ' || function, type = CASE function WHEN 'kerbstone' THEN 'AuxiliaryTrafficArea' WHEN 'lane line' THEN 'TransportationMarking' ELSE 'TrafficArea' END FROM (SELECT DISTINCT function, type FROM face) f ORDER BY function;
 SELECT 'the roadway has the area of the tables, by 0.1 %', abs(sum(plan) / (SELECT sum(ST_Area(surface)) FROM town.roadway) - 1) < 1e-3 AND bool_and(plan > -1e-6) FROM area WHERE function = 'roadway';
 SELECT 'so have the sidewalks', abs(sum(plan) / (SELECT sum(ST_Area(surface)) FROM town.sidewalk) - 1) < 1e-3 AND bool_and(plan > -1e-6) FROM area WHERE function = 'footpath';
 -- Border shared by a sidewalk and the roadway of its level, 0.15 m high; a centimetre is what two ends of a border are apart at most.
@@ -66,14 +67,33 @@ SELECT 'its data is as long as it says, to whole words', pg_temp.word(file, 20 +
     FROM solid, pg_temp.word(file, 12) json;
 SELECT 'extras say reference and origin', told #> '{asset,extras,srid}' = '2154' AND told #> '{asset,extras,origin,0}' = '650000' FROM solid;
 SELECT 'each in the colour in which it is drawn, as light', abs(256 * (told #>> '{materials,0,pbrMetallicRoughness,baseColorFactor,0}')::float8 - 256 * (((get_byte(decode(substr(fill, 2), 'hex'), 0) / 255.0) + 0.055) / 1.055) ^ 2.4) < 0.1 FROM solid, streetgen.symbol_rule WHERE (theme, layer, kind) = ('street', 'section', '');
-SELECT 'a material for each kind', (SELECT array_agg(m ->> 'name') FROM jsonb_array_elements(told -> 'materials') m) = '{section,intersection,sidewalk,kerb,marking}' FROM solid;
+SELECT 'a material for each layer that is there', (SELECT array_agg(m ->> 'name') FROM jsonb_array_elements(told -> 'materials') m) = '{intersection,kerb,lane_separator,section,sidewalk}' AND NOT EXISTS (SELECT FROM town.marking) FROM solid;
 SELECT 'a node and a mesh for each square of 500 m that has streets', jsonb_array_length(told -> 'nodes') > 1 AND jsonb_array_length(told -> 'nodes') = (SELECT count(DISTINCT (floor(ST_X(p) / 500), floor(ST_Y(p) / 500))) FROM (SELECT ST_StartPoint(geom) AS p FROM town.edge UNION ALL SELECT geom FROM town.intersection JOIN town.node USING (node_id) WHERE NOT ST_IsEmpty(surface)) s) FROM solid;
 CREATE TEMPORARY TABLE primitive AS
-SELECT m.ordinality AS mesh, (p ->> 'material')::integer AS kind, told #> ARRAY['accessors', p #>> '{attributes,POSITION}'] AS position, told #> ARRAY['accessors', p ->> 'indices'] AS indices FROM solid, jsonb_array_elements(told -> 'meshes') WITH ORDINALITY m, jsonb_array_elements(m.value -> 'primitives') p;
-SELECT 'as many triangles as the mesh has', sum((indices ->> 'count')::bigint) FILTER (WHERE kind < 4) / 3 = (SELECT sum(ST_NumGeometries(mesh)) FROM streetgen._street_mesh('town', '{"extent": null, "level": null, "tolerance": 0.05}')) FROM primitive;
-SELECT 'kerbs stand on the roadway, and end where sidewalks lie', bool_and(abs((k.position #>> '{max,1}')::float8 - (s.position #>> '{max,1}')::float8) < 0.5) FROM primitive k JOIN primitive s USING (mesh) WHERE k.kind = 3 AND s.kind = 2;
-SELECT 'paint lies above the roadway, by 5 mm and twice the tolerance', count(*) > 0 AND bool_and(abs((p #>> '{min,1}')::float8 - z) < 1e-6 AND abs((p #>> '{max,1}')::float8 - z) < 1e-6)
-    FROM (VALUES ('{}'::jsonb, 0.105), ('{"tolerance": 0.01}', 0.025)) v(options, z), LATERAL (SELECT pg_temp.told(pg_temp.file('painted', options)) AS told) f, LATERAL (SELECT p FROM jsonb_array_elements(told #> '{meshes,0,primitives}') m, LATERAL (SELECT told #> ARRAY['accessors', m #>> '{attributes,POSITION}'] AS p) q WHERE m -> 'material' = '4') a;
+SELECT m.ordinality AS mesh, told #>> ARRAY['materials', p ->> 'material', 'name'] AS layer, told #> ARRAY['accessors', p #>> '{attributes,POSITION}'] AS position, told #> ARRAY['accessors', p ->> 'indices'] AS indices FROM solid, jsonb_array_elements(told -> 'meshes') WITH ORDINALITY m, jsonb_array_elements(m.value -> 'primitives') p;
+SELECT 'as many triangles as the mesh has', sum((indices ->> 'count')::bigint) FILTER (WHERE layer <> 'lane_separator') / 3 = (SELECT sum(ST_NumGeometries(mesh)) FROM streetgen._street_mesh('town', '{"extent": null, "level": null, "tolerance": 0.05}')) FROM primitive;
+SELECT 'kerbs stand on the roadway, and end where sidewalks lie', bool_and(abs((k.position #>> '{max,1}')::float8 - (s.position #>> '{max,1}')::float8) < 0.5) FROM primitive k JOIN primitive s USING (mesh) WHERE k.layer = 'kerb' AND s.layer = 'sidewalk';
+SELECT 'paint lies above the roadway, by 5 mm and, where there are heights, twice the tolerance', count(*) > 0 AND bool_and(abs((p #>> '{min,1}')::float8 - z) < 1e-5 AND abs((p #>> '{max,1}')::float8 - z) < 1e-5)
+    FROM (VALUES ('painted'::name, '{}'::jsonb, 0.005), ('high', '{}', 50.105), ('high', '{"tolerance": 0.01, "origin": [650000, 6860000, 40]}', 10.025)) v(model, options, z), LATERAL (SELECT pg_temp.told(pg_temp.file(model, options)) AS told) f,
+        LATERAL (SELECT told #> ARRAY['accessors', m #>> '{attributes,POSITION}'] AS p FROM jsonb_array_elements(told #> '{meshes,0,primitives}') m WHERE told #>> ARRAY['materials', m ->> 'material', 'name'] = 'lane_separator') a;
+SELECT 'a node for each street, with its id and name', (SELECT array_agg(n ->> 'name' ORDER BY n ->> 'name') FROM jsonb_array_elements(told -> 'nodes') n) = (SELECT array_agg(road ORDER BY road) FROM (SELECT DISTINCT road FROM face) f)
+    AND (SELECT n #>> '{extras,name}' FROM jsonb_array_elements(told -> 'nodes') n WHERE n -> 'extras' -> 'edge_id' = '1') = 'a "<&' FROM (SELECT pg_temp.told(pg_temp.file('town', '{"nodes": "street"}')) AS told) f;
+
+-- Wavefront: vertices, texture coordinates, normals and faces.
+CREATE FUNCTION pg_temp.object(model name, options jsonb DEFAULT '{}') RETURNS SETOF text[] LANGUAGE sql AS $$ SELECT string_to_array(r, ' ') FROM (SELECT line FROM streetgen.export_wavefront(model, 'objects', options) ORDER BY ordinality) l, regexp_split_to_table(line, E'\n') r $$;
+CREATE TEMPORARY TABLE word AS SELECT row_number() OVER () AS n, w FROM pg_temp.object('town', '{"origin": "middle"}') w;
+CREATE TEMPORARY TABLE told AS SELECT w[3]::float8 AS x, w[4]::float8 AS y, rtrim(w[5], ',')::float8 AS z FROM word WHERE w[1:2] = '{#,origin}';
+SELECT 'the middle of what is written, in whole metres', (x, y, z) = (SELECT floor((ST_XMin(b) + ST_XMax(b)) / 2), floor((ST_YMin(b) + ST_YMax(b)) / 2), 0 FROM (SELECT ST_Extent(geom) AS b FROM town.edge) e) FROM told;
+CREATE TEMPORARY TABLE place AS SELECT row_number() OVER (ORDER BY n) AS vertex, w[2]::float8 + told.x AS x, w[3]::float8 + told.y AS y, w[4]::float8 + told.z AS z FROM word, told WHERE w[1] = 'v';
+CREATE TEMPORARY TABLE wing AS SELECT n, k, split_part(w[k], '/', 1)::bigint AS v, split_part(w[k], '/', 2)::bigint AS vt, split_part(w[k], '/', 3)::bigint AS vn FROM word, generate_series(2, 4) k WHERE w[1] = 'f';
+SELECT 'an object for each road of the other files', (SELECT array_agg(w[2] ORDER BY w[2]) FROM word WHERE w[1] = 'o') = (SELECT array_agg(road ORDER BY road) FROM (SELECT DISTINCT road FROM face) f);
+SELECT 'no place has two vertices, and each one is used', count(*) = count(DISTINCT (x, y, z)) AND count(*) = (SELECT count(DISTINCT v) FROM wing) FROM place;
+SELECT 'the places are those of CityJSON', count(*) > 0 AND count(*) = count(v.vertex) FROM place p LEFT JOIN vertex v ON abs(v.x - p.x) < 5e-4 AND abs(v.y - p.y) < 5e-4 AND abs(v.z - p.z) < 5e-4;
+SELECT 'texture coordinates and normals are there', bool_and(vt BETWEEN 1 AND (SELECT count(*) FROM word WHERE w[1] = 'vt') AND vn BETWEEN 1 AND (SELECT count(*) FROM word WHERE w[1] = 'vn')) FROM wing;
+SELECT 'normals are of one metre', bool_and(abs(sqrt(w[2]::float8 ^ 2 + w[3]::float8 ^ 2 + w[4]::float8 ^ 2) - 1) < 2e-3) FROM word WHERE w[1] = 'vn';
+SELECT 'each material has its colour', (SELECT array_agg(DISTINCT w[2] ORDER BY w[2]) FROM word WHERE w[1] = 'usemtl') = '{intersection,kerb,lane_separator,section,sidewalk}'
+    AND (SELECT count(*) FROM streetgen.export_wavefront('town', 'materials') m WHERE split_part(m.line, E'\n', 1) IN (SELECT 'newmtl ' || w[2] FROM word WHERE w[1] = 'usemtl')) = 5;
+
 SELECT 'parts are of a megabyte at most, numbered from one', max(length(part)) <= 1048576 AND array_agg(ordinality ORDER BY ordinality) = array_agg(n ORDER BY n) FROM (SELECT *, row_number() OVER (ORDER BY ordinality) AS n FROM streetgen.export_gltf('town')) p;
 -- Each square has four.
 SELECT 'no part holds more than a thousand accessors', sum(n) = 4 * 20 * 13 AND max(n) <= 1000 AND sum(n) = (SELECT jsonb_array_length(pg_temp.told(pg_temp.file('wide')) -> 'accessors')) FROM (SELECT regexp_count(encode(part, 'escape'), '"bufferView"') AS n FROM streetgen.export_gltf('wide')) p;
@@ -81,5 +101,6 @@ SELECT 'no part holds more than a thousand accessors', sum(n) = 4 * 20 * 13 AND 
 SELECT 'the same bytes again', pg_temp.file('town') = (SELECT file FROM solid) AND md5(pg_temp.city('town')::text) = (SELECT md5(city::text) FROM city);
 SELECT 'bad input: ' || statement, test.state(statement) = expected FROM (VALUES
     ($$SELECT streetgen.export_cityjson('bare')$$, '22023'), ($$SELECT streetgen.export_gltf('bare')$$, '22023'), ($$SELECT streetgen.export_cityjson('town', '{"junctions": "node"}')$$, '22023'),
-    ($$SELECT streetgen.export_gltf('town', '{"tolerance": 0}')$$, '22023'), ($$SELECT streetgen.export_gltf('town', '{"precision": 3}')$$, '22023'), ($$SELECT streetgen.export_cityjson('town', '{"precision": 9}')$$, '22023'),
+    ($$SELECT streetgen.export_gltf('town', '{"origin": "left"}')$$, '22023'), ($$SELECT streetgen.export_gltf('town', '{"origin": [1]}')$$, '22023'), ($$SELECT streetgen.export_gltf('town', '{"origin": [1, "2"]}')$$, '22023'), ($$SELECT streetgen.export_cityjson('town', '{"origin": [1, 1e30, 0]}')$$, '22023'),
+    ($$SELECT streetgen.export_wavefront('town', 'nothing')$$, '22023'), ($$SELECT streetgen.export_wavefront('town', NULL)$$, '22004'), ($$SELECT streetgen.export_wavefront('bare', 'objects')$$, '22023'), ($$SELECT streetgen.export_gltf('town', '{"tolerance": 0}')$$, '22023'), ($$SELECT streetgen.export_gltf('town', '{"precision": 3}')$$, '22023'), ($$SELECT streetgen.export_cityjson('town', '{"precision": 9}')$$, '22023'),
     ($$SELECT streetgen.export_gltf('town', NULL)$$, '22023'), ($$SELECT streetgen.export_gltf('nowhere')$$, '3F000'), ($$SELECT streetgen.export_gltf('town', '{"extent": [0, 0, 1, 1]}')$$, '22023')) s(statement, expected);

@@ -1,4 +1,8 @@
-// streetgen._road_mesh and _gltf_mesh: the triangles of surfaces, with the heights of axes.
+// streetgen._road_mesh, _gltf_mesh and _indexed_mesh: the triangles of surfaces, with the heights
+// of axes.
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -7,7 +11,9 @@
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "streetgen/gltf_mesh.hpp"
+#include "streetgen/indexed_mesh.hpp"
 #include "streetgen/surface_mesh.hpp"
+#include "value/decimal.hpp"
 #include "value/line_array.hpp"
 #include "value/value_array.hpp"
 #include "value/wkb.hpp"
@@ -16,6 +22,7 @@ extern "C" {
 #include <catalog/pg_type.h>
 #include <funcapi.h>
 #include <utils/array.h>
+#include <utils/builtins.h>
 #include <utils/tuplestore.h>
 }
 
@@ -23,7 +30,7 @@ namespace streetgen::pg {
 
 namespace {
 
-// The first arguments of both functions.
+// The first arguments of all.
 struct MeshArguments {
   LineArray surfaces;
   const Datum *levels, *wanted, *raised;
@@ -97,9 +104,114 @@ Datum floats_datum(const std::vector<float>& values) {
   return floats_datum(values.data(), static_cast<int>(values.size()));
 }
 
+// The row of _indexed_mesh.
+struct IndexedRow {
+  std::vector<std::string> places, normals, texture;
+  // Of each mesh that has triangles: its surface, whether it is the kerb of that, their count.
+  std::vector<int> numbers, kerbs, triangles;
+  // Numbers from 1 of place, texture and normal of each corner.
+  std::vector<int> corners;
+};
+
+// The numbers of a list, divided by spaces, or by commas as whole steps.
+template <std::size_t size>
+std::vector<std::string> texts_of(const std::vector<std::array<std::int64_t, size>>& values,
+                                  int digits, bool decimals) {
+  const double steps = std::pow(10, digits);
+  std::vector<std::string> texts;
+  for (const auto& value : values) {
+    std::string text;
+    for (const std::int64_t part : value) {
+      if (!text.empty()) text += decimals ? ' ' : ',';
+      if (decimals)
+        append_short_decimal(text, static_cast<double>(part) / steps, digits);
+      else
+        text += std::to_string(part);
+    }
+    texts.push_back(std::move(text));
+  }
+  return texts;
+}
+
+IndexedRow indexed_row(const std::vector<GroundMesh>& meshes, const Point& origin, int digits,
+                       bool decimals) {
+  std::vector<const SurfaceMesh*> members;
+  for (const GroundMesh& mesh : meshes) members.insert(members.end(), {&mesh.ground, &mesh.kerb});
+  const IndexedMesh indexed = indexed_mesh(members, origin, std::pow(10, -digits));
+  IndexedRow row;
+  row.places = texts_of(indexed.places, digits, decimals);
+  row.normals = texts_of(indexed.normals, 3, true);
+  row.texture = texts_of(indexed.texture, 3, true);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (indexed.triangles[i].empty()) continue;
+    row.numbers.push_back(static_cast<int>(i / 2) + 1);
+    row.kerbs.push_back(static_cast<int>(i % 2));
+    row.triangles.push_back(static_cast<int>(indexed.triangles[i].size()));
+    for (const auto& corners : indexed.triangles[i])
+      for (const IndexedMesh::Corner& corner : corners)
+        row.corners.insert(row.corners.end(),
+                           {corner.place + 1, corner.texture + 1, corner.normal + 1});
+  }
+  return row;
+}
+
+Datum text_list(const std::vector<std::string>& values) {
+  const int count = static_cast<int>(values.size());
+  auto* all = static_cast<Datum*>(palloc(count * sizeof(Datum)));
+  for (int i = 0; i < count; ++i)
+    all[i] = PointerGetDatum(
+        cstring_to_text_with_len(values[i].data(), static_cast<int>(values[i].size())));
+  const Datum array =
+      PointerGetDatum(construct_array(all, count, TEXTOID, -1, false, TYPALIGN_INT));
+  for (int i = 0; i < count; ++i) pfree(DatumGetPointer(all[i]));
+  pfree(all);
+  return array;
+}
+
+Datum integer_list(const std::vector<int>& values, Oid type) {
+  const int count = static_cast<int>(values.size());
+  auto* all = static_cast<Datum*>(palloc(count * sizeof(Datum)));
+  for (int i = 0; i < count; ++i)
+    all[i] = type == BOOLOID ? BoolGetDatum(values[i] != 0) : Int32GetDatum(values[i]);
+  const Datum array = PointerGetDatum(
+      type == BOOLOID ? construct_array(all, count, BOOLOID, 1, true, TYPALIGN_CHAR)
+                      : construct_array(all, count, INT4OID, 4, true, TYPALIGN_INT));
+  pfree(all);
+  return array;
+}
+
 }  // namespace
 
 }  // namespace streetgen::pg
+
+STREETGEN_FUNCTION(streetgen_indexed_mesh) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
+  const MeshArguments taken = take_arguments(fcinfo);
+  const Point origin{PG_GETARG_FLOAT8(9), PG_GETARG_FLOAT8(10), PG_GETARG_FLOAT8(11)};
+  const int digits = PG_GETARG_INT32(12);
+  const bool decimals = PG_GETARG_BOOL(13);
+  Slot<IndexedRow>* slot = make_slot<IndexedRow>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    for (const double value : {origin.x, origin.y, origin.z}) finite(value, "origin");
+    in_range(digits, 0, 8, "digits");
+    slot->value = new IndexedRow(indexed_row(made(taken), origin, digits, decimals));
+  });
+  report(outcome);
+  const IndexedRow& row = *slot->value;
+  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
+  Datum values[7] = {text_list(row.places),
+                     text_list(row.texture),
+                     text_list(row.normals),
+                     integer_list(row.numbers, INT4OID),
+                     integer_list(row.kerbs, BOOLOID),
+                     integer_list(row.triangles, INT4OID),
+                     integer_list(row.corners, INT4OID)};
+  bool nulls[7] = {};
+  tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  PG_RETURN_NULL();
+}
 
 STREETGEN_FUNCTION(streetgen_road_mesh) {
   using namespace streetgen;
@@ -136,29 +248,29 @@ STREETGEN_FUNCTION(streetgen_gltf_mesh) {
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const MeshArguments taken = take_arguments(fcinfo);
-  const Datum* materials =
-      take_values(fcinfo, 9, INT4OID, taken.surfaces.count, "materials").values;
-  const int kerb = PG_GETARG_INT32(10);
+  const Datum* parts = take_values(fcinfo, 9, INT4OID, taken.surfaces.count, "parts").values;
+  const Datum* kerb_parts =
+      take_values(fcinfo, 10, INT4OID, taken.surfaces.count, "kerb_parts").values;
   const Point origin{PG_GETARG_FLOAT8(11), PG_GETARG_FLOAT8(12), PG_GETARG_FLOAT8(13)};
   using Packed = std::map<int, GltfMesh>;
   Slot<Packed>* slot = make_slot<Packed>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     for (const double value : {origin.x, origin.y, origin.z}) finite(value, "origin");
     const std::vector<GroundMesh> meshes = made(taken);
-    std::map<int, std::vector<const SurfaceMesh*>> of_material;
+    std::map<int, std::vector<const SurfaceMesh*>> of_part;
     for (std::size_t i = 0; i < meshes.size(); ++i) {
-      of_material[DatumGetInt32(materials[i])].push_back(&meshes[i].ground);
-      of_material[kerb].push_back(&meshes[i].kerb);
+      of_part[DatumGetInt32(parts[i])].push_back(&meshes[i].ground);
+      of_part[DatumGetInt32(kerb_parts[i])].push_back(&meshes[i].kerb);
     }
     slot->value = new Packed;
-    for (const auto& [material, members] : of_material)
+    for (const auto& [part, members] : of_part)
       if (GltfMesh packed = gltf_mesh(members, origin); packed.indices > 0)
-        (*slot->value)[material] = std::move(packed);
+        (*slot->value)[part] = std::move(packed);
   });
   report(outcome);
   auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
-  for (const auto& [material, mesh] : *slot->value) {
-    Datum values[6] = {Int32GetDatum(material),           Int64GetDatum(mesh.vertices),
+  for (const auto& [part, mesh] : *slot->value) {
+    Datum values[6] = {Int32GetDatum(part),           Int64GetDatum(mesh.vertices),
                        Int64GetDatum(mesh.indices),       floats_datum(mesh.least.data(), 3),
                        floats_datum(mesh.most.data(), 3), bytes_datum(mesh.bytes)};
     bool nulls[6] = {};

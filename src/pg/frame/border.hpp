@@ -20,6 +20,7 @@ extern "C" {
 #include <postgres.h>
 
 #include <fmgr.h>
+#include <funcapi.h>
 #include <miscadmin.h>
 #include <utils/memutils.h>
 }
