@@ -15,12 +15,12 @@ struct IndexedMesh {
     int place, normal, texture;
   };
 
-  // What corners name, each once, in the order in which it comes: x, y, z as whole steps from the
+  // Lists name each value once, in the order in which corners come: x, y, z as whole steps from the
   // origin, unit vectors in thousandths, and texture coordinates in millimetres.
   std::vector<std::array<std::int64_t, 3>> places;
   std::vector<std::array<std::int64_t, 3>> normals;
   std::vector<std::array<std::int64_t, 2>> texture;
-  // Of each mesh, in their order. A triangle two of whose corners are one place is left out.
+  // Triangles of each mesh, in their order. One two of whose corners are one place is left out.
   std::vector<std::vector<std::array<Corner, 3>>> triangles;
 };
 

@@ -32,7 +32,7 @@ BEGIN
                     streetgen._mesh_lift(a.axes, options)) l,
                 streetgen._indexed_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels,
                     a.axis_widths, (options ->> 'tolerance')::float8, x, y, z, digits, decimals) i,
-                -- Of each mesh what its surface has.
+                -- A mesh has what its surface has.
                 LATERAL (SELECT array_agg(CASE WHEN kerb THEN kerb_material ELSE l.materials[n] END ORDER BY o)
                         AS materials, array_agg(l.ids[n] ORDER BY o) AS ids,
                     array_agg(l.edge_ids[n] ORDER BY o) AS edge_ids, array_agg(l.node_ids[n] ORDER BY o) AS node_ids

@@ -147,7 +147,7 @@ BEGIN
         FROM regulating r, unnest(lanelets) lanelet GROUP BY lanelet)
     SELECT 1, id, '<node id="' || id || '" version="1" visible="true" lat="'
         || streetgen._decimal(ST_Y(place), 11) || '" lon="' || streetgen._decimal(ST_X(place), 11)
-        || coalesce('">' || streetgen._lanelet2_tags('{ele}', ARRAY[streetgen._decimal(z, 3)]) || '</node>', '"/>')
+        || coalesce('">' || streetgen._lanelet2_tags('{ele}', ARRAY[streetgen._decimal(p.z, 3)]) || '</node>', '"/>')
     FROM origin o, point p, ST_Transform(ST_SetSRID(ST_MakePoint(p.x, p.y), o.srid), 4326) place
     UNION ALL SELECT 2, b.id, '<way id="' || b.id || '" version="1" visible="true">' || nodes || CASE b.kind
         WHEN 'way' THEN streetgen._lanelet2_tags('{type}', '{virtual}')

@@ -109,21 +109,6 @@ COMMENT ON FUNCTION streetgen._xml_frame(text, text) IS
     'The lines of a file of XML before and after its elements, which have ranks from 1 to 999: what opens and closes '
     'its root.';
 
-CREATE OR REPLACE FUNCTION streetgen._tell_tracks(model name, format text) RETURNS void
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    tracks bigint;
-BEGIN
-    PERFORM streetgen._use_model(model);
-    tracks := (SELECT count(*) FROM rail_track);
-    IF tracks > 0 THEN
-        RAISE WARNING '% tracks of model "%" are left out: format % has none yet', tracks, model, format
-            USING HINT = 'Files for a GIS have layers track_beds and rails.';
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._tell_tracks(name, text) IS 'Warns of the tracks that a format leaves out.';
-
 CREATE OR REPLACE FUNCTION streetgen._begin_export(model name, format text, needs text, options jsonb) RETURNS jsonb
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -146,9 +131,6 @@ BEGIN
             'or left out', stale, model
             USING HINT = format('SELECT * FROM streetgen.generate(%L, wait => true) brings them up to date.', model);
     END IF;
-    IF 'rail' = ANY (streetgen._subjects(model)) AND format <> 'opensidewalks' THEN
-        PERFORM streetgen._tell_tracks(model, format);
-    END IF;
     IF known ->> 'junctions' = 'group' AND 'junction' <> ALL (streetgen._subjects(model)) THEN
         RAISE EXCEPTION 'model "%" has no junction, which option "junctions": "group" needs', model
             USING ERRCODE = '55000',
@@ -159,12 +141,15 @@ BEGIN
             HINT = format('SELECT * FROM streetgen.generate(%L) computes the streets of a model; an extent is in its '
                 'SRID.', model);
     END IF;
+    IF current_setting('client_min_messages') <> 'error' THEN
+        PERFORM streetgen._tell_left_out(model, format, known);
+    END IF;
     RETURN known;
 END $$;
 COMMENT ON FUNCTION streetgen._begin_export(name, text, text, jsonb) IS
     'What each writer does first: its options as streetgen._export_options gives them, and a warning that counts what '
-    'is stale, unless client_min_messages is error; another one counts the tracks that it leaves out. A caller '
-    'who may not read the model: 42501; a model without the subject that the format needs: 55000; no edge that the '
+    'is stale, and others that count what the file leaves out, unless client_min_messages is error. A caller who may '
+    'not read the model: 42501; a model without the subject that the format needs: 55000; no edge that the '
     'options take: 22023.';
 
 -- Functions of each value that is written: bound when made, and thus inlined.
