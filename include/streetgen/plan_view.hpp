@@ -44,6 +44,10 @@ std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const Chain
 std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
                                  double tolerance);
 
+// A path that is moved aside to begin and end beside two places: by as much as these lie beside its
+// ends, less and less towards the other one.
+Line path_beside(const Line& path, const ChainPlace& from, const ChainPlace& to);
+
 // The part of an alignment beside which a line lies: from the place nearest to its first point to
 // that nearest to its last one, turned round where the line goes against the alignment.  None where
 // a point lies more than `reach` metres beside the alignment or beyond it, where the line goes back

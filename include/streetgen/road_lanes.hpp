@@ -7,11 +7,15 @@
 
 namespace streetgen {
 
+// The part of a ground that is a lane.
+enum class LanePart { whole, left_half, right_half };
+
 struct LaneGround {
   MultiPolygon surface;  // empty: so wide about the line
   Line line;             // its middle, in the direction of the road
   // Metres; 0: the lane lies on its surface alone, and has no width where that is not.
   double width = 0;
+  LanePart part = LanePart::whole;
 };
 
 // The place where a lane begins or ends.

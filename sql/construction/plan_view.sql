@@ -30,15 +30,16 @@ COMMENT ON FUNCTION streetgen._path_view(bytea, float8[], float8[], float8) IS
     'ends there, also where the ends of the path lie beside them.';
 
 CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, alignment float8[], reach float8, lines bytea[],
-    surfaces bytea[], widths float8[], tolerance float8)
+    surfaces bytea[], widths float8[], parts integer[], tolerance float8)
     RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],
         curvature_end float8[], station float8[], border float8[], starts float8[], ends float8[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 10000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_road_lanes';
-COMMENT ON FUNCTION streetgen._road_lanes(bytea, float8[], float8, bytea[], bytea[], float8[], float8) IS
+COMMENT ON FUNCTION streetgen._road_lanes(bytea, float8[], float8, bytea[], bytea[], float8[], integer[], float8) IS
     'The plan view of an axis (EWKB) in one row of arrays, and the lanes across it. It is the part of the alignment '
     '(seven numbers for each element) beside the axis, where all of the axis lies within reach of that; else a chain '
     'of lines and arcs within tolerance of the axis. Lanes are given from the left by line, surface (MULTIPOLYGON, '
-    'empty: so wide about the line) and width (0: it lies on its surface alone). station: metres along the chain. '
+    'empty: so wide about the line), width (0: it lies on its surface alone) and part (0: it is all of that, 1: its '
+    'left half, 2: its right half). station: metres along the chain. '
     'border: metres to the left of the chain, by border from the left, then by station, and straight between '
     'stations. starts and ends: x, y, heading and width of each lane at the first and the last station.';
 

@@ -24,7 +24,8 @@ BEGIN
     RETURN QUERY WITH written_edge AS MATERIALIZED (
         SELECT edge_id, axis_id, from_node, to_node, speed FROM edge
             WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
-    origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
+    origin AS MATERIALIZED (SELECT * FROM streetgen._opendrive_origin(model, options)),
+    projected AS MATERIALIZED (SELECT * FROM streetgen._projected_geometries(model, options)),
     side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
     joined_node AS MATERIALIZED (
         SELECT node_id, streetgen._file_id('node', place_id) AS place_id FROM streetgen._joined_nodes(model, options)),
@@ -33,9 +34,10 @@ BEGIN
     connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
     line_between AS MATERIALIZED (SELECT * FROM streetgen._lines_between(model)),
     raised AS MATERIALIZED (
-        SELECT road_id, array_agg(m ORDER BY m) AS station, array_agg(z ORDER BY m) AS heights
-        FROM (SELECT DISTINCT ON (road_id, round(ST_M(p.geom)::numeric, 3)) road_id, ST_M(p.geom) AS m, ST_Z(p.geom)
-            AS z
+        SELECT road_id, array_agg(m ORDER BY m) AS station,
+            array_agg(p.z - o.z ORDER BY m) AS heights
+        FROM origin o, (SELECT DISTINCT ON (road_id, round(ST_M(p.geom)::numeric, 3)) road_id, ST_M(p.geom) AS m,
+                ST_Z(p.geom) AS z
             FROM drawn JOIN streetgen._heights_along(model) h USING (edge_id),
                 ST_DumpPoints(ST_AddMeasure(ST_LineSubstring(h.geom, share_from, share_to), 0, total)) p
             ORDER BY road_id, round(ST_M(p.geom)::numeric, 3)) p
@@ -51,7 +53,8 @@ BEGIN
             LATERAL (SELECT b.room * (1 + (e.width_end / e.width - 1) * share_from) AS start,
                 b.room * (1 + (e.width_end / e.width - 1) * share_to) AS end) room_at
         WHERE CASE v.side WHEN 'left' THEN before = 0
-            ELSE before + cardinality(lanes) = (SELECT count(*) FROM lane l WHERE l.edge_id = d.edge_id) END),
+            ELSE positions[cardinality(positions)]
+                = (SELECT count(*) FROM lane l WHERE l.edge_id = d.edge_id) END),
     sidewalk_lane AS MATERIALIZED (
         SELECT d.road_id, s.side, '<lane id="' || CASE s.side WHEN 'left' THEN lefts + 1 + outer_lane.more
                 ELSE lefts - cardinality(lanes) - 1 - outer_lane.more END
@@ -67,8 +70,12 @@ BEGIN
     road_of_edge AS MATERIALIZED (SELECT edge_id, min(road_id) AS road_id FROM drawn GROUP BY edge_id),
     -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
     standing AS MATERIALIZED (
-        SELECT o.*, r.road_id, e.from_node, e.to_node, ST_X(place) AS x, ST_Y(place) AS y
-        FROM streetgen._opendrive_objects(model) o LEFT JOIN road_of_edge w ON w.edge_id = o.edge_id,
+        SELECT o.street_object_id, o.type, o.angle, o.kind, o.size, o.drawn, o.subtype, c.geom, c.surface, r.road_id,
+            e.from_node, e.to_node, ST_X(place) AS x, ST_Y(place) AS y
+        FROM streetgen._opendrive_objects(model) o
+            LEFT JOIN projected p ON (p.kind, p.id) = ('object', o.street_object_id)
+            LEFT JOIN projected q ON (q.kind, q.id) = ('object surface', o.street_object_id)
+            LEFT JOIN road_of_edge w ON w.edge_id = o.edge_id,
             LATERAL (SELECT CASE WHEN w.edge_id IS NOT NULL THEN w.edge_id
                 WHEN o.edge_id IS NULL OR options ->> 'junctions' = 'group'
                         OR o.edge_id IN (SELECT edge_id FROM written_edge) THEN (
@@ -76,8 +83,9 @@ BEGIN
                         AND e.edge_id IN (SELECT edge_id FROM road_of_edge)
                     ORDER BY ST_Distance(e.geom, o.geom), e.edge_id LIMIT 1) END AS edge_id) n
             JOIN written_edge e ON e.edge_id = n.edge_id JOIN road_of_edge r ON r.edge_id = n.edge_id,
-            LATERAL (SELECT CASE WHEN ST_Dimension(o.geom) = 0 THEN o.geom
-                ELSE ST_LineInterpolatePoint(o.geom, 0.5) END AS place) c),
+            LATERAL (SELECT coalesce(p.geom, o.geom) AS geom, coalesce(q.geom, o.surface) AS surface) c,
+            LATERAL (SELECT CASE WHEN ST_Dimension(c.geom) = 0 THEN c.geom
+                ELSE ST_LineInterpolatePoint(c.geom, 0.5) END AS place) m),
     own_station AS MATERIALIZED (
         SELECT s.*, d.total, p.* FROM standing s JOIN drawn d USING (road_id),
             streetgen._chain_station(d.s, d.x, d.y, d.heading,
@@ -109,8 +117,8 @@ BEGIN
                 streetgen._xml_text(replace(type, '_', ' ')) AS name, kind AS type, subtype,
                 streetgen._opendrive_station(station, total) AS s, streetgen._decimal(aside, 4) AS t,
                 0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
-                    WHEN outlined THEN -direction ELSE pi() / 2 - radians(coalesce(angle, 0)) - direction END, 6)
-                        AS hdg,
+                    WHEN outlined THEN -direction
+                    ELSE pi() / 2 - radians(coalesce(angle, 0)) + convergence - direction END, 6) AS hdg,
                 CASE WHEN kind = 'tree' AND NOT outlined THEN size / 2 END AS radius,
                 CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS length,
                 CASE WHEN kind <> 'tree' AND NOT outlined THEN size END AS width)))
@@ -119,14 +127,17 @@ BEGIN
                 '</outlines>') ELSE '' END
             || CASE WHEN kind = 'parkingSpace' THEN '<parkingSpace access="all"/>' ELSE '' END
             || '</object>', '' ORDER BY street_object_id) || '</objects>' AS text
-        FROM grounded, LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o,
+        FROM (SELECT convergence FROM origin) n, grounded,
+            LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o,
             LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) END AS outline) c
         GROUP BY road_id),
     -- Lanes whose signals show the same in each state have one controller, which has the id of the first.
     signal_group AS MATERIALIZED (
         SELECT *, min(id) OVER (PARTITION BY controller_id, greens) AS number
-        FROM (SELECT *, streetgen._file_id('lane', lane_id, along_axis::integer) AS id
-            FROM streetgen._signal_heads(model)) h),
+        FROM (SELECT h.lane_id, h.along_axis, h.controller_id, h.greens, i.id, coalesce(p.geom, h.geom) AS geom
+            FROM streetgen._signal_heads(model) h,
+                LATERAL (SELECT streetgen._file_id('lane', lane_id, along_axis::integer) AS id) i
+                LEFT JOIN projected p ON (p.kind, p.id) = ('head', i.id)) h),
     program AS MATERIALIZED (
         SELECT controller_id, 'cycle ' || round(min(c.cycle)::numeric, 2) || ' offset '
             || round(min(c.start_offset)::numeric, 2) || ': ' || string_agg(s.ordinality || ' ' || s.kind || ' '
@@ -135,7 +146,8 @@ BEGIN
         GROUP BY controller_id),
     -- The lane of a road at one end of it.
     placed AS MATERIALIZED (
-        SELECT lane_id, road_id, edge_id, at_end, CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number
+        SELECT lane_id, road_id, edge_id, at_end, halves[i] AS half,
+            CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number
         FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false), (true)) v(at_end)),
     -- A signal hangs above the end of its lane; a sign stands half a metre beside the lanes that it is for.
     sign AS MATERIALIZED (
@@ -144,6 +156,7 @@ BEGIN
             'yes' AS dynamic, 'OpenDRIVE' AS country, '1000001' AS type, 'signal' AS name, g.number AS controller,
             CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id
         FROM signal_group g JOIN placed p ON (p.lane_id, p.at_end) = (g.lane_id, g.along_axis)
+                AND coalesce(p.half = g.along_axis, true)
             JOIN written_edge e USING (edge_id) JOIN drawn d ON d.road_id = p.road_id,
             streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(g.geom),
                 ST_Y(g.geom)) s
@@ -155,9 +168,11 @@ BEGIN
             m.along_axis, 2, m.first, m.last, 'no', 'DE', m.type, m.kind, NULL, NULL, NULL
         FROM (SELECT p.road_id, m.along_axis, m.kind, CASE m.kind WHEN 'stop' THEN '206' ELSE '205' END AS type,
                 min(l.lane_id) AS lane_id, min(p.number) AS first, max(p.number) AS last,
-                (array_agg(m.geom ORDER BY p.number))[1] AS geom
+                (array_agg(coalesce(q.geom, m.geom) ORDER BY p.number))[1] AS geom
             FROM marking m JOIN lane l USING (edge_id, lane_position)
                 JOIN placed p ON (p.lane_id, p.at_end) = (l.lane_id, m.along_axis)
+                    AND coalesce(p.half = m.along_axis, true)
+                LEFT JOIN projected q ON (q.kind, q.id) = ('marking', m.marking_id)
             WHERE m.kind <> 'arrow' AND NOT EXISTS (SELECT FROM signal_group g
                 WHERE (g.lane_id, g.along_axis) = (l.lane_id, m.along_axis))
             GROUP BY p.road_id, m.along_axis, m.kind) m JOIN drawn d USING (road_id) CROSS JOIN side,
@@ -202,7 +217,7 @@ BEGIN
         FROM (SELECT d.*, cardinality(station) AS stations FROM drawn d) d
             CROSS JOIN streetgen._few(lanes) WITH ORDINALITY u(lane_id, i)
             LEFT JOIN line_between m ON (m.edge_id, m.lane_position)
-                = (d.edge_id, before + CASE WHEN i <= lefts THEN i - 1 ELSE i END)),
+                = (d.edge_id, positions[i] - CASE WHEN i <= lefts THEN 1 ELSE 0 END)),
     lanes_text AS (
         SELECT road_id, string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) AS on_left,
             string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) AS on_right
@@ -220,10 +235,12 @@ BEGIN
             streetgen._decimal(north - y, 2) AS north, streetgen._decimal(south - y, 2) AS south,
             streetgen._decimal(east - x, 2) AS east, streetgen._decimal(west - x, 2) AS west, 'StreetGen' AS vendor)))
         || '<geoReference><![CDATA['
-        || trim(proj4text) || ']]></geoReference><offset x="' || x || '" y="' || y || '" z="0" hdg="0"/></header>'
-    FROM origin LEFT JOIN spatial_ref_sys USING (srid), (SELECT max(ST_YMax(s.geom)) AS north,
-        min(ST_YMin(s.geom)) AS south, max(ST_XMax(s.geom)) AS east, min(ST_XMin(s.geom)) AS west
-        FROM edge s JOIN written_edge USING (edge_id)) box
+        || projection || ']]></geoReference><offset x="' || x || '" y="' || y
+        || '" z="' || z || '" hdg="0"/></header>'
+    FROM origin, (
+        SELECT max(ST_YMax(g)) AS north, min(ST_YMin(g)) AS south, max(ST_XMax(g)) AS east, min(ST_XMin(g)) AS west
+        FROM edge e JOIN written_edge USING (edge_id) LEFT JOIN projected p ON (p.kind, p.id) = ('edge', e.edge_id),
+            coalesce(p.geom, e.geom) g) box
     UNION ALL
     -- Not by ||, which copies what is there with each word.
     SELECT 2, d.road_id, concat(streetgen._opendrive_open(xmlelement(name road, xmlattributes(
@@ -243,7 +260,9 @@ BEGIN
     FROM origin o, side, drawn d JOIN across USING (road_id) JOIN written_edge e USING (edge_id)
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
         LEFT JOIN (SELECT axis_id, name FROM axis) a USING (axis_id)
-        LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, before + lefts)
+        -- No line lies between two halves of a lane.
+        LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, CASE WHEN lefts = 0 THEN before
+            WHEN positions[lefts] IS DISTINCT FROM positions[lefts + 1] THEN positions[lefts] END)
         LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
         LEFT JOIN signal_text g ON g.road_id = d.road_id
     UNION ALL

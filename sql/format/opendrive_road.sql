@@ -4,9 +4,10 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_roads(model name, options jsonb)
     RETURNS TABLE(road_id bigint, connecting boolean, s float8[], x float8[], y float8[], heading float8[],
         length float8[],
         curvature float8[], curvature_end float8[], total float8, edge_id bigint, before integer, lefts integer,
-        lanes bigint[], types text[], share_from float8, share_to float8, station float8[], border float8[],
-        ways text, road_in bigint, road_out bigint, number_in bigint, number_out bigint, in_end boolean,
-        out_end boolean, width_in float8, width_out float8, node_id bigint, type text, lane_in bigint, speed float8)
+        lanes bigint[], types text[], positions integer[], halves boolean[], share_from float8, share_to float8,
+        station float8[], border float8[], ways text, road_in bigint, road_out bigint, number_in bigint,
+        number_out bigint, in_end boolean, out_end boolean, width_in float8, width_out float8, node_id bigint,
+        type text, lane_in bigint, speed float8)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -14,14 +15,26 @@ BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY WITH RECURSIVE written_edge AS MATERIALIZED (
         SELECT * FROM edge WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
-    origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
-    way AS MATERIALIZED (SELECT * FROM streetgen._connecting_ways(model, options)),
+    origin AS MATERIALIZED (SELECT * FROM streetgen._opendrive_origin(model, options)),
+    -- Nothing but where coordinates count on a projection of their own.
+    projected AS MATERIALIZED (SELECT * FROM streetgen._projected_geometries(model, options)),
+    way AS MATERIALIZED (
+        SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic,
+            coalesce(p.geom, w.geom) AS geom
+        FROM streetgen._connecting_ways(model, options) w
+            LEFT JOIN projected p ON (p.kind, p.id) = (w.way_kind, w.way_id)),
+    placed_lane AS MATERIALIZED (
+        SELECT l.lane_id, l.edge_id, l.lane_position, l.along_axis, l.both_ways, l.kind, l.turn, l.width,
+            l.start_abscissa, l.end_abscissa, coalesce(p.geom, l.geom) AS geom, coalesce(q.geom, l.surface) AS surface
+        FROM lane l JOIN written_edge USING (edge_id)
+            LEFT JOIN projected p ON (p.kind, p.id) = ('lane', l.lane_id)
+            LEFT JOIN projected q ON (q.kind, q.id) = ('surface', l.lane_id)),
     joined_node AS MATERIALIZED (SELECT * FROM streetgen._joined_nodes(model, options)),
     -- The lanes of edges of crossed limits inside a junction.
     inner_lane AS MATERIALIZED (
         SELECT l.lane_id, l.geom
         FROM written_edge e JOIN section s USING (edge_id) JOIN joined_node f ON f.node_id = e.from_node
-            JOIN joined_node t ON t.node_id = e.to_node JOIN lane l USING (edge_id)
+            JOIN joined_node t ON t.node_id = e.to_node JOIN placed_lane l USING (edge_id)
         WHERE s.method = 'crossed_limits' AND f.place_id = t.place_id),
     -- Ways over inner lanes, each lane once: the shortest one from lane to lane, where none leads straight to it.
     -- Nobody turns back within two metres.
@@ -49,28 +62,38 @@ BEGIN
         WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out NOT IN (SELECT lane_id FROM inner_lane)
         UNION ALL SELECT * FROM joined_way j WHERE NOT EXISTS (SELECT FROM way w
             WHERE (w.lane_in, w.along_in, w.lane_out, w.along_out) = (j.lane_in, j.along_in, j.lane_out, j.along_out))),
-    course AS MATERIALIZED (SELECT * FROM streetgen._opendrive_courses(model, options)),
+    course AS MATERIALIZED (
+        SELECT c.edge_id, coalesce(streetgen._course_through(c.alignment, p.geom), c.alignment) AS alignment, c.reach
+        FROM streetgen._opendrive_courses(model, options) c
+            LEFT JOIN projected p ON (p.kind, p.id) = ('course', c.edge_id)),
     side AS MATERIALIZED (
         SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
     -- Lanes on the right have negative numbers and lead along the road where one drives on the right. A lane that comes
     -- between others against this order begins a road of its own.
+    -- A lane for both directions has two halves where these are lanes of their own: part 1 is the left one.
     sided AS (
-        SELECT l.*, along_axis = right_hand AS on_right,
-            lag(along_axis = right_hand) OVER (PARTITION BY edge_id ORDER BY lane_position) AS was_right
-        FROM lane l, side WHERE edge_id IN (SELECT edge_id FROM written_edge)
-            AND lane_id NOT IN (SELECT lane_id FROM inner_lane)),
+        SELECT *, lag(on_right) OVER (PARTITION BY edge_id ORDER BY lane_position, part) AS was_right
+        FROM (SELECT l.*, part, part = 2 OR part = 0 AND along_axis = right_hand AS on_right, right_hand
+            FROM side, placed_lane l JOIN (VALUES (0), (1), (2)) v(part)
+                ON (part > 0) = (both_ways AND options ->> 'two_way_lanes' IS NOT DISTINCT FROM 'driving')
+            WHERE lane_id NOT IN (SELECT lane_id FROM inner_lane)) l),
     road AS (
         SELECT edge_id, run, streetgen._file_id('edge', edge_id, run::integer) AS road_id,
             min(lane_position) - 1 AS before,
-            count(*) FILTER (WHERE NOT on_right)::integer AS lefts, array_agg(lane_id ORDER BY lane_position) AS lanes,
-            array_agg(streetgen._opendrive_lane_type(kind, both_ways, turn) ORDER BY lane_position) AS types,
-            array_agg(geom::bytea ORDER BY lane_position) AS lines,
-            array_agg(surface::bytea ORDER BY lane_position) AS surfaces,
+            count(*) FILTER (WHERE NOT on_right)::integer AS lefts,
+            array_agg(lane_id ORDER BY lane_position, part) AS lanes,
+            array_agg(streetgen._opendrive_lane_type(kind, both_ways AND part = 0, turn)
+                ORDER BY lane_position, part) AS types,
+            array_agg(lane_position ORDER BY lane_position, part) AS positions,
+            array_agg(part ORDER BY lane_position, part) AS parts,
+            array_agg(CASE WHEN part > 0 THEN on_right = right_hand END ORDER BY lane_position, part) AS halves,
+            array_agg(geom::bytea ORDER BY lane_position, part) AS lines,
+            array_agg(surface::bytea ORDER BY lane_position, part) AS surfaces,
             -- A merging lane lies on its ground alone.
             array_agg(CASE WHEN start_abscissa IS NULL AND end_abscissa IS NULL THEN width ELSE 0 END
-                ORDER BY lane_position) AS widths
+                ORDER BY lane_position, part) AS widths
         FROM (SELECT *, count(*) FILTER (WHERE was_right AND NOT on_right)
-                OVER (PARTITION BY edge_id ORDER BY lane_position) AS run FROM sided) s
+                OVER (PARTITION BY edge_id ORDER BY lane_position, part) AS run FROM sided) s
         GROUP BY edge_id, run),
     -- Where lanes meet, or go on beside their end, roads are cut back: a way of no length cannot be driven.
     met AS MATERIALIZED (
@@ -78,14 +101,17 @@ BEGIN
         FROM junction_way w, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
             JOIN lane l USING (lane_id) WHERE ST_Length(w.geom) < 2 GROUP BY l.edge_id, at_end),
     stretch AS (
-        SELECT e.edge_id, e.geom, first.abscissa AS since, last.abscissa AS until, ST_Length(e.geom) AS total,
+        SELECT e.edge_id, coalesce(p.geom, e.geom) AS geom, first.abscissa AS since,
+            last.abscissa AS until, ST_Length(e.geom) AS total,
             coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
-        FROM written_edge e LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
+        FROM written_edge e LEFT JOIN projected p ON (p.kind, p.id) = ('edge', e.edge_id)
+            LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
             LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end
             JOIN section_limit first ON (first.edge_id, first.which) = (e.edge_id, 'start')
             JOIN section_limit last ON (last.edge_id, last.which) = (e.edge_id, 'end')),
     drawn AS MATERIALIZED (
-        SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, v.share_from, v.share_to, d.*,
+        SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, r.positions, r.halves, v.share_from,
+            v.share_to, d.*,
             d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
         FROM origin o, road r JOIN stretch t USING (edge_id) LEFT JOIN course c USING (edge_id),
             -- Crossed limits lie at one place.
@@ -94,11 +120,12 @@ BEGIN
             LATERAL (SELECT (a + least(cut_start, (b - a) / 4)) / total AS share_from,
                 (b - least(cut_end, (b - a) / 4)) / total AS share_to) v,
             LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea,
-                coalesce(c.alignment, '{}'), coalesce(c.reach, 0), r.lines, r.surfaces, r.widths, o.tolerance) d),
+                coalesce(c.alignment, '{}'), coalesce(c.reach, 0), r.lines, r.surfaces, r.widths, r.parts,
+                o.tolerance) d),
     placed AS MATERIALIZED (
         SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
             CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
-            types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
+            halves[i] AS half, types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
             places[4 * i - 1] AS heading, places[4 * i] AS width
         FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
             v(at_end, places)),
@@ -116,26 +143,28 @@ BEGIN
             ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END] AS path_to,
             CASE WHEN short THEN 1 ELSE o.tolerance END AS path_tolerance
         FROM origin o, junction_way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+                AND coalesce(a.half = k.along_in, true)
             JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
+                AND coalesce(b.half = k.along_out, true)
             JOIN written_edge e ON e.edge_id = a.edge_id,
             LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w)
     SELECT road_id, false, s, x, y, heading, length, curvature, curvature_end, total, edge_id, before::integer, lefts,
-        lanes,
-        types, share_from, share_to, station, border, NULL, NULL::bigint, NULL::bigint, NULL::bigint, NULL::bigint,
-        NULL::boolean, NULL::boolean, NULL::float8, NULL::float8, NULL::bigint, NULL, NULL::bigint, NULL::float8
+        lanes, types, positions, halves, share_from, share_to, station, border, NULL, NULL::bigint, NULL::bigint,
+        NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL::float8, NULL::float8, NULL::bigint, NULL,
+        NULL::bigint, NULL::float8
     FROM drawn
     UNION ALL
     SELECT w.road_id, true, d.*, d.s[cardinality(d.s)] + d.length[cardinality(d.s)], NULL, NULL, NULL, NULL, NULL, NULL,
-        NULL,
-        NULL, NULL, ways, road_in, road_out, number_in, number_out, in_end, out_end, width_in, width_out, node_id, type,
-        lane_in, speed
+        NULL, NULL, NULL, NULL, NULL, ways, road_in, road_out, number_in, number_out, in_end, out_end, width_in,
+        width_out, node_id, type, lane_in, speed
     FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance) d;
 END $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads(name, jsonb) IS
     'The roads of a file of OpenDRIVE, each with its chain (s to curvature_end) and its length (total). A road of an '
     'edge has its lanes from the left, lefts of them left of the centre lane, before others of the edge, and what '
-    'streetgen._road_lanes gives. A connecting one is of a way from lane to lane: the roads that it joins, the '
-    'numbers and widths of their lanes and at which of their ends, node and speed.';
+    'streetgen._road_lanes gives; halves: of half a lane whether it is driven along the axis. A connecting one is of '
+    'a way from lane to lane: the roads that it joins, the numbers and widths of their lanes and at which of their '
+    'ends, node and speed.';
 
 CREATE OR REPLACE FUNCTION streetgen._lines_between(model name)
     RETURNS TABLE(edge_id bigint, lane_position integer, leftwards boolean, rightwards boolean, paint text)

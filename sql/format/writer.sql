@@ -28,6 +28,10 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         'how far lines and arcs may leave the lines of the model', 0.001, 1, NULL),
     ('nodes', '{gltf}', 'word', '"cell"', '', 'what a node is: a square of 500 m, or each edge and each node of the '
         'model, to be picked', NULL, NULL, '{cell,street}'),
+    ('two_way_lanes', '{opendrive}', 'word', '"bidirectional"', '', 'what a lane for both directions is: one lane of '
+        'type bidirectional, or a lane of type driving each way, half as wide', NULL, NULL, '{bidirectional,driving}'),
+    ('georeference', '{opendrive}', 'word', '"srid"', '', 'where coordinates count: in the SRID of the model, '
+        'from offset, or in a transverse Mercator one about the origin, with offset 0', NULL, NULL, '{srid,local}'),
     ('version', '{opendrive}', 'word', '"1.7"', '', 'the version of OpenDRIVE', NULL, NULL, '{1.7,1.6}'),
     ('precision', '{cityjson,wavefront}', 'integer', '3', 'digits',
         'digits of a coordinate behind the point', 2, 8, NULL),

@@ -50,8 +50,23 @@ SELECT 'lines between lanes are marks', pg_temp.found('//road[@junction="-1"]//r
 SELECT 'a part of the town has whole edges, and no way out of them', pg_temp.found('//road', f) = 1 AND pg_temp.found('//junction', f) = 0 FROM pg_temp.file('town', '{"extent": [650240, 6860000, 650300, 6860050]}') f;
 SELECT 'the version as asked for', pg_temp.texts('//header/@revMinor', pg_temp.file('town', '{"version": "1.6"}')) = '{6}' AND pg_temp.texts('//header/@revMinor', file) = '{7}' FROM written;
 SELECT 'the same bytes again', file::text = pg_temp.file('town')::text FROM written;
-SELECT 'bad options are refused: ' || bad, test.state(format($$SELECT FROM streetgen.export_opendrive('town', %L)$$, bad)) = '22023' FROM unnest(ARRAY['{"colour": 1}', '{"version": "1.4"}', '{"tolerance": 0}', '{"extent": [0, 0, 1, 1]}']) bad;
+SELECT 'bad options are refused: ' || bad, test.state(format($$SELECT FROM streetgen.export_opendrive('town', %L)$$, bad)) = '22023' FROM unnest(ARRAY['{"colour": 1}', '{"version": "1.4"}', '{"tolerance": 0}', '{"extent": [0, 0, 1, 1]}', '{"two_way_lanes": "biking"}', '{"georeference": 2154}']) bad;
 SELECT 'a model without interconnections is refused, and one without junctions that are asked for', test.state($$SELECT FROM streetgen.export_opendrive('bare')$$) = '55000' AND test.state($$SELECT FROM streetgen.export_opendrive('town', '{"junctions": "group"}')$$) = '55000';
+-- Lanes for both directions as a lane each way, and coordinates about the origin.
+CREATE TEMPORARY TABLE each_way AS SELECT f.name, pg_temp.file(f.name, '{"two_way_lanes": "driving"}') AS file FROM unnest('{town,left_town}'::name[]) f(name);
+SELECT name || ': a lane for both directions is one each way', pg_temp.found('//lane[@type="bidirectional"]', file) = 0 AND pg_temp.texts('//road[userData[@code="edge" and @value="' || edge_id || '"]]//lane[@type="driving"]/@id', file) = '{-1,1}' FROM each_way, town.edge WHERE axis_id = 5;
+SELECT name || ': each is half as wide', (SELECT array_agg(DISTINCT w::text::float8) FROM unnest(xpath('//road[userData[@code="edge" and @value="' || edge_id || '"]]//lane[@type="driving"]/width/@a', file)) w) = '{1.5}' FROM each_way, town.edge WHERE axis_id = 5;
+SELECT name || ': ways lead from and to the half of their direction', (SELECT array_agg(DISTINCT n ORDER BY n) FROM unnest(pg_temp.texts('//connection[@incomingRoad="' || r.id || '"]/laneLink/@from', file)) n) = '{1}' AND (SELECT array_agg(DISTINCT n ORDER BY n) FROM unnest(pg_temp.texts('//road[link/successor/@elementId="' || r.id || '"]//lane/link/successor/@id', file)) n) = '{-1}'
+  FROM each_way, town.edge, streetgen._file_id('edge', edge_id) r(id) WHERE axis_id = 5 AND name = 'town'
+  UNION ALL SELECT name || ': ways lead from and to the half of their direction', (SELECT array_agg(DISTINCT n ORDER BY n) FROM unnest(pg_temp.texts('//connection[@incomingRoad="' || r.id || '"]/laneLink/@from', file)) n) = '{-1}' AND (SELECT array_agg(DISTINCT n ORDER BY n) FROM unnest(pg_temp.texts('//road[link/successor/@elementId="' || r.id || '"]//lane/link/successor/@id', file)) n) = '{1}'
+  FROM each_way, town.edge, streetgen._file_id('edge', edge_id) r(id) WHERE axis_id = 5 AND name = 'left_town';
+SELECT name || ': as many lanes as before, and those', pg_temp.found('//road[@junction="-1"]//lane[@id!="0"]', file) = (SELECT count(*) + count(*) FILTER (WHERE both_ways) FROM town.lane) FROM each_way;
+CREATE TEMPORARY TABLE about_origin AS SELECT pg_temp.file('town', '{"georeference": "local"}') AS file;
+SELECT 'a local file counts from 0 on a projection about its origin', pg_temp.texts('//offset/@x|//offset/@y', file) = '{0,0}' AND (xpath('string(//geoReference)', file))[1]::text LIKE '+proj=tmerc +lat_0=48.%' FROM about_origin;
+SELECT 'its roads lie where they do on earth', max(ST_Distance(ST_Transform(ST_SetSRID(ST_Point(l[1], l[2]), 0), (xpath('string(//geoReference)', about_origin.file))[1]::text, 2154), ST_SetSRID(ST_Point(650000 + m[1], y + m[2]), 2154))) < 0.001
+  FROM about_origin, written, LATERAL (SELECT (xpath('number(//offset/@y)', written.file))[1]::text::float8 AS y) o, unnest(pg_temp.texts('//road/@id', written.file)) id,
+    LATERAL (SELECT ARRAY(SELECT (xpath('number(//road[@id="' || id || '"]//geometry[1]/@' || a || ')', about_origin.file))[1]::text::float8 FROM unnest('{x,y}'::text[]) a)) p(l),
+    LATERAL (SELECT ARRAY(SELECT (xpath('number(//road[@id="' || id || '"]//geometry[1]/@' || a || ')', written.file))[1]::text::float8 FROM unnest('{x,y}'::text[]) a)) q(m);
 SELECT FROM streetgen.create_model('beyond', 2154, driving_side => 'right') \g /dev/null
 SELECT setval(pg_get_serial_sequence('beyond.edge', 'edge_id'), 5000000000) \g /dev/null
 INSERT INTO beyond.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
@@ -100,6 +115,11 @@ SELECT 'the arcs of a smoothed edge are those of its curve', count(*) = 2 AND (S
   FROM pg_temp.file('bent') f, unnest(xpath('//arc/@curvature', f)) c;
 UPDATE bent.axis SET geom = 'SRID=2154;LINESTRING(650000 6860000,650100 6860000,650000 6860005,650300 6860060)';
 SELECT 'an edge whose curve keeps a kink is a chain without one', pg_temp.found('//road[@junction="-1"]', f) = 1 FROM pg_temp.file('bent') f;
+CREATE TEMPORARY TABLE designed_here AS SELECT pg_temp.file('designed', '{"georeference": "local"}') AS file;
+SELECT 'alignments have their spirals about the origin too', pg_temp.found('//spiral', file) = pg_temp.found('//spiral', pg_temp.file('designed')) FROM designed_here;
+SELECT 'and go on without a gap', count(*) > 4 AND bool_and(abs(x + length * cos(heading) - next_x) < 0.001 AND abs(y + length * sin(heading) - next_y) < 0.001)
+  FROM (SELECT *, lead(x) OVER w AS next_x, lead(y) OVER w AS next_y FROM (SELECT k, n, cardinality(xpath('/geometry/line', piece)) = 1 AS line, v[1] AS x, v[2] AS y, v[3] AS heading, v[4] AS length FROM designed_here, unnest(xpath('//road', file)) WITH ORDINALITY r(road, k), unnest(xpath('/road/planView/geometry', road)) WITH ORDINALITY g(piece, n),
+    LATERAL (SELECT ARRAY(SELECT (xpath('/geometry/@' || a, piece))[1]::text::float8 FROM unnest(ARRAY['x', 'y', 'hdg', 'length']) WITH ORDINALITY u(a, k) ORDER BY k)) c(v)) p WINDOW w AS (PARTITION BY k ORDER BY n)) p WHERE line AND next_x IS NOT NULL;
 SELECT FROM streetgen.create_model('beside', 2154, subjects => '{ramp,junction,alignment,sidewalk}', driving_side => 'right') \g /dev/null
 INSERT INTO beside.axis (axis_id, geom, width, lane_count, direction, kind, speed, sidewalk_left, sidewalk_right) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000,650600 6860000)', 10.5, 3, 'direct', 'motorway', 110, 0, 2),
     (2, 'SRID=2154;LINESTRING(650600 6860000,651400 6860000)', 10.5, 3, 'direct', 'motorway', 110, 0, 2), (3, 'SRID=2154;LINESTRING(650300 6859900,650500 6859970,650600 6860000)', 3.5, 1, 'direct', 'motorway_link', 60, 0, 2);

@@ -153,6 +153,13 @@ std::vector<std::vector<std::optional<Span>>> spans_of(const std::vector<LaneGro
   return spans;
 }
 
+// What a lane has of its ground.
+Span part_of(const Span& span, LanePart part) {
+  if (part == LanePart::left_half) return {span.left, span.middle()};
+  if (part == LanePart::right_half) return {span.middle(), span.right};
+  return span;
+}
+
 // The stations that are needed for borders that are straight between them.
 std::vector<std::size_t> needed(const std::vector<double>& stations,
                                 const std::vector<std::vector<double>>& borders) {
@@ -210,8 +217,8 @@ RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>
   const auto spans = spans_of(lanes, road.chain, stations);
   for (std::size_t p = 0; p < lanes.size(); ++p)
     for (std::size_t i = 0; i < stations.size(); ++i) {
-      const Span& span = *spans[p][i];
-      borders[p][i] = p == 0 ? span.left : (spans[p - 1][i]->right + span.left) / 2;
+      const Span span = part_of(*spans[p][i], lanes[p].part);
+      borders[p][i] = p == 0 ? span.left : (borders[p][i] + span.left) / 2;
       borders[p + 1][i] = span.right;
     }
   for (std::size_t p = 0; p < lanes.size(); ++p)

@@ -164,9 +164,10 @@ std::optional<Pieces> few_pieces(const Line& path, const std::array<Point, 2>& w
 std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
                                  double tolerance) {
   Line line{planar(from.point)};
-  for (std::size_t i = 1; i + 1 < path.size(); ++i)
-    if (distance(path[i], from.point) > tolerance && distance(path[i], to.point) > tolerance)
-      line.push_back(planar(path[i]));
+  const Line beside = path_beside(path, from, to);
+  for (std::size_t i = 1; i + 1 < beside.size(); ++i)
+    if (distance(beside[i], from.point) > tolerance && distance(beside[i], to.point) > tolerance)
+      line.push_back(planar(beside[i]));
   line.push_back(planar(to.point));
   line = distinct(line);
   if (line.size() < 2) return {};

@@ -84,6 +84,12 @@ std::vector<PlanPiece> read_chain(const NumberArray (&columns)[chain_columns]) {
 
 double tolerance_of(double value) { return in_range(value, 1e-4, 1e3, "tolerance"); }
 
+LanePart part_of(int number) {
+  constexpr LanePart parts[] = {LanePart::whole, LanePart::left_half, LanePart::right_half};
+  if (number < 0 || number > 2) throw Error(ErrorKind::invalid_input, "a part is 0, 1 or 2");
+  return parts[number];
+}
+
 }  // namespace
 }  // namespace streetgen::pg
 
@@ -214,7 +220,8 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
   const LineArray lines = take_lines(PG_GETARG_ARRAYTYPE_P(3), "lines");
   const LineArray surfaces = take_lines(PG_GETARG_ARRAYTYPE_P(4), "surfaces");
   const ValueArray widths = take_values(fcinfo, 5, FLOAT8OID, lines.count, "widths");
-  const double tolerance = PG_GETARG_FLOAT8(6);
+  const ValueArray parts = take_values(fcinfo, 6, INT4OID, lines.count, "parts");
+  const double tolerance = PG_GETARG_FLOAT8(7);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
@@ -224,7 +231,8 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
       const std::string number = std::to_string(i + 1);
       lanes.push_back({read_surface(bytes_of(surfaces.values[i]), "surface " + number),
                        read_line(bytes_of(lines.values[i]), "line " + number).line,
-                       in_range(DatumGetFloat8(widths.values[i]), 0, 1e4, "width")});
+                       in_range(DatumGetFloat8(widths.values[i]), 0, 1e4, "width"),
+                       part_of(DatumGetInt32(parts.values[i]))});
     }
     const Line line = read_line(axis, "axis").line;
     auto course = course_beside(elements_of(alignment), line, in_range(reach, 0, 1e3, "reach"));

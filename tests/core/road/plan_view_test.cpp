@@ -307,6 +307,35 @@ TEST(RoadLanes, WithoutASurfaceLieAboutTheirLine) {
   EXPECT_NEAR(road.borders[1][0], 0.5, 1e-9);
 }
 
+TEST(RoadLanes, MayHaveHalfAGround) {
+  const MultiPolygon ground = strip(3, -3, 5, -3);
+  const Line line{{0, 0}, {40, 1}};
+  const RoadLanes road = road_lanes(
+      {{0, 0}, {40, 0}},
+      {{ground, line, 6, LanePart::left_half}, {ground, line, 6, LanePart::right_half}}, 0.05);
+  ASSERT_EQ(road.borders.size(), 3u);
+  const double wanted[3][2] = {{3, 5}, {0, 1}, {-3, -3}};
+  for (int p = 0; p < 3; ++p)
+    for (int end = 0; end < 2; ++end) EXPECT_NEAR(road.borders[p][end], wanted[p][end], 1e-3);
+}
+
+// A path that is led aside keeps to its line less and less: it is never farther than at its ends.
+TEST(PathBeside, LeadsToPlacesBesideItsEnds) {
+  Line path;
+  for (int i = 0; i <= 20; ++i)
+    path.push_back({10 * std::sin(i * M_PI / 40), 10 - 10 * std::cos(i * M_PI / 40)});
+  const ChainPlace from{{0, -0.75}, 0}, to{{10, 10}, M_PI / 2};
+  const Line beside = path_beside(path, from, to);
+  ASSERT_EQ(beside.size(), path.size());
+  EXPECT_NEAR(distance(beside.front(), from.point), 0, 1e-2);
+  EXPECT_NEAR(distance(beside.back(), to.point), 0, 1e-9);
+  for (std::size_t i = 1; i < path.size(); ++i)
+    EXPECT_LT(distance(beside[i], path[i]), distance(beside[i - 1], path[i - 1]) + 1e-9) << i;
+  EXPECT_EQ(path_beside(path, {{0, 0}, 0}, to).size(), path.size());
+  for (const PlanPiece& piece : path_view(path, from, to, 0.05))
+    EXPECT_LT(std::abs(piece.curvature), 1.0 / 5);
+}
+
 // The normal of a place before a right angle runs along the lane behind it.
 TEST(RoadLanes, DoNotLookAlongTheLaneBehindABend) {
   const Line axis{{0, 0}, {30, 0}, {30, 30}};
