@@ -1,7 +1,9 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
 degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
-"element, id, edge or empty, WKT" of each object, signal, sign and sidewalk."""
+"element, id, edge or empty, WKT" of each object, signal, sign and sidewalk. opendrive.py FILE --curves PATHS holds connecting roads against the paths of their
+interconnections (rows "id, WKT" of a file): how many turn over 45 degrees, their records on average, how many of them have an arc under 2 m where the path turns
+wider, and how many of all have an arc under 3 m or half their lane where the path turns wider; those of several interconnections are not held against paths."""
 import math
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -152,6 +154,37 @@ def not_of_junction(roads):
                 yield road.element.get('id')
 
 
+def tightest(points, over=2.0):
+    """The least radius with which a path turns over so many metres."""
+    at, stations = 0.0, []
+    for (x, y), (u, v) in zip(points, points[1:]):
+        side, heading = math.hypot(u - x, v - y), math.atan2(v - y, u - x)
+        parts = math.ceil(side)
+        for part in range(parts):
+            before = stations[-1][1] if stations else heading
+            stations.append((at + side * (part + 0.5) / parts, before + math.remainder(heading - before, 2 * math.pi)))
+        at += side
+    most = max((abs(h - g) / (t - s) for i, (s, g) in enumerate(stations) for t, h in stations[i + 1:] if over <= t - s <= 2 * over), default=0.0)
+    return 1 / most if most > 0 else math.inf
+
+
+def curves(roads, paths):
+    """Turns over 45 degrees, their records on average, those with an arc under 2 m for no reason, and roads with one that is over a hundredth too tight for no reason."""
+    turns, records, sharp, tight = 0, 0, 0, 0
+    for road in roads.values():
+        if road.element.get('junction') == '-1':
+            continue
+        turn = math.degrees(abs(math.remainder(road.at(road.length)[0][2] - road.at(0.0)[0][2], 2 * math.pi)))
+        most = max(abs(k) for piece in road.pieces for k in curvatures(piece))
+        radius, half_lane = 1 / most if most > 0 else math.inf, max(road.middle(min(road.lanes, key=lambda n: n == 0), end)[3] for end in (False, True)) / 2
+        path = tightest(paths.get(road.element.find("userData[@code='interconnection']").get('value'), []))
+        turns, records = turns + (turn > 45), records + (turn > 45) * len(road.pieces)
+        radius *= 1.01
+        sharp += turn > 45 and radius < 2 <= path < math.inf
+        tight += radius < max(3, half_lane) <= path < math.inf
+    return turns, f'{records / max(turns, 1):.2f}', sharp, tight
+
+
 def main():
     tree = ElementTree.parse(sys.argv[1])
     roads = {road.get('id'): Road(road) for road in tree.iter('road')}
@@ -160,6 +193,12 @@ def main():
     if '--beside' in sys.argv:
         for row in beside(roads, east, north):
             print(*row, sep='\t')
+        return
+    if '--curves' in sys.argv:
+        with open(sys.argv[sys.argv.index('--curves') + 1], encoding='utf-8') as file:
+            paths = {number: [tuple(map(float, point.split())) for point in wkt.strip().removeprefix('LINESTRING(').removesuffix(')').split(',')]
+                     for number, wkt in (row.split('\t') for row in file)}
+        print(*curves(roads, paths))
         return
     if '--lanes' in sys.argv:
         for road in roads.values():

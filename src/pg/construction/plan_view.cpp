@@ -121,7 +121,7 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   using namespace streetgen::pg;
   const std::string_view path = take_bytes(fcinfo, 0);
   const NumberArray from = take_numbers(fcinfo, 1), to = take_numbers(fcinfo, 2);
-  const double tolerance = PG_GETARG_FLOAT8(3);
+  const double tolerance = PG_GETARG_FLOAT8(3), lane_width = PG_GETARG_FLOAT8(4);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
@@ -129,7 +129,8 @@ STREETGEN_FUNCTION(streetgen_path_view) {
     const std::vector<double> a = read_numbers(from, 3, "place_from");
     const std::vector<double> b = read_numbers(to, 3, "place_to");
     const auto chain = path_view(read_line(path, "path").line, {{a.at(0), a.at(1), 0}, a.at(2)},
-                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance));
+                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance),
+                                 in_range(lane_width, 1e-3, 1e3, "lane_width"));
     *slot->value = columns_of(chain);
   });
   report(outcome);
