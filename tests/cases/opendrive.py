@@ -3,7 +3,8 @@ are, and the greatest gaps: within reference lines (m, degrees) and between link
 degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
 "element, id, edge or empty, WKT" of each object, signal, sign and sidewalk. opendrive.py FILE --curves PATHS holds connecting roads against the paths of their
 interconnections (rows "id, WKT" of a file): how many turn over 45 degrees, their records on average, how many of them have an arc under 2 m where the path turns
-wider, and how many of all have an arc under 3 m or half their lane where the path turns wider; those of several interconnections are not held against paths."""
+wider, and how many of all have an arc under 3 m or half their lane where the path turns wider; those of several interconnections are not held against paths. opendrive.py FILE --grades prints how many elevation records there are, the
+joints of roads with heights, the greatest difference of heights at these (m), how many have a break of grade over 1 %, and how many there are within roads."""
 import math
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -51,6 +52,7 @@ class Road:
         self.length = float(element.get('length'))
         self.pieces = element.findall('planView/geometry')
         self.offsets = element.findall('lanes/laneOffset')
+        self.heights = element.findall('elevationProfile/elevation')
         section = element.find('lanes/laneSection')
         self.lanes = {int(lane.get('id')): lane for lane in section.iter('lane')}
         edge = element.find("userData[@code='edge']")
@@ -61,6 +63,10 @@ class Road:
         first, last = curvatures(piece)
         on = s - float(piece.get('s'))
         return place(piece, on), first + (last - first) * on / float(piece.get('length'))
+
+    def height(self, at_end):
+        """At an end, with the grade there."""
+        return value(self.heights, 's', self.length if at_end else 0.0)
 
     def borders(self, number, s):
         """Inner and outer border of a lane, metres to the left, each with its slope."""
@@ -140,6 +146,25 @@ def joints(roads):
             yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi))
 
 
+def grade_gaps(roads):
+    """Differences of height (m) and grade, where connecting roads begin and end."""
+    for road in roads.values():
+        for end, at_end in (('predecessor', False), ('successor', True)):
+            link = road.element.find('link/' + end)
+            if link is None or link.get('elementType') != 'road' or not road.heights:
+                continue
+            other, other_end = roads[link.get('elementId')], link.get('contactPoint') == 'end'
+            (z, grade), (y, slope) = (r.height(at) for r, at in ((road, at_end), (other, other_end)))
+            yield abs(z - y), abs(grade - slope * (1 if at_end != other_end else -1))
+
+
+def inner_breaks(roads):
+    """Breaks of grade between elevation records."""
+    for road in roads.values():
+        for before, behind in zip(road.heights, road.heights[1:]):
+            yield abs(value([before], 's', float(behind.get('s')))[1] - float(behind.get('b')))
+
+
 def not_of_junction(roads):
     """Ends of connecting roads at roads that do not lead to their junction."""
     for road in roads.values():
@@ -199,6 +224,11 @@ def main():
             paths = {number: [tuple(map(float, point.split())) for point in wkt.strip().removeprefix('LINESTRING(').removesuffix(')').split(',')]
                      for number, wkt in (row.split('\t') for row in file)}
         print(*curves(roads, paths))
+        return
+    if '--grades' in sys.argv:
+        at_joints = list(grade_gaps(roads))
+        print(sum(len(road.heights) for road in roads.values()), len(at_joints), f'{max((z for z, _ in at_joints), default=0):.4f}',
+              sum(grade > 0.01 for _, grade in at_joints), sum(grade > 0.01 for grade in inner_breaks(roads)))
         return
     if '--lanes' in sys.argv:
         for road in roads.values():
