@@ -3,7 +3,7 @@
 
     finish.py NAME NETWORK
 
-prints the network. netconvert cuts lanes at the shapes of nodes, so that these lie where no lane comes, and the surface is a parameter of the node in
+prints the network. netconvert cuts lanes at the shapes of nodes, so that no lane reaches the border of these, and the surface is a parameter of the node in
 NAME.nod.xml. A node without one becomes a point. At a node with a stop line netconvert lets all stop who yield to somebody, if only at a crossing: who comes
 by an edge without parameter waits gives way there, and does not stop. A program of NAME.tll.xml knows its crossings; netconvert adds them once more, and that goes. So does the
 head of the file, which holds the time and what netconvert was called with. right_of_way.py says who gives way where netconvert, or a program, lets two go at once.

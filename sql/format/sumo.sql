@@ -73,16 +73,19 @@ BEGIN
     FROM origin JOIN spatial_ref_sys USING (srid)
     UNION ALL
     -- Our names and numbers need no escape. As text they cost half as much as XML elements.
-    SELECT turn, id, concat('<node id="', name, '" x="', round((ST_X(n.geom) - x)::numeric, digits), '" y="',
-        round((ST_Y(n.geom) - y)::numeric, digits), '" type="', type, '" tl="' || controller,
+    SELECT turn, id, concat('<node id="', name, '" x="', east, '" y="', north, '" type="', type,
+        '" tl="' || controller,
         CASE WHEN type NOT IN ('right_before_left', 'left_before_right') THEN '" rightOfWay="edgePriority' END,
-        '" shape="-1000,-1000 -1000,-1000 -1000,-1000"',
+        '" shape="', east - far, ',', north - far, ' ', east + far, ',', north - far, ' ', east + far, ',',
+        north + far, ' ', east - far, ',', north + far, '"',
         coalesce('><param key="surface" value="' || CASE WHEN surface IS NOT NULL AND NOT ST_IsEmpty(surface) THEN
             streetgen._coordinates(ST_ExteriorRing(CASE ST_NumGeometries(surface)
                 WHEN 1 THEN ST_GeometryN(surface, 1)
                 ELSE (SELECT geom FROM ST_Dump(surface) ORDER BY ST_Area(geom) DESC LIMIT 1) END), x, y, digits, 0)
             END || '"/></node>', '/>'))
-    FROM origin, every_node n;
+    -- No lane reaches the border of so wide a shape, about the node: where it does, netconvert cuts lanes.
+    FROM origin, every_node n, (SELECT 100000 AS far) f, LATERAL (SELECT round((ST_X(n.geom) - x)::numeric, digits)
+        AS east, round((ST_Y(n.geom) - y)::numeric, digits) AS north) p;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_nodes(name, jsonb) IS 'The elements of a plain file of SUMO: the nodes.';
 
@@ -102,7 +105,8 @@ BEGIN
             + 0.5, ST_Length(s.line) / 2)) AS back
         FROM streetgen._sumo_crossings(model, options) c CROSS JOIN LATERAL unnest(c.names) n(name)
             JOIN sumo_edge s ON s.name = n.name
-        WHERE s.until = 1 AND s.along_axis <> c.at_start AND ST_Intersects(s.line, c.line) GROUP BY s.name),
+        WHERE marked AND s.until = 1 AND s.goes_to = c.place_id::text AND ST_Intersects(s.line, c.line)
+        GROUP BY s.name),
     lane_line AS MATERIALIZED (
         SELECT name, index, c.allow, c.disallow, l.width,
             CASE WHEN until - since < 1 AND NOT within THEN ST_LineSubstring(driven, since, until) ELSE driven END
@@ -207,7 +211,8 @@ BEGIN
     WHERE NOT EXISTS (SELECT FROM going_on WHERE name_in = a.name)
     UNION ALL
     SELECT 3, c.edge_id, xmlelement(name crossing, xmlattributes(c.place_id AS node,
-        array_to_string(names, ' ') AS edges, 1 AS priority, round(along::numeric, digits) AS width,
+        array_to_string(names, ' ') AS edges, (marked OR controller_id IS NOT NULL)::integer AS priority,
+        round(along::numeric, digits) AS width,
         number + links AS "linkIndex", streetgen._coordinates(c.line, x, y, digits, 0) AS shape))::text
     FROM origin, streetgen._sumo_crossings(model, options) c LEFT JOIN (
         SELECT junction_id AS controller_id, count(*) AS links
@@ -270,9 +275,11 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
     'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '
     'since netconvert invents what is not said. With subject sidewalk, a sidewalk is lane 0 of its edge, or an edge '
-    'edge_id.walk beside no lane of its direction, and crossings between two of them are written (connections). A '
-    'node has the intersection as parameter surface; its shape is a place '
-    'where no lane comes, since netconvert cuts lanes at shapes. With subject junction, junctions of kind signals are '
+    'edge_id.walk beside no lane of its direction, and so is a strip on the roadway where a street has none. Crossings '
+    'from corner to corner are written (connections), unmarked ones with priority 0. A '
+    'node has the intersection as parameter surface; its shape is so wide '
+    'that no lane reaches its border, since netconvert cuts lanes there. '
+    'With subject junction, junctions of kind signals are '
     'traffic lights, with subject signal by the programs of the model (tlLogics), and the nodes of a junction can be '
     'one. With it, who comes from the left goes first at a mini-roundabout (left_before_right), or from the right '
     'where one drives on the left. With subject roundabout, accepted rings are roundabouts (edges). '

@@ -25,7 +25,7 @@ BEGIN
             AND edge_id IN (SELECT streetgen._written_edges(model, options))),
     beside AS MATERIALIZED (
         SELECT edge_id, along_axis, lane_id, width, CASE WHEN along_axis THEN line ELSE ST_Reverse(line) END AS line
-        FROM streetgen._sidewalks_beside(model, options, lines)),
+        FROM streetgen._sumo_walks(model, options, lines)),
     -- A sidewalk is a lane of the edge at whose kerb it lies; beside no lane of its direction it is an edge by itself.
     grouped AS MATERIALIZED (
         SELECT g.lane_group_id, g.edge_id, g.along_axis, g.from_node, g.to_node, g.lanes, g.lane_count,
@@ -43,8 +43,11 @@ BEGIN
         FROM beside w JOIN written_edge e USING (edge_id)
         WHERE NOT EXISTS (SELECT FROM grouped g
             WHERE (g.edge_id, g.along_axis, g.lanes[1]) = (w.edge_id, w.along_axis, w.lane_id)))
-    SELECT v.name, g.lane_group_id, g.edge_id, g.along_axis, v.comes_from, v.goes_to, v.since, v.until, v.lanes,
-        v.lane_count, g.geom, g.walk, g.walk_width, g.walk_line
+    SELECT r.edge_id::text || CASE WHEN at_start THEN '.refuge' ELSE '.refuge.end' END, 0, r.edge_id, true,
+        from_place::text, to_place::text, 0, 1, '{}', 0, r.line, 1, r.width, r.line
+    FROM streetgen._sumo_refuges(model, options) r WHERE wanted IS NULL
+    UNION ALL SELECT v.name, g.lane_group_id, g.edge_id, g.along_axis, v.comes_from, v.goes_to, v.since, v.until,
+        v.lanes, v.lane_count, g.geom, g.walk, g.walk_width, g.walk_line
     FROM (SELECT c.*, f.place_id AS from_place, t.place_id AS to_place, f.place_id = t.place_id AS loop,
             c.edge_id IN (SELECT edge_id FROM lane WHERE kind = 'merging'
                 UNION ALL SELECT edge_id FROM streetgen._lanes_in_middle(model)) AS merges
@@ -64,7 +67,7 @@ BEGIN
         WHERE merges) v;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_edges(name, jsonb, boolean, boolean) IS
-    'The edges of files of SUMO, which lane groups and sidewalks of a model are. Each has the nodes that traffic comes '
+    'The edges of files of SUMO, which lane groups and walks of a model are. Each has the nodes that traffic comes '
     'from and goes to. It begins and ends at shares of the length of its group, and walk counts its sidewalks (0 or '
     '1). geom, of the whole group, and walk_line are there where lines is true, and with parted only the edges in '
     'parts.';

@@ -49,7 +49,7 @@ SELECT 'closed and reserved lanes of SymuVia', pg_temp.found('//VOIE_INTERDITE',
 -- Streets that nobody may drive through, word by word.
 CREATE FUNCTION pg_temp.through(word text, OUT sumo text, OUT opendrive integer, OUT lanelet2 integer) LANGUAGE plpgsql AS $$ BEGIN
   UPDATE town.axis SET access = word WHERE axis_id = 6;
-  sumo := (SELECT string_agg(DISTINCT allow::text, ', ') FROM town.edge e, unnest(xpath('//edge[@id="' || edge_id || '" or @id="-' || edge_id || '"]/lane/@allow', (SELECT xmlparse(document string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', 'edges')))) allow WHERE axis_id = 6);
+  sumo := (SELECT string_agg(DISTINCT allow::text, ', ') FROM town.edge e, unnest(xpath('//edge[@id="' || edge_id || '" or @id="-' || edge_id || '"]/lane/@allow', (SELECT xmlparse(document string_agg(line, E'\n' ORDER BY ordinality)) FROM streetgen.export_sumo('town', 'edges')))) allow WHERE axis_id = 6 AND allow::text <> 'pedestrian');
   opendrive := pg_temp.found('//lane/access[@rule="deny" and @restriction="throughTraffic"]', (SELECT array_agg(line ORDER BY ordinality) FROM streetgen.export_opendrive('town')));
   lanelet2 := pg_temp.found('//tag[@k="access" and @v="' || word || '"]', (SELECT array_agg(line ORDER BY ordinality) FROM streetgen.export_lanelet2('town'))); END $$;
 SELECT word || ': no car for all drives through', allow NOT LIKE '%passenger%' AND sumo = allow AND (opendrive, lanelet2) = (2, 2) FROM (VALUES ('private', 'private emergency authority delivery bicycle'), ('destination', 'private emergency authority delivery taxi bicycle'),

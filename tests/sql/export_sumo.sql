@@ -101,7 +101,7 @@ CREATE FUNCTION pg_temp.on_foot(model name, driving_side text) RETURNS void LANG
   EXECUTE format('INSERT INTO %I.pedestrian_crossing_editing (geom, width, angle) VALUES (''SRID=2154;POINT(650075 6860000)'', 3, 90), (''SRID=2154;POINT(650112 6860000)'', 5, 70), (''SRID=2154;POINT(650100 6859988)'', 4, 90)', model);
 END $$;
 SELECT pg_temp.on_foot('foot', 'right'), pg_temp.on_foot('left_foot', 'left') \g /dev/null
-SELECT model || ': a sidewalk is a lane at the kerb', pg_temp.found('//lane[@allow="pedestrian"]', f) = 7 AND pg_temp.found('//lane[@allow="pedestrian" and @index="0"]', f) = 7 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f;
+SELECT model || ': a sidewalk is a lane at the kerb', pg_temp.found('//lane[@allow="pedestrian"]', f) = 8 AND pg_temp.found('//lane[@allow="pedestrian" and @index="0"]', f) = 8 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f;
 SELECT model || ': beside no lane of its direction it is an edge', (SELECT array_agg(id::text) FROM unnest(xpath('//edge[contains(@id, ".walk")]/@id', f)) id) = '{-2.walk}' AND pg_temp.found('//edge[@id="-2.walk"]/lane', f) = 1 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f;
 SELECT model || ': lanes lie in the sidewalks of the model', bool_and(ST_Contains(ST_Buffer(s.surface, 0.1), ST_Translate(ST_SetSRID(ST_GeomFromText('LINESTRING(' || translate(shape, ' ,', ', ') || ')'), 2154), 650000, 6859900))) AND count(*) = 7
   FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') f, unnest(xpath('//edge', f)) edge,
@@ -112,24 +112,24 @@ SELECT model || ': lanes lie in the sidewalks of the model', bool_and(ST_Contain
 SELECT model || ': connections lead from lanes of cars to lanes of cars', count(*) > 0 AND bool_and(pg_temp.found(format('//edge[@id="%s"]/lane[@index="%s" and not(@allow)]', edge, lane), edges) = 1)
   FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'edges') edges, pg_temp.file(model, 'connections') c, unnest(xpath('//connection', c)) k, (VALUES ('from'), ('to')) w(which),
     LATERAL (SELECT (xpath('string(/connection/@' || which || ')', k))[1]::text AS edge, (xpath('string(/connection/@' || which || 'Lane)', k))[1]::text AS lane) e GROUP BY model;
--- An object comes before a control point. South there is one sidewalk.
-SELECT model || ': a crossing of each street with two sidewalks', (SELECT array_agg(format('%s %s', (xpath('string(/crossing/@edges)', c))[1], (xpath('string(/crossing/@width)', c))[1]) ORDER BY c::text COLLATE "C") FROM unnest(xpath('//crossing', f)) c)
-  @> '{-1 1 3.00,2 5.00,-3 3 4.00}' AND pg_temp.found('//crossing', f) = 3 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'connections') f;
+-- An object comes before a control point. South there is one sidewalk, and a walk on the roadway.
+SELECT model || ': a crossing of each street', (SELECT array_agg(format('%s %s', (xpath('string(/crossing/@edges)', c))[1], (xpath('string(/crossing/@width)', c))[1]) ORDER BY c::text COLLATE "C") FROM unnest(xpath('//crossing', f)) c)
+  = '{-1 1 3.00,-3 3 4.00,-4 4 4.00,2 5.00}' AND pg_temp.found('//crossing[@priority="1"]', f) = 4 FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'connections') f;
 SELECT 'it lies where the model has it, from the right to the left of those who leave', (xpath('string(//crossing[@edges="-1 1"]/@shape)', pg_temp.file('foot', 'connections')))[1]::text = '75,103.5 75,96.5';
 SELECT 'who waits leaves it free', abs((xpath('string(//edge[@id="1"]/stopOffset/@value)', f))[1]::text::float8 - ((SELECT abscissa - 75 FROM foot.section_limit WHERE (edge_id, which) = (1, 'end')) + 1.5 + 0.5)) < 0.006
   AND pg_temp.found('//edge[@id="-1" or @id="2"]/stopOffset', f) = 0 FROM pg_temp.file('foot', 'edges') f;
 CREATE TEMPORARY VIEW shown AS SELECT model, (xpath('string(/phase/@state)', p))[1]::text AS state, f FROM (VALUES ('foot'::name), ('left_foot')) m(model), pg_temp.file(model, 'tlLogics') f, unnest(xpath('//phase', f)) p;
-SELECT model || ': a program shows connections, then crossings', bool_and(length(state) = 3 + pg_temp.found('//connection', f)) AND bool_and(pg_temp.found('//connection[@linkIndex="0"]', f) = 1) AND bool_and((SELECT array_agg((i::text)::integer - pg_temp.found('//connection', f) ORDER BY i::text::integer)
-  FROM unnest(xpath('//crossing/@linkIndex', pg_temp.file(model, 'connections'))) i) = '{0,1,2}') FROM shown GROUP BY model;
+SELECT model || ': a program shows connections, then crossings', bool_and(length(state) = 4 + pg_temp.found('//connection', f)) AND bool_and(pg_temp.found('//connection[@linkIndex="0"]', f) = 1) AND bool_and((SELECT array_agg((i::text)::integer - pg_temp.found('//connection', f) ORDER BY i::text::integer)
+  FROM unnest(xpath('//crossing/@linkIndex', pg_temp.file(model, 'connections'))) i) = '{0,1,2,3}') FROM shown GROUP BY model;
 SELECT model || ': durations are whole seconds', bool_and(state ~ '^[0-9]+$') FROM (SELECT model, unnest(xpath('//@duration|//@offset', pg_temp.file(model, 'tlLogics')))::text AS state FROM (VALUES ('foot'::name), ('left_foot')) m(model)) d GROUP BY model;
 BEGIN;
 UPDATE foot.signal_state SET duration = duration + 0.6 WHERE ordinality IN (1, 2);
 SELECT 'a fraction goes to the next phase, and the cycle lasts as long', bool_and(d ~ '^[0-9]+$') AND sum(d::float8) = (SELECT round(sum(duration)) FROM foot.signal_state) FROM unnest(xpath('//@duration', pg_temp.file('foot', 'tlLogics'))) u, LATERAL (SELECT u::text AS d) t;
 ROLLBACK;
-SELECT model || ': each crossing has green, and then nobody drives in from there or straight out', bool_and(i >= first) FILTER (WHERE stopped) AND count(DISTINCT i) FILTER (WHERE stopped) = 3 FROM (
+SELECT model || ': each crossing has green, and then nobody drives in from there or straight out', bool_and(i >= first) FILTER (WHERE stopped) AND count(DISTINCT i) FILTER (WHERE stopped) = 4 FROM (
   SELECT model, i, first, substr(state, i + 1, 1) = 'G' AND NOT EXISTS (SELECT FROM unnest(xpath('//connection', s.f)) k, LATERAL (SELECT (xpath('string(/connection/@from)', k))[1]::text AS a, (xpath('string(/connection/@to)', k))[1]::text AS b,
       (xpath('string(/connection/@linkIndex)', k))[1]::text::integer AS link) l, unnest(string_to_array((xpath(format('string(//crossing[@linkIndex="%s"]/@edges)', i), pg_temp.file(model, 'connections')))[1]::text, ' ')) e
-    WHERE substr(state, link + 1, 1) IN ('G', 'g') AND (a = e OR b = e AND (a, b) IN (('1', '2'), ('4', '3')))) AS stopped FROM shown s, LATERAL (SELECT pg_temp.found('//connection', s.f) AS first) n, generate_series(first, first + 2) i WHERE substr(state, i + 1, 1) = 'G') c GROUP BY model;
+    WHERE substr(state, link + 1, 1) IN ('G', 'g') AND (a = e OR b = e AND (a, b) IN (('1', '2'), ('4', '3')))) AS stopped FROM shown s, LATERAL (SELECT pg_temp.found('//connection', s.f) AS first) n, generate_series(first, first + 3) i WHERE substr(state, i + 1, 1) = 'G') c GROUP BY model;
 SELECT FROM streetgen.switch_subject('left_foot', 'sidewalk', false) \g /dev/null
 SELECT 'without crossings there are none, and without sidewalks neither', pg_temp.found('//crossing', pg_temp.file('wide', 'connections')) = 0
   AND pg_temp.found('//crossing', pg_temp.file('left_foot', 'connections')) = 0 AND pg_temp.found('//lane[@allow="pedestrian"]', pg_temp.file('left_foot', 'edges')) = 0;

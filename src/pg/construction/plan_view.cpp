@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "frame/argument.hpp"
-#include "frame/array_row.hpp"
 #include "frame/border.hpp"
 #include "frame/geometry_result.hpp"
 #include "streetgen/border_line.hpp"
@@ -39,12 +38,34 @@ double number_of(const PlanPiece& piece, int column) {
   return numbers[column];
 }
 
+using PlanColumns = std::vector<std::vector<double>>;
+
 // A column of pieces for each number.
-NumberColumns columns_of(const std::vector<PlanPiece>& chain) {
-  NumberColumns columns(chain_columns);
+PlanColumns columns_of(const std::vector<PlanPiece>& chain) {
+  PlanColumns columns(chain_columns);
   for (const PlanPiece& piece : chain)
     for (int i = 0; i < chain_columns; ++i) columns[i].push_back(number_of(piece, i));
   return columns;
+}
+
+// One row of arrays; none of a chain without a piece.
+void give_row(const PlanColumns& columns, ReturnSetInfo* result) {
+  if (columns.empty() || columns.front().empty()) return;
+  const int count = static_cast<int>(columns.size());
+  auto* values = static_cast<Datum*>(palloc0(count * sizeof(Datum)));
+  auto* nulls = static_cast<bool*>(palloc0(count * sizeof(bool)));
+  for (int i = 0; i < count; ++i) {
+    const int length = static_cast<int>(columns[i].size());
+    auto* numbers = static_cast<Datum*>(palloc(length * sizeof(Datum)));
+    for (int k = 0; k < length; ++k) numbers[k] = Float8GetDatum(columns[i][k]);
+    values[i] = PointerGetDatum(
+        construct_array(numbers, length, FLOAT8OID, sizeof(float8), true, TYPALIGN_DOUBLE));
+  }
+  tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+}
+
+ReturnSetInfo* result_of(FunctionCallInfo fcinfo) {
+  return reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
 }
 
 // A chain from the columns of one row, as give_row writes them.
@@ -100,16 +121,15 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   using namespace streetgen::pg;
   const std::string_view path = take_bytes(fcinfo, 0);
   const NumberArray from = take_numbers(fcinfo, 1), to = take_numbers(fcinfo, 2);
-  const double tolerance = PG_GETARG_FLOAT8(3), lane_width = PG_GETARG_FLOAT8(4);
+  const double tolerance = PG_GETARG_FLOAT8(3);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
-  Slot<NumberColumns>* slot = make_slot<NumberColumns>(CurrentMemoryContext);
+  Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new NumberColumns;
+    slot->value = new PlanColumns;
     const std::vector<double> a = read_numbers(from, 3, "place_from");
     const std::vector<double> b = read_numbers(to, 3, "place_to");
     const auto chain = path_view(read_line(path, "path").line, {{a.at(0), a.at(1), 0}, a.at(2)},
-                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance),
-                                 in_range(lane_width, 1e-3, 1e3, "lane_width"));
+                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance));
     *slot->value = columns_of(chain);
   });
   report(outcome);
@@ -203,9 +223,9 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
   const ValueArray parts = take_values(fcinfo, 6, INT4OID, lines.count, "parts");
   const double tolerance = PG_GETARG_FLOAT8(7);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
-  Slot<NumberColumns>* slot = make_slot<NumberColumns>(CurrentMemoryContext);
+  Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new NumberColumns;
+    slot->value = new PlanColumns;
     std::vector<LaneGround> lanes;
     for (int i = 0; i < lines.count && i < surfaces.count; ++i) {
       const std::string number = std::to_string(i + 1);
@@ -218,7 +238,7 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
     auto course = course_beside(elements_of(alignment), line, in_range(reach, 0, 1e3, "reach"));
     const RoadLanes road = course.empty() ? road_lanes(line, lanes, tolerance_of(tolerance))
                                           : road_lanes(std::move(course), lanes);
-    NumberColumns& columns = *slot->value;
+    PlanColumns& columns = *slot->value;
     columns = columns_of(road.chain);
     columns.push_back(road.stations);
     columns.emplace_back();
