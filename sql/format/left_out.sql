@@ -6,9 +6,9 @@ CREATE OR REPLACE FUNCTION streetgen._format_content()
     AS $$ VALUES
     ('signals', 'signal', '{sumo,symuvia,opendrive,lanelet2}'::text[], true),
     ('pedestrian crossings', 'sidewalk', '{sumo}', true),
-    ('pedestrian crossings', 'object', '{opendrive,cityjson,gltf,wavefront}', true),
-    ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,cityjson,gltf,wavefront}', true),
-    ('streets above or below the ground', 'height', '{opendrive,cityjson,gltf,wavefront}', true),
+    ('pedestrian crossings', 'object', '{opendrive,lanelet2,cityjson,gltf,wavefront}', true),
+    ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,lanelet2,cityjson,gltf,wavefront}', true),
+    ('streets above or below the ground', 'height', '{opendrive,lanelet2,cityjson,gltf,wavefront}', true),
     ('tracks', 'rail', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront}', false),
     ('objects', 'object', '{symuvia,lanelet2,cityjson,gltf,wavefront}', false) $$;
 COMMENT ON FUNCTION streetgen._format_content() IS

@@ -32,6 +32,8 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         'type bidirectional, or a lane of type driving each way, half as wide', NULL, NULL, '{bidirectional,driving}'),
     ('georeference', '{opendrive}', 'word', '"srid"', '', 'where coordinates count: in the SRID of the model, '
         'from offset, or in a transverse Mercator one about the origin, with offset 0', NULL, NULL, '{srid,local}'),
+    ('autoware', '{lanelet2}', 'word', '"no"', '', 'whether points have local_x and local_y, and crosswalks a rule '
+        'that Autoware knows', NULL, NULL, '{no,yes}'),
     ('version', '{opendrive}', 'word', '"1.7"', '', 'the version of OpenDRIVE', NULL, NULL, '{1.7,1.6}'),
     ('precision', '{cityjson,wavefront}', 'integer', '3', 'digits',
         'digits of a coordinate behind the point', 2, 8, NULL),

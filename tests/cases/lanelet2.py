@@ -1,8 +1,12 @@
-"""What a file of Lanelet2 says, read by itself as Lanelet2 reads it: lanelet2.py FILE prints "name value" lines, as many lanelets, how many of these lie across
-junctions, references that lead nowhere, lanelets whose bounds a reader turns round against their traffic, bounds of a lanelet that cross each other or themselves.
+"""What a file of Lanelet2 says, read by itself as Lanelet2 reads it: lanelet2.py FILE prints "name value" lines, as many lanelets for traffic, how many of these lie
+across junctions and say where they turn, walkways and crosswalks, references that lead nowhere, ids that are there twice, lanelets whose bounds a reader turns round
+against their traffic, those whose bounds cross each other or themselves, and points with heights and local coordinates.
 lanelet2.py FILE --joined prints a line "lane f lane f" for each pair of lanes of which one is reached from the other by a lanelet across a junction, by their ids in
-the model; t: against the direction of a lane for both."""
+the model; t: against the direction of a lane for both.
+lanelet2.py FILE --findings prints a line "lanelet what" for each that Lanelet2's validator, whose output is at standard input, finds something about, or about a
+point or a line of it; but for the tag turn_direction."""
 import math
+import re
 import sys
 import xml.etree.ElementTree as ElementTree
 
@@ -18,7 +22,7 @@ class File:
         # Metres about the first point suffice to tell sides.
         north, east = math.radians(6371000), math.radians(6371000) * math.cos(math.radians(lat))
         self.points = {n.get('id'): ((float(n.get('lon')) - lon) * east, (float(n.get('lat')) - lat) * north) for n in root.iter('node')}
-        self.heights = {n.get('id'): n.find("tag[@k='ele']") is not None for n in root.iter('node')}
+        self.told = {key: sum(n.find(f"tag[@k='{key}']") is not None for n in root.iter('node')) for key in ('ele', 'local_x', 'local_y')}
         self.ways = {w.get('id'): [nd.get('ref') for nd in w.iter('nd')] for w in root.iter('way')}
         self.tags = {e.get('id'): {t.get('k'): t.get('v') for t in e.iter('tag')} for e in root if e.tag in ('way', 'relation')}
         self.members = {r.get('id'): [(m.get('type'), m.get('ref'), m.get('role')) for m in r.iter('member')] for r in root.iter('relation')}
@@ -33,6 +37,9 @@ class File:
 
     def across(self, name):
         return int(name) % 64 >= WAY
+
+    def on_foot(self, name):
+        return 'participant:pedestrian' in self.tags[name]
 
     def aligned(self, name):
         """The bounds of a lanelet, each turned round where a reader does so."""
@@ -108,20 +115,43 @@ def figures(file):
         a, b = sides(file.line(left)), sides(file.line(right))
         crossing += any(cross_each_other(*s, *t) for s in a for t in b) or any(
             cross_each_other(*s[i], *s[k]) for s in (a, b) for i in range(len(s)) for k in range(i + 2, len(s)))
-    yield 'lanelets', len(file.lanelets)
+    yield 'lanelets', sum(not file.on_foot(name) for name in file.lanelets)
     yield 'across', sum(map(file.across, file.lanelets))
+    for turn in ('straight', 'left', 'right'):
+        yield turn, sum(file.tags[name].get('turn_direction') == turn for name in file.lanelets)
+    for kind in ('walkway', 'crosswalk'):
+        yield kind, sum(file.tags[name].get('subtype') == kind for name in file.lanelets)
     yield 'astray', astray
     yield 'twice', len(file.ids) - len(set(file.ids))
     yield 'turned', turned
     yield 'crossing', crossing
-    yield 'heights', sum(file.heights.values())
+    yield 'points', len(file.points)
+    yield from file.told.items()
     for kind in ('right_of_way', 'traffic_light', 'crosswalk'):
-        yield kind, sum(t.get('subtype') == kind and t.get('type') == 'regulatory_element' for t in file.tags.values())
+        yield 'rule_' + kind, sum(t.get('subtype') == kind and t.get('type') == 'regulatory_element' for t in file.tags.values())
+
+
+def findings(file, text):
+    """Pairs of a lanelet and what is found about it."""
+    of = {}
+    for name, bounds in file.lanelets.items():
+        for kind, ref, role in file.members[name]:
+            if role in ('left', 'right'):
+                of.setdefault(('linestring', ref), []).append(name)
+        for ref in {ref for bound in bounds for ref in bound}:
+            of.setdefault(('point', ref), []).append(name)
+    found = set()
+    for kind, ref, what in re.findall(r'^\w+: (\w+) (\d+) .*\[[\w.]*?(\w+)\]$', re.sub(r'^.* turn_direction .*$', '', text, flags=re.M), re.M):
+        found |= {(name, what) for name in of.get((kind, ref), [ref])}
+    return found
 
 
 def main():
     file = File(sys.argv[1])
-    if '--joined' in sys.argv[2:]:
+    if '--findings' in sys.argv[2:]:
+        for finding in sorted(findings(file, sys.stdin.read())):
+            print(*finding)
+    elif '--joined' in sys.argv[2:]:
         for (a, against), (b, there) in sorted(joined(file), key=str):
             print(int(a) // 64, 'ft'[against], int(b) // 64, 'ft'[there], sep='\t')
     else:

@@ -9,6 +9,7 @@
 #include "lane/bound_side.hpp"
 #include "road/heading.hpp"
 #include "streetgen/cancel.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -21,6 +22,10 @@ constexpr double shortest_side = 0.1;
 // Of the loop of a border that a bend turned over, such a share leads back at least; a road that
 // passes over itself has none.
 constexpr double turned_over = 0.2;
+// One by metres. What bends more confuses readers.
+constexpr double sharpest_bend = 0.5;
+// Metres. A lane across a junction may get so much wider where that spares a sharp bend.
+constexpr double widening = 0.4;
 // Metres. How far the border inside a turn without room goes round it, and how wide.
 constexpr double nose_length = 0.5, nose_width = 0.2;
 // Of the way from the middle of the border outside to the nearer end: where the tip is at most.
@@ -222,11 +227,72 @@ Border needed_points(const Border& border, double tolerance) {
   return out;
 }
 
-Line line_of(const Border& border) {
-  Line line;
-  for (const BorderPoint& p : border) line.push_back(p.point);
-  return line;
+// One by metres, of the circle through three points.
+double bend(const Point& a, const Point& b, const Point& c) {
+  const double sides = distance(a, b) * distance(b, c) * distance(c, a);
+  return sides > 0 ? 2 * std::abs(cross(b - a, c - b)) / sides : infinite;
 }
+
+// On which side of a border the lane lies that is not to get narrower.
+enum class InnerSide { none, left, right };
+
+// Points that make a sharp bend are left out, where the border lies within the tolerance of what is
+// left, or the lane gets wider by a little.
+class Blunting {
+ public:
+  Blunting(const Border& border, double tolerance, InnerSide lane)
+      : border_(border), tolerance_(tolerance), lane_(lane) {
+    for (std::size_t i = 0; i < border.size(); ++i) kept_.push_back(i);
+  }
+
+  Border blunted() {
+    for (std::size_t k = 1; k + 1 < kept_.size();) {
+      if (bend(at(k - 1), at(k), at(k + 1)) <= sharpest_bend || !leave_out_about(k))
+        ++k;
+      else
+        k = k > 2 ? k - 2 : 1;
+    }
+    Border out;
+    for (const std::size_t i : kept_) out.push_back(border_[i]);
+    return out;
+  }
+
+ private:
+  const Point& at(std::size_t k) const { return border_[kept_[k]].point; }
+
+  bool in_lane(const Point& p, const Point& from, const Point& to) const {
+    const double left = cross(to - from, p - from);
+    return lane_ == InnerSide::left ? left > 0 : lane_ == InnerSide::right && left < 0;
+  }
+
+  // As a share of how far it may be off, without the point.
+  double off_without(std::size_t k) const {
+    const BorderPoint &from = border_[kept_[k - 1]], &to = border_[kept_[k + 1]];
+    double most = 0;
+    for (std::size_t i = kept_[k - 1] + 1; i < kept_[k + 1]; ++i) {
+      const bool wider = in_lane(border_[i].point, from.point, to.point);
+      most = std::max(most, off(border_[i], from, to) / (wider ? widening : tolerance_));
+    }
+    return most;
+  }
+
+  // The point or one beside it, whichever matters least.
+  bool leave_out_about(std::size_t k) {
+    std::size_t best = k;
+    double least = off_without(k);
+    for (const std::size_t other : {k - 1, k + 1})
+      if (other > 0 && other + 1 < kept_.size() && off_without(other) < least)
+        least = off_without(best = other);
+    if (least > 1) return false;
+    kept_.erase(kept_.begin() + best);
+    return true;
+  }
+
+  const Border& border_;
+  double tolerance_;
+  InnerSide lane_;
+  std::vector<std::size_t> kept_;
+};
 
 Line without_short_sides(const Border& border) {
   const Point& end = border.back().point;
@@ -265,8 +331,12 @@ std::vector<Line> border_lines(const BorderCourse& course, const std::vector<Bor
       borders[b].front().point = {ends[b].from.x, ends[b].from.y, borders[b].front().point.z};
       borders[b].back().point = {ends[b].to.x, ends[b].to.y, borders[b].back().point.z};
     }
-    lines.push_back(without_short_sides(
-        needed_points(Unfolding(course.chain, borders[b]).unfolded(), tolerance / 2)));
+    const Border unfolded = Unfolding(course.chain, std::move(borders[b])).unfolded();
+    const Border needed = needed_points(unfolded, tolerance / 2);
+    const InnerSide inside = ends.empty() ? InnerSide::none
+                             : b == 0     ? InnerSide::right
+                                          : InnerSide::left;
+    lines.push_back(without_short_sides(Blunting(needed, 2 * tolerance, inside).blunted()));
   }
   const bool leftwards = turn_between(course.chain, 0, course.stations.back()) > 0;
   for (std::size_t b = 1; b < lines.size(); ++b) {

@@ -1,10 +1,15 @@
-// The points of a line as files of SUMO and of SymuVia have them.
+// The points of a line as files of SUMO and of SymuVia have them, and points that are one in files.
 #include <cmath>
 #include <string>
+#include <vector>
 
+#include "frame/argument.hpp"
 #include "frame/geometry_result.hpp"
+#include "streetgen/first_within.hpp"
 #include "value/decimal.hpp"
+#include "value/number_array.hpp"
 #include "value/stored.hpp"
+#include "value/value_array.hpp"
 #include "value/wkb.hpp"
 
 extern "C" {
@@ -74,4 +79,30 @@ STREETGEN_FUNCTION(streetgen_symuvia_points) {
     }
     text += "</POINTS_INTERNES>";
   });
+}
+
+// Places as x, y and z, the group of each, and a reach.
+STREETGEN_FUNCTION(streetgen_first_within) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  const NumberArray place = take_numbers(fcinfo, 0);
+  const ValueArray group = take_values(fcinfo, 1, INT8OID, place.count / 3, "groups");
+  const double reach = PG_GETARG_FLOAT8(2);
+  auto* slot = make_slot<std::vector<int>>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    const std::vector<double> numbers = read_numbers(place, 3, "places");
+    std::vector<Point> places;
+    std::vector<long> groups;
+    for (int i = 0; i < group.count; ++i) {
+      places.push_back({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
+      groups.push_back(DatumGetInt64(group.values[i]));
+    }
+    slot->value = new std::vector<int>;
+    *slot->value = first_within(places, groups, in_range(reach, 1e-6, 1e3, "reach"));
+  });
+  report(outcome);
+  const int count = static_cast<int>(slot->value->size());
+  auto* first = static_cast<Datum*>(palloc(count * sizeof(Datum)));
+  for (int i = 0; i < count; ++i) first[i] = Int32GetDatum((*slot->value)[i] + 1);
+  PG_RETURN_ARRAYTYPE_P(construct_array(first, count, INT4OID, 4, true, TYPALIGN_INT));
 }
