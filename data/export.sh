@@ -35,9 +35,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg | *.obj | *.city.json | *.glb | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
+      *.gpkg | *.obj | *.city.json | *.glb | *.tiles | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj, .city.json and .glb the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj, .city.json, .glb and the folder .tiles the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -78,6 +78,15 @@ write_wavefront() {
   told=error write_lines "${1%.obj}.mtl" "streetgen.export_wavefront($(quoted "$2"), 'materials', $(quoted "$export_options"))"
 }
 
+# write_tiles FOLDER MODEL: the files of the folder, each in parts that follow each other.
+write_tiles() {
+  mkdir "$1"
+  PGOPTIONS="-c client_min_messages=${told:-warning}" psql -qXAt -F ' ' -v ON_ERROR_STOP=1 -v SHOW_CONTEXT=never -v FETCH_COUNT=4 -d "$database" \
+    -c "SELECT path, upper(encode(part, 'hex')) FROM streetgen.export_tiles($(quoted "$2"), $(quoted "$export_options"))" |
+    TILES=$1 awk '$1 != path { if (path) close(command); path = $1; command = "basenc --base16 -d >\"$TILES/" path "\"" } { print $2 | command } END { if (path && close(command)) exit 1 }' ||
+    fail "$(basename "$1") cannot be written"
+}
+
 # write_file FILE MODEL LAYER SRID
 write_file() {
   local file=$1 model=$2 layer=$3 srid=$4 of_model update=()
@@ -93,6 +102,7 @@ write_file() {
     *.net.xml) write_sumo "$file" "$model" ;;
     *.sumocfg) write_sumo_configuration "$file" "$model" ;;
     *.city.json) write_lines "$file" "streetgen.export_cityjson($(quoted "$model"), $(quoted "$export_options"))" ;;
+    *.tiles) write_tiles "$file" "$model" ;;
     *.glb) write_parts "$file" "streetgen.export_gltf($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.symuvia.xml) write_lines "$file" "streetgen.export_symuvia($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.lanelet2.osm) write_lines "$file" "streetgen.export_lanelet2($(quoted "$model"), $(quoted "$export_options"))" ;;

@@ -27,6 +27,9 @@ struct PlanPiece {
   bool straight() const { return curvature == 0 && curvature_end == 0; }
 };
 
+// Metres.  Roads and paths have no tighter arc, where the model's have none.
+constexpr double least_curve_radius = 3.1;
+
 struct ChainEnds {
   std::optional<double> heading_from, heading_to;  // radians; none: those of the line
 };
@@ -35,14 +38,19 @@ struct ChainEnds {
 // `tolerance` metres at most, nor the line it.  It begins and ends where the line does, with the
 // headings that are given, else those of its first and last side.  A kink becomes an arc; a line
 // that turns back on itself gets two on the way about.  A line without two distinct points has no
-// piece.  ASAM OpenDRIVE 1.7, section 8.
-std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends = {});
+// piece.  Arcs at kinks are as wide as `least_radius`, where the sides have room for it and the arc
+// leaves the kink by a metre at most.  ASAM OpenDRIVE 1.7, section 8.
+std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends = {},
+                                 double least_radius = 0);
 
-// A path from one place to another as few lines and arcs: it begins and ends there, with their
-// headings, also where the ends of the path lie beside them or lead elsewhere.  Such a path may
-// leave its line by four times the tolerance, where that spares a sharp bend.
+// The curve of a path from lane to lane, as few lines and arcs: it begins and ends at places with
+// their headings, also where the ends of the path lie beside them or lead elsewhere.  It stays
+// within `tolerance` metres of the path, moved so that it begins and ends there.  An end that
+// leads elsewhere gives it the room that its arc needs, within some metres of that end; and where
+// more arcs come no nearer to the path, it has fewer.  Arcs are wider than `least_curve_radius` and
+// half the lane, but where the path turns as far within 2 m.  A curve of no length has no piece.
 std::vector<PlanPiece> path_view(const Line& path, const ChainPlace& from, const ChainPlace& to,
-                                 double tolerance);
+                                 double tolerance, double lane_width);
 
 // A path that is moved aside to begin and end beside two places: by as much as these lie beside its
 // ends, less and less towards the other one.

@@ -35,7 +35,7 @@ struct RoadLanes {
 };
 
 // The lanes of a road, given from the left to the right, across the chain of lines and arcs that
-// follows `axis` by `tolerance` metres.  Of two that leave a gap or overlap, the border is in the
+// follows `axis` by `tolerance` metres, with arcs as wide as half the road where there is room.  Of two that leave a gap or overlap, the border is in the
 // middle.  None is narrower than a millimetre.  An axis without length, or no lane: no station.
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance);
 

@@ -21,13 +21,14 @@ COMMENT ON FUNCTION streetgen.plan_view(geometry, float8) IS
     'LINESTRING or has no length, a number out of range: 22023. NULL for anything: no row. ASAM OpenDRIVE 1.7, '
     'section 8.';
 
-CREATE OR REPLACE FUNCTION streetgen._path_view(path bytea, place_from float8[], place_to float8[], tolerance float8)
+CREATE OR REPLACE FUNCTION streetgen._path_view(path bytea, place_from float8[], place_to float8[], tolerance float8,
+    lane_width float8)
     RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],
         curvature_end float8[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_path_view';
-COMMENT ON FUNCTION streetgen._path_view(bytea, float8[], float8[], float8) IS
-    'The plan view of a path (EWKB) in one row of arrays, from one place to another: x, y and heading. It begins and '
-    'ends there, also where the ends of the path lie beside them.';
+COMMENT ON FUNCTION streetgen._path_view(bytea, float8[], float8[], float8, float8) IS
+    'The curve of a path (EWKB) in one row of arrays, from one place to another: x, y and heading. It begins and '
+    'ends there, also where the ends of the path lie beside them, and is wider than half the lane.';
 
 CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, alignment float8[], reach float8, lines bytea[],
     surfaces bytea[], widths float8[], parts integer[], tolerance float8)

@@ -11,10 +11,11 @@ COMMENT ON FUNCTION streetgen._gltf_mesh(bytea[], integer[], boolean[], float8[]
     'that of each surface, kerb_parts that of its kerbs. Counted from an origin x, y, z; y of the file is up, z to the '
     'south. lowest and highest: the box of the positions. bytes: positions, normals, texture coordinates, indices.';
 
-CREATE OR REPLACE FUNCTION streetgen._gltf_blocks(model name, options jsonb, x float8, y float8, z float8)
+CREATE OR REPLACE FUNCTION streetgen._gltf_blocks(model name, options jsonb, x float8, y float8, z float8,
+    edges bigint[], nodes bigint[], about geometry)
     RETURNS TABLE(cell integer, edge_id bigint, node_id bigint, material integer, vertices bigint, indices bigint,
         lowest real[], highest real[], bytes bytea)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
@@ -24,7 +25,11 @@ DECLARE
     kerb_material constant integer := (SELECT m.number FROM streetgen._mesh_material(model) m
         WHERE (m.layer, m.kind) = ('kerb', ''));
 BEGIN
-    FOR part IN SELECT * FROM streetgen._mesh_cells(model, options) c ORDER BY c.cell LOOP
+    FOR part IN SELECT 1 AS cell, _gltf_blocks.edges, _gltf_blocks.nodes, _gltf_blocks.about
+        WHERE _gltf_blocks.edges IS NOT NULL
+        UNION ALL (SELECT c.cell, c.edges, c.nodes, c.about FROM streetgen._mesh_cells(model, options) c
+            WHERE _gltf_blocks.edges IS NULL ORDER BY c.cell)
+    LOOP
         RETURN QUERY WITH heights AS MATERIALIZED (SELECT * FROM streetgen._mesh_heights(model, part.about)),
         laid AS MATERIALIZED (SELECT l.* FROM heights a, streetgen._mesh_laid(model, part.edges, part.nodes, layers,
             options, streetgen._mesh_lift(a.axes, options)) l),
@@ -43,9 +48,9 @@ BEGIN
         ORDER BY t.part;
     END LOOP;
 END $$;
-COMMENT ON FUNCTION streetgen._gltf_blocks(name, jsonb, float8, float8, float8) IS
+COMMENT ON FUNCTION streetgen._gltf_blocks(name, jsonb, float8, float8, float8, bigint[], bigint[], geometry) IS
     'The data of a file of glTF: a row for each material of each square, or of each edge and node in it, counted from '
-    'an origin.';
+    'an origin. edges, nodes and about are those of one square alone; NULL: of all.';
 
 CREATE OR REPLACE FUNCTION streetgen._gltf_word(value bigint) RETURNS bytea
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -61,20 +66,19 @@ CREATE OR REPLACE FUNCTION streetgen._linear_colour(colour text) RETURNS float8[
 COMMENT ON FUNCTION streetgen._linear_colour(text) IS
     'The colour of a rule (sRGB) as glTF has it: linear red, green and blue, 0 to 1, and 1 for opaque.';
 
-CREATE OR REPLACE FUNCTION streetgen.export_gltf(model name, options jsonb DEFAULT '{}')
-    RETURNS TABLE(ordinality bigint, part bytea)
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100
-    SET search_path = pg_catalog, public SET work_mem = '4MB'
+CREATE OR REPLACE FUNCTION streetgen._gltf_file(model name, options jsonb, x float8, y float8, z float8,
+    edges bigint[], nodes bigint[], about geometry) RETURNS TABLE(ordinality bigint, part bytea)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 DECLARE
-    known constant jsonb := streetgen._begin_export(model, 'gltf', 'surface', options);
+    srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, known)),
-    block AS MATERIALIZED (
+    RETURN QUERY WITH block AS MATERIALIZED (
         SELECT b.*, dense_rank() OVER (ORDER BY cell, edge_id, node_id) - 1 AS mesh,
             row_number() OVER place - 1 AS number, sum(length(bytes)) OVER place - length(bytes) AS start
-        FROM origin o, streetgen._gltf_blocks(model, known, o.x, o.y, o.z) b
+        FROM streetgen._gltf_blocks(model, options, x, y, z, edges, nodes, about) b
         WINDOW place AS (ORDER BY cell, edge_id, node_id, material)),
     material AS MATERIALIZED (
         SELECT m.*, row_number() OVER (ORDER BY number) - 1 AS place FROM streetgen._mesh_material(model) m
@@ -113,10 +117,10 @@ BEGIN
         SELECT turn, number / 1000 AS id, convert_to(CASE WHEN number / 1000 > 0 THEN ', ' ELSE '' END
             || string_agg(text, ', ' ORDER BY number), 'UTF8') AS bytes
         FROM element GROUP BY turn, number / 1000
-        UNION ALL SELECT turn, 0, convert_to(text, 'UTF8') FROM origin o, size, LATERAL (VALUES
+        UNION ALL SELECT turn, 0, convert_to(text, 'UTF8') FROM size, LATERAL (VALUES
             (1, '{"asset" : ' || json_build_object('version', '2.0', 'generator', 'StreetGen ' || streetgen.version(),
-                'extras', json_build_object('model', streetgen._xml_text(model), 'srid', o.srid, 'origin',
-                    json_build_array(o.x, o.y, o.z), 'axes', 'x east, y up, z south, metres'))
+                'extras', json_build_object('model', streetgen._xml_text(model), 'srid', srid, 'origin',
+                    json_build_array(x, y, z), 'axes', 'x east, y up, z south, metres'))
                 || ', "scene" : 0, "scenes" : [{"nodes" : ['),
             (3, ']}], "nodes" : ['), (5, '], "meshes" : ['),
             (7, '], "materials" : ' || (SELECT json_agg(json_strip_nulls(json_build_object('name', m.name,
@@ -139,6 +143,17 @@ BEGIN
     SELECT row_number() OVER (ORDER BY turn, id, start), substring(bytes FROM start + 1 FOR 1048576)
     FROM piece, generate_series(0, length(bytes) - 1, 1048576) start ORDER BY turn, id, start;
 END $$;
+COMMENT ON FUNCTION streetgen._gltf_file(name, jsonb, float8, float8, float8, bigint[], bigint[], geometry) IS
+    'A file of glTF with the edges and nodes of one square (NULL: all), counted from an origin, in parts that '
+    'follow each other.';
+
+CREATE OR REPLACE FUNCTION streetgen.export_gltf(model name, options jsonb DEFAULT '{}')
+    RETURNS TABLE(ordinality bigint, part bytea)
+    LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public SET work_mem = '4MB'
+    AS $$
+    SELECT f.* FROM streetgen._begin_export(model, 'gltf', 'surface', options) known,
+        streetgen._export_origin(model, known) o,
+        streetgen._gltf_file(model, known, o.x, o.y, o.z, NULL, NULL, NULL) f $$;
 COMMENT ON FUNCTION streetgen.export_gltf(name, jsonb) IS
     'A binary file of glTF 2.0 (.glb), in parts of at most 1 MB that follow each other. What streets consist of has a '
     'material each, in the colour of theme street, and so have the kinds that it draws by themselves: section, '

@@ -6,11 +6,11 @@ CREATE OR REPLACE FUNCTION streetgen._format_content()
     AS $$ VALUES
     ('signals', 'signal', '{sumo,symuvia,opendrive,lanelet2}'::text[], true),
     ('pedestrian crossings', 'sidewalk', '{sumo}', true),
-    ('pedestrian crossings', 'object', '{opendrive,lanelet2,cityjson,gltf,wavefront}', true),
-    ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,lanelet2,cityjson,gltf,wavefront}', true),
-    ('streets above or below the ground', 'height', '{opendrive,lanelet2,cityjson,gltf,wavefront}', true),
-    ('tracks', 'rail', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront}', false),
-    ('objects', 'object', '{symuvia,lanelet2,cityjson,gltf,wavefront}', false) $$;
+    ('pedestrian crossings', 'object', '{opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
+    ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
+    ('streets above or below the ground', 'height', '{opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
+    ('tracks', 'rail', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', false),
+    ('objects', 'object', '{symuvia,lanelet2,cityjson,gltf,tiles,wavefront}', false) $$;
 COMMENT ON FUNCTION streetgen._format_content() IS
     'What formats write of a model with a subject (written), and what they do not write of a model with that subject.';
 

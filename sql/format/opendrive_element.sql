@@ -1,20 +1,5 @@
 -- OpenDRIVE: the elements of a file, roads with what they have beside lanes, and junctions.
 
-CREATE OR REPLACE FUNCTION streetgen._heights_along(model name)
-    RETURNS TABLE(edge_id bigint, geom geometry)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    IF 'height' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT p.edge_id, p.geom FROM profile p;
-    ELSIF (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model) THEN
-        RETURN QUERY SELECT e.edge_id, e.geom FROM edge e;
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._heights_along(name) IS
-    'The heights of edges: of profiles where the model computes them, else of axes that have any.';
-
 CREATE OR REPLACE FUNCTION streetgen._opendrive_elements(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
@@ -34,14 +19,16 @@ BEGIN
     connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
     line_between AS MATERIALIZED (SELECT * FROM streetgen._lines_between(model)),
     raised AS MATERIALIZED (
-        SELECT road_id, array_agg(m ORDER BY m) AS station,
-            array_agg(p.z - o.z ORDER BY m) AS heights
-        FROM origin o, (SELECT DISTINCT ON (road_id, round(ST_M(p.geom)::numeric, 3)) road_id, ST_M(p.geom) AS m,
-                ST_Z(p.geom) AS z
-            FROM drawn JOIN streetgen._heights_along(model) h USING (edge_id),
-                ST_DumpPoints(ST_AddMeasure(ST_LineSubstring(h.geom, share_from, share_to), 0, total)) p
-            ORDER BY road_id, round(ST_M(p.geom)::numeric, 3)) p
-        GROUP BY road_id HAVING count(*) > 1),
+        SELECT h.road_id, c.*, heights[1] AS z_from, heights[cardinality(heights)] AS z_to, c.b[1] AS grade_from,
+            c.b[n] + (h.total - c.s[n]) * (2 * c.c[n] + 3 * c.d[n] * (h.total - c.s[n])) AS grade_to
+        FROM (SELECT road_id, p.total, array_agg(m ORDER BY m) AS station, array_agg(p.z - o.z ORDER BY m) AS heights
+            FROM origin o, (SELECT DISTINCT ON (road_id, round(ST_M(p.geom)::numeric, 3)) road_id, drawn.total,
+                    ST_M(p.geom) AS m, ST_Z(p.geom) AS z
+                FROM drawn JOIN streetgen._heights_along(model) h USING (edge_id),
+                    ST_DumpPoints(ST_AddMeasure(ST_LineSubstring(h.geom, share_from, share_to), 0, total)) p
+                ORDER BY road_id, round(ST_M(p.geom)::numeric, 3)) p
+            GROUP BY road_id, p.total HAVING count(*) > 1) h,
+            streetgen._height_curve(station, heights, 0.01) c, LATERAL (SELECT cardinality(c.s) AS n) l),
     -- Roadway between the outer lanes and the kerbs.
     shoulder AS MATERIALIZED (
         SELECT d.road_id, v.side, '<lane id="' || CASE v.side WHEN 'left' THEN lefts + 1
@@ -250,7 +237,7 @@ BEGIN
         '<successor elementType="junction" elementId="' || t.place_id || '"/>', '</link>',
         '<type s="0" type="unknown"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
         streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
-        '<elevationProfile>' || streetgen._opendrive_change('elevation', 's', h.station, h.heights)
+        '<elevationProfile>' || streetgen._opendrive_cubics('elevation', 's', h.s, h.a, h.b, h.c, h.d)
             || '</elevationProfile>',
         '<lanes>', streetgen._opendrive_change('laneOffset', 's', d.station,
             border[lefts * cardinality(d.station) + 1:(lefts + 1) * cardinality(d.station)]),
@@ -270,10 +257,10 @@ BEGIN
         place_id, '" rule="', rule, '"><link><predecessor elementType="road" elementId="', road_in, '" contactPoint="',
         CASE WHEN in_end THEN 'end' ELSE 'start' END, '"/><successor elementType="road" elementId="', road_out,
         '" contactPoint="', CASE WHEN out_end THEN 'end' ELSE 'start' END, '"/></link>',
-        streetgen._opendrive_plan(s, c.x, c.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
-        '<elevationProfile>' || streetgen._opendrive_step('elevation', 's', total,
-            a.heights[CASE WHEN in_end THEN cardinality(a.heights) ELSE 1 END],
-            b.heights[CASE WHEN out_end THEN cardinality(b.heights) ELSE 1 END]) || '</elevationProfile>',
+        streetgen._opendrive_plan(c.s, c.x, c.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
+        '<elevationProfile>' || streetgen._opendrive_climb(total, CASE WHEN in_end THEN a.z_to ELSE a.z_from END,
+            CASE WHEN in_end THEN a.grade_to ELSE -a.grade_from END, CASE WHEN out_end THEN b.z_to ELSE b.z_from END,
+            CASE WHEN out_end THEN -b.grade_to ELSE b.grade_from END) || '</elevationProfile>',
         '<lanes>', streetgen._opendrive_step('laneOffset', 's', total, half * width_in, half * width_out),
         '<laneSection s="0">', CASE WHEN NOT right_hand THEN '<left>' || lane || '</left>' END,
         '<center><lane id="0" type="none" level="false"/></center>',

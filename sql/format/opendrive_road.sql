@@ -157,7 +157,8 @@ BEGIN
     SELECT w.road_id, true, d.*, d.s[cardinality(d.s)] + d.length[cardinality(d.s)], NULL, NULL, NULL, NULL, NULL, NULL,
         NULL, NULL, NULL, NULL, NULL, ways, road_in, road_out, number_in, number_out, in_end, out_end, width_in,
         width_out, node_id, type, lane_in, speed
-    FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance) d;
+    FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance, greatest(width_in, width_out))
+        d;
 END $$;
 COMMENT ON FUNCTION streetgen._opendrive_roads(name, jsonb) IS
     'The roads of a file of OpenDRIVE, each with its chain (s to curvature_end) and its length (total). A road of an '

@@ -29,7 +29,7 @@ COMMENT ON FUNCTION streetgen._mesh_material(name) IS
     '(an empty kind: all others), its name in files, its colour (NULL: no rule gives one) and its roughness.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_cells(model name, options jsonb)
-    RETURNS TABLE(cell integer, edges bigint[], nodes bigint[], about geometry)
+    RETURNS TABLE(cell integer, east integer, north integer, edges bigint[], nodes bigint[], about geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
@@ -40,15 +40,15 @@ BEGIN
         SELECT edge_id, NULL::bigint AS node_id, ST_StartPoint(geom) AS place, geom FROM written_edge
         UNION ALL SELECT NULL, node_id, geom, geom FROM node
         WHERE node_id IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge))
-    SELECT row_number() OVER (ORDER BY x, y)::integer, coalesce(array_agg(edge_id ORDER BY edge_id)
+    SELECT row_number() OVER (ORDER BY x, y)::integer, x, y, coalesce(array_agg(edge_id ORDER BY edge_id)
             FILTER (WHERE edge_id IS NOT NULL), '{}'), coalesce(array_agg(node_id ORDER BY node_id)
             FILTER (WHERE node_id IS NOT NULL), '{}'), ST_SetSRID(ST_Extent(geom)::geometry, ST_SRID(min(place)))
-    FROM member, LATERAL (SELECT floor(ST_X(place) / 500) AS x, floor(ST_Y(place) / 500) AS y) c
+    FROM member, LATERAL (SELECT floor(ST_X(place) / 500)::integer AS x, floor(ST_Y(place) / 500)::integer AS y) c
     GROUP BY x, y ORDER BY x, y;
 END $$;
 COMMENT ON FUNCTION streetgen._mesh_cells(name, jsonb) IS
-    'The edges that options take, with their nodes, by squares of 500 m: what is meshed at once. about is the box of '
-    'their lines.';
+    'The edges that options take, with their nodes, by squares of 500 m: what is meshed at once. east and north '
+    'number the squares from the origin of the SRID; about is the box of the lines.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_ground(model name, edges bigint[], nodes bigint[], boxes geometry[],
     levels integer[])

@@ -5,10 +5,11 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
-    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront,opensidewalks}'::text[], 'box',
+    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront,opensidewalks}'::text[],
+        'box',
         'null'::jsonb, 'm', 'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all',
         -1e12::float8, 1e12::float8, NULL::text[]),
-    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,wavefront}', 'integer', 'null', '',
+    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', 'integer', 'null', '',
         'edges of this level alone; null: all', -50, 50, NULL),
     ('junctions', '{sumo,symuvia,opendrive,lanelet2}', 'word', '"node"', '',
         'what a junction is: each node, or the nodes of a '
@@ -26,18 +27,21 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
     ('precision', '{opendrive}', 'integer', '4', 'digits', 'digits of a coordinate behind the point', 3, 8, NULL),
     ('tolerance', '{opendrive,lanelet2}', 'number', '0.05', 'm',
         'how far lines and arcs may leave the lines of the model', 0.001, 1, NULL),
-    ('nodes', '{gltf}', 'word', '"cell"', '', 'what a node is: a square of 500 m, or each edge and each node of the '
-        'model, to be picked', NULL, NULL, '{cell,street}'),
     ('two_way_lanes', '{opendrive}', 'word', '"bidirectional"', '', 'what a lane for both directions is: one lane of '
         'type bidirectional, or a lane of type driving each way, half as wide', NULL, NULL, '{bidirectional,driving}'),
     ('georeference', '{opendrive}', 'word', '"srid"', '', 'where coordinates count: in the SRID of the model, '
         'from offset, or in a transverse Mercator one about the origin, with offset 0', NULL, NULL, '{srid,local}'),
+    ('undulation', '{tiles}', 'number', '0', 'm', 'how far the zero of the model''s heights, the geoid, lies above '
+        'the ellipsoid', -150, 150, NULL),
+    ('nodes', '{gltf,tiles}', 'word', '"cell"', '',
+        'what a node is: a square of 500 m, or each edge and each node of the model, to be picked', NULL, NULL,
+        '{cell,street}'),
     ('autoware', '{lanelet2}', 'word', '"no"', '', 'whether points have local_x and local_y, and crosswalks a rule '
         'that Autoware knows', NULL, NULL, '{no,yes}'),
     ('version', '{opendrive}', 'word', '"1.7"', '', 'the version of OpenDRIVE', NULL, NULL, '{1.7,1.6}'),
     ('precision', '{cityjson,wavefront}', 'integer', '3', 'digits',
         'digits of a coordinate behind the point', 2, 8, NULL),
-    ('tolerance', '{cityjson,gltf,wavefront}', 'number', '0.05', 'm',
+    ('tolerance', '{cityjson,gltf,tiles,wavefront}', 'number', '0.05', 'm',
         'how far triangles may leave the heights of the streets', 0.001, 10, NULL)
     $$;
 COMMENT ON FUNCTION streetgen.export_option() IS

@@ -1,7 +1,10 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
 degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
-"element, id, edge or empty, WKT" of each object, signal, sign and sidewalk."""
+"element, id, edge or empty, WKT" of each object, signal, sign and sidewalk. opendrive.py FILE --curves PATHS holds connecting roads against the paths of their
+interconnections (rows "id, WKT" of a file): how many turn over 45 degrees, their records on average, how many of them have an arc under 2 m where the path turns
+wider, and how many of all have an arc under 3 m or half their lane where the path turns wider; those of several interconnections are not held against paths. opendrive.py FILE --grades prints how many elevation records there are, the
+joints of roads with heights, the greatest difference of heights at these (m), how many have a break of grade over 1 %, and how many there are within roads."""
 import math
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -49,6 +52,7 @@ class Road:
         self.length = float(element.get('length'))
         self.pieces = element.findall('planView/geometry')
         self.offsets = element.findall('lanes/laneOffset')
+        self.heights = element.findall('elevationProfile/elevation')
         section = element.find('lanes/laneSection')
         self.lanes = {int(lane.get('id')): lane for lane in section.iter('lane')}
         edge = element.find("userData[@code='edge']")
@@ -59,6 +63,10 @@ class Road:
         first, last = curvatures(piece)
         on = s - float(piece.get('s'))
         return place(piece, on), first + (last - first) * on / float(piece.get('length'))
+
+    def height(self, at_end):
+        """At an end, with the grade there."""
+        return value(self.heights, 's', self.length if at_end else 0.0)
 
     def borders(self, number, s):
         """Inner and outer border of a lane, metres to the left, each with its slope."""
@@ -138,6 +146,25 @@ def joints(roads):
             yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi))
 
 
+def grade_gaps(roads):
+    """Differences of height (m) and grade, where connecting roads begin and end."""
+    for road in roads.values():
+        for end, at_end in (('predecessor', False), ('successor', True)):
+            link = road.element.find('link/' + end)
+            if link is None or link.get('elementType') != 'road' or not road.heights:
+                continue
+            other, other_end = roads[link.get('elementId')], link.get('contactPoint') == 'end'
+            (z, grade), (y, slope) = (r.height(at) for r, at in ((road, at_end), (other, other_end)))
+            yield abs(z - y), abs(grade - slope * (1 if at_end != other_end else -1))
+
+
+def inner_breaks(roads):
+    """Breaks of grade between elevation records."""
+    for road in roads.values():
+        for before, behind in zip(road.heights, road.heights[1:]):
+            yield abs(value([before], 's', float(behind.get('s')))[1] - float(behind.get('b')))
+
+
 def not_of_junction(roads):
     """Ends of connecting roads at roads that do not lead to their junction."""
     for road in roads.values():
@@ -152,6 +179,37 @@ def not_of_junction(roads):
                 yield road.element.get('id')
 
 
+def tightest(points, over=2.0):
+    """The least radius with which a path turns over so many metres."""
+    at, stations = 0.0, []
+    for (x, y), (u, v) in zip(points, points[1:]):
+        side, heading = math.hypot(u - x, v - y), math.atan2(v - y, u - x)
+        parts = math.ceil(side)
+        for part in range(parts):
+            before = stations[-1][1] if stations else heading
+            stations.append((at + side * (part + 0.5) / parts, before + math.remainder(heading - before, 2 * math.pi)))
+        at += side
+    most = max((abs(h - g) / (t - s) for i, (s, g) in enumerate(stations) for t, h in stations[i + 1:] if over <= t - s <= 2 * over), default=0.0)
+    return 1 / most if most > 0 else math.inf
+
+
+def curves(roads, paths):
+    """Turns over 45 degrees, their records on average, those with an arc under 2 m for no reason, and roads with one that is over a hundredth too tight for no reason."""
+    turns, records, sharp, tight = 0, 0, 0, 0
+    for road in roads.values():
+        if road.element.get('junction') == '-1':
+            continue
+        turn = math.degrees(abs(math.remainder(road.at(road.length)[0][2] - road.at(0.0)[0][2], 2 * math.pi)))
+        most = max(abs(k) for piece in road.pieces for k in curvatures(piece))
+        radius, half_lane = 1 / most if most > 0 else math.inf, max(road.middle(min(road.lanes, key=lambda n: n == 0), end)[3] for end in (False, True)) / 2
+        path = tightest(paths.get(road.element.find("userData[@code='interconnection']").get('value'), []))
+        turns, records = turns + (turn > 45), records + (turn > 45) * len(road.pieces)
+        radius *= 1.01
+        sharp += turn > 45 and radius < 2 <= path < math.inf
+        tight += radius < max(3, half_lane) <= path < math.inf
+    return turns, f'{records / max(turns, 1):.2f}', sharp, tight
+
+
 def main():
     tree = ElementTree.parse(sys.argv[1])
     roads = {road.get('id'): Road(road) for road in tree.iter('road')}
@@ -160,6 +218,17 @@ def main():
     if '--beside' in sys.argv:
         for row in beside(roads, east, north):
             print(*row, sep='\t')
+        return
+    if '--curves' in sys.argv:
+        with open(sys.argv[sys.argv.index('--curves') + 1], encoding='utf-8') as file:
+            paths = {number: [tuple(map(float, point.split())) for point in wkt.strip().removeprefix('LINESTRING(').removesuffix(')').split(',')]
+                     for number, wkt in (row.split('\t') for row in file)}
+        print(*curves(roads, paths))
+        return
+    if '--grades' in sys.argv:
+        at_joints = list(grade_gaps(roads))
+        print(sum(len(road.heights) for road in roads.values()), len(at_joints), f'{max((z for z, _ in at_joints), default=0):.4f}',
+              sum(grade > 0.01 for _, grade in at_joints), sum(grade > 0.01 for grade in inner_breaks(roads)))
         return
     if '--lanes' in sys.argv:
         for road in roads.values():

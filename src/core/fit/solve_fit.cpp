@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fit/eigen.hpp"
+#include "support/eigen.hpp"
 #include "fit/residual.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"

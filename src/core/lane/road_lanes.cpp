@@ -205,7 +205,12 @@ LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
 }  // namespace
 
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance) {
-  return road_lanes(plan_view(axis, tolerance), lanes);
+  // The inner border of a tighter arc would turn back.
+  double half_width = 0;
+  for (const LaneGround& lane : lanes)
+    half_width += lane.width / (lane.part == LanePart::whole ? 2 : 4);
+  return road_lanes(plan_view(axis, tolerance, {}, std::max(least_curve_radius, half_width)),
+                    lanes);
 }
 
 RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>& lanes) {

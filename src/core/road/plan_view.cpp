@@ -20,6 +20,8 @@ namespace {
 constexpr double sharpest = 0.9 * M_PI;
 // A share of the tolerance is for the points left out, the other for the arcs at those that stay.
 constexpr double half = 0.5;
+// Metres from a kink that an arc of the least radius may leave it.
+constexpr double most_aside = 1;
 // Radians.  A turn that is smaller moves the end of a kilometre by ten micrometres.
 constexpr double straight_turn = 1e-8;
 
@@ -77,7 +79,8 @@ Line without_reversals(const Line& line, double tolerance) {
 
 class Chain {
  public:
-  explicit Chain(const Line& line, double tolerance) : line_(line), tolerance_(tolerance) {}
+  Chain(const Line& line, double tolerance, double least_radius)
+      : line_(line), tolerance_(tolerance), least_radius_(least_radius) {}
 
   std::vector<PlanPiece> pieces() {
     Point from = line_.front();
@@ -105,7 +108,9 @@ class Chain {
     const Point before = line_[i] - line_[i - 1], behind = line_[i + 1] - line_[i];
     const double turn = std::abs(turn_from(before, behind));
     if (turn < straight_turn) return 0;
-    return std::min({norm(before) / 2, norm(behind) / 2, tolerance_ / std::tan(turn / 4)});
+    const double quarter = std::tan(turn / 4);
+    const double wide = std::min(least_radius_ * std::tan(turn / 2), most_aside / quarter);
+    return std::min({norm(before) / 2, norm(behind) / 2, std::max(tolerance_ / quarter, wide)});
   }
 
   void add(const Point& from, double heading, double length, double curvature) {
@@ -114,14 +119,15 @@ class Chain {
   }
 
   const Line& line_;
-  double tolerance_;
+  double tolerance_, least_radius_;
   double s_ = 0;
   std::vector<PlanPiece> pieces_;
 };
 
 }  // namespace
 
-std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends) {
+std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const ChainEnds& ends,
+                                 double least_radius) {
   Line points = distinct(planar(line));
   if (points.size() < 2) return {};
   points = simplified(points, tolerance * half);
@@ -132,7 +138,7 @@ std::vector<PlanPiece> plan_view(const Line& line, double tolerance, const Chain
     points = reversed(std::move(points));
   }
   points = without_reversals(points, tolerance * half);
-  return Chain(points, tolerance * half).pieces();
+  return Chain(points, tolerance * half, least_radius).pieces();
 }
 
 double length(const std::vector<PlanPiece>& chain) {

@@ -28,8 +28,8 @@ struct Given {
 };
 
 std::vector<LaidPaint> lay(const Given& given) {
-  const DrivenLane lane{read_line(given.way, "lane").line,
-                        in_range(given.width, 0, 1000, "width"), given.between_junctions};
+  const DrivenLane lane{read_line(given.way, "lane").line, in_range(given.width, 0, 1000, "width"),
+                        given.between_junctions};
   std::vector<MultiPolygon> crossings;
   for (int i = 0; i < given.crossings.count; ++i)
     crossings.push_back(read_surface(bytes_of(given.crossings.values[i]), "crossing"));
@@ -62,9 +62,12 @@ STREETGEN_FUNCTION(streetgen_lay_paint) {
   for (std::size_t i = 0; i < slot->value->size(); ++i) {
     const LaidPaint& laid = (*slot->value)[i];
     const Slide slide = laid.slide.value_or(Slide{});
-    Datum values[7] = {Int32GetDatum(static_cast<int32>(i + 1)), BoolGetDatum(laid.slide.has_value()),
-                       BoolGetDatum(laid.has_room),              Float8GetDatum(slide.cosine),
-                       Float8GetDatum(slide.sine),               Float8GetDatum(slide.shift.x),
+    Datum values[7] = {Int32GetDatum(static_cast<int32>(i + 1)),
+                       BoolGetDatum(laid.slide.has_value()),
+                       BoolGetDatum(laid.has_room),
+                       Float8GetDatum(slide.cosine),
+                       Float8GetDatum(slide.sine),
+                       Float8GetDatum(slide.shift.x),
                        Float8GetDatum(slide.shift.y)};
     bool nulls[7] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);

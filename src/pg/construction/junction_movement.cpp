@@ -317,8 +317,7 @@ void give(const FoundMovements& found, ReturnSetInfo* result) {
                               bytes_datum(found.lines[i])};
     bool nulls[12] = {false};
     nulls[9] = !of_some_alone(movement.traffic);
-    tuplestore_putvalues(result->setResult, result->setDesc, const_cast<Datum*>(values),
-                         nulls);
+    tuplestore_putvalues(result->setResult, result->setDesc, const_cast<Datum*>(values), nulls);
   }
 }
 

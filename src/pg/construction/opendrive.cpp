@@ -102,3 +102,28 @@ STREETGEN_FUNCTION(streetgen_opendrive_change) {
     }
   });
 }
+
+// Polynomials: where each begins, and its four coefficients.
+STREETGEN_FUNCTION(streetgen_opendrive_cubics) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  constexpr int columns = 5;
+  constexpr const char* words[columns] = {"=\"", "\" a=\"", "\" b=\"", "\" c=\"", "\" d=\""};
+  constexpr int digits[columns] = {7, 5, 9, 12, 15};
+  const std::string_view element = take_bytes(fcinfo, 0), place = take_bytes(fcinfo, 1);
+  NumberArray given[columns];
+  for (int i = 0; i < columns; ++i) given[i] = take_numbers(fcinfo, 2 + i);
+  return text_result([&](std::string& text) {
+    std::vector<double> of[columns];
+    for (int i = 0; i < columns; ++i) {
+      of[i] = read_numbers(given[i], 1, "polynomial");
+      if (of[i].size() != of[0].size())
+        throw Error(ErrorKind::invalid_input, "the columns of polynomials are of different length");
+    }
+    for (std::size_t k = 0; k < of[0].size(); ++k) {
+      text.append("<").append(element).append(" ").append(place);
+      for (int i = 0; i < columns; ++i) append(text, words[i], of[i][k], digits[i]);
+      text += "\"/>";
+    }
+  });
+}

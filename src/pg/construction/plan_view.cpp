@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "frame/argument.hpp"
+#include "frame/array_row.hpp"
 #include "frame/border.hpp"
 #include "frame/geometry_result.hpp"
 #include "streetgen/border_line.hpp"
@@ -38,34 +39,12 @@ double number_of(const PlanPiece& piece, int column) {
   return numbers[column];
 }
 
-using PlanColumns = std::vector<std::vector<double>>;
-
 // A column of pieces for each number.
-PlanColumns columns_of(const std::vector<PlanPiece>& chain) {
-  PlanColumns columns(chain_columns);
+NumberColumns columns_of(const std::vector<PlanPiece>& chain) {
+  NumberColumns columns(chain_columns);
   for (const PlanPiece& piece : chain)
     for (int i = 0; i < chain_columns; ++i) columns[i].push_back(number_of(piece, i));
   return columns;
-}
-
-// One row of arrays; none of a chain without a piece.
-void give_row(const PlanColumns& columns, ReturnSetInfo* result) {
-  if (columns.empty() || columns.front().empty()) return;
-  const int count = static_cast<int>(columns.size());
-  auto* values = static_cast<Datum*>(palloc0(count * sizeof(Datum)));
-  auto* nulls = static_cast<bool*>(palloc0(count * sizeof(bool)));
-  for (int i = 0; i < count; ++i) {
-    const int length = static_cast<int>(columns[i].size());
-    auto* numbers = static_cast<Datum*>(palloc(length * sizeof(Datum)));
-    for (int k = 0; k < length; ++k) numbers[k] = Float8GetDatum(columns[i][k]);
-    values[i] = PointerGetDatum(
-        construct_array(numbers, length, FLOAT8OID, sizeof(float8), true, TYPALIGN_DOUBLE));
-  }
-  tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
-}
-
-ReturnSetInfo* result_of(FunctionCallInfo fcinfo) {
-  return reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
 }
 
 // A chain from the columns of one row, as give_row writes them.
@@ -121,15 +100,16 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   using namespace streetgen::pg;
   const std::string_view path = take_bytes(fcinfo, 0);
   const NumberArray from = take_numbers(fcinfo, 1), to = take_numbers(fcinfo, 2);
-  const double tolerance = PG_GETARG_FLOAT8(3);
+  const double tolerance = PG_GETARG_FLOAT8(3), lane_width = PG_GETARG_FLOAT8(4);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
-  Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
+  Slot<NumberColumns>* slot = make_slot<NumberColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new PlanColumns;
+    slot->value = new NumberColumns;
     const std::vector<double> a = read_numbers(from, 3, "place_from");
     const std::vector<double> b = read_numbers(to, 3, "place_to");
     const auto chain = path_view(read_line(path, "path").line, {{a.at(0), a.at(1), 0}, a.at(2)},
-                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance));
+                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance),
+                                 in_range(lane_width, 1e-3, 1e3, "lane_width"));
     *slot->value = columns_of(chain);
   });
   report(outcome);
@@ -223,9 +203,9 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
   const ValueArray parts = take_values(fcinfo, 6, INT4OID, lines.count, "parts");
   const double tolerance = PG_GETARG_FLOAT8(7);
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
-  Slot<PlanColumns>* slot = make_slot<PlanColumns>(CurrentMemoryContext);
+  Slot<NumberColumns>* slot = make_slot<NumberColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
-    slot->value = new PlanColumns;
+    slot->value = new NumberColumns;
     std::vector<LaneGround> lanes;
     for (int i = 0; i < lines.count && i < surfaces.count; ++i) {
       const std::string number = std::to_string(i + 1);
@@ -238,7 +218,7 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
     auto course = course_beside(elements_of(alignment), line, in_range(reach, 0, 1e3, "reach"));
     const RoadLanes road = course.empty() ? road_lanes(line, lanes, tolerance_of(tolerance))
                                           : road_lanes(std::move(course), lanes);
-    PlanColumns& columns = *slot->value;
+    NumberColumns& columns = *slot->value;
     columns = columns_of(road.chain);
     columns.push_back(road.stations);
     columns.emplace_back();

@@ -270,9 +270,12 @@ STREETGEN_FUNCTION(streetgen_gltf_mesh) {
   report(outcome);
   auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
   for (const auto& [part, mesh] : *slot->value) {
-    Datum values[6] = {Int32GetDatum(part),           Int64GetDatum(mesh.vertices),
-                       Int64GetDatum(mesh.indices),       floats_datum(mesh.least.data(), 3),
-                       floats_datum(mesh.most.data(), 3), bytes_datum(mesh.bytes)};
+    Datum values[6] = {Int32GetDatum(part),
+                       Int64GetDatum(mesh.vertices),
+                       Int64GetDatum(mesh.indices),
+                       floats_datum(mesh.least.data(), 3),
+                       floats_datum(mesh.most.data(), 3),
+                       bytes_datum(mesh.bytes)};
     bool nulls[6] = {};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
     for (int i = 3; i < 6; ++i) pfree(DatumGetPointer(values[i]));

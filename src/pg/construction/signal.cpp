@@ -199,8 +199,9 @@ void give(const std::vector<Intergreen>& intergreens, const RequestRows&, Return
 void require_rules(FunctionCallInfo fcinfo) {
   for (int i = 1; i <= 5; ++i)
     if (PG_ARGISNULL(i))
-      ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
-                      errmsg("cycle, all_red, step, walk or importance of a signal program is NULL")));
+      ereport(ERROR,
+              (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED),
+               errmsg("cycle, all_red, step, walk or importance of a signal program is NULL")));
 }
 
 template <typename Row>

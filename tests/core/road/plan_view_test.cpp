@@ -9,45 +9,15 @@
 
 #include "geometry/polyline.hpp"
 #include "random_line.hpp"
+#include "smooth_chain.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/road_lanes.hpp"
 
 namespace streetgen {
 namespace plan_view_test {
 
-double turn_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * M_PI)); }
-
 double side_heading(const Point& from, const Point& to) {
   return std::atan2(to.y - from.y, to.x - from.x);
-}
-
-// Sixteen of each piece, and the end.
-Line places(const std::vector<PlanPiece>& chain) {
-  Line out;
-  for (const PlanPiece& piece : chain)
-    for (int i = 0; i < 16; ++i)
-      out.push_back(place_at(chain, piece.s + piece.length * i / 16).point);
-  out.push_back(place_at(chain, length(chain)).point);
-  return out;
-}
-
-// Each piece begins where the one before it ends, in place and heading.
-void expect_smooth(const std::vector<PlanPiece>& chain) {
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    ASSERT_GT(chain[i].length, 0);
-    if (i == 0) continue;
-    ASSERT_NEAR(chain[i].s, chain[i - 1].s + chain[i - 1].length, 1e-9);
-    const ChainPlace before = place_at({chain[i - 1]}, chain[i].s);
-    ASSERT_LT(distance(before.point, chain[i].start.point), 1e-6);
-    ASSERT_LT(turn_between(before.heading, chain[i].start.heading), 1e-6);
-  }
-}
-
-void expect_within(const std::vector<PlanPiece>& chain, const Line& line, double tolerance) {
-  const Line drawn = places(chain);
-  for (const Point& p : drawn) ASSERT_LE(distance_to_line(p, line), tolerance + 1e-6);
-  // A chord of the sixteen leaves its arc by less than the tenth part.
-  for (const Point& p : line) ASSERT_LE(distance_to_line(p, drawn), 1.1 * tolerance);
 }
 
 TEST(PlanView, LiesWithinTheToleranceOfRandomLines) {
@@ -144,6 +114,20 @@ TEST(CourseBeside, HasTheElementsBetweenTheEndsOfALine) {
   }
 }
 
+TEST(PlanView, HasAsWideArcsAsAskedWhereSidesHaveRoom) {
+  for (const double turn : {0.1, 0.5, 1.0}) {
+    const Line line{{0, 0}, {20, 0}, Point{20, 0} + Point{std::cos(turn), std::sin(turn)} * 20};
+    const auto chain = plan_view(line, 0.05, {}, 4);
+    expect_smooth(chain);
+    ASSERT_EQ(chain.size(), 3u);
+    EXPECT_LE(chain[1].curvature, 1 / 4.0 + 1e-9);
+    expect_within(chain, line, std::max(0.05, 4 / std::cos(turn / 2) - 4));
+  }
+  // Its arc would leave the corner by more than a metre.
+  const Line sharp{{0, 0}, {50, 0}, {50, 50}};
+  expect_within(plan_view(sharp, 0.05, {}, 20), sharp, 1);
+}
+
 TEST(CourseBeside, IsNoneOfALineThatGoesElsewhere) {
   const std::vector<AlignmentElement> elements = two_bends();
   EXPECT_FALSE(course_beside(elements, {{10, 9}, {200, 9}}, 9.1).empty());
@@ -212,77 +196,6 @@ TEST(ChainStation, SaysHowFarBeyondTheEndsAPointLies) {
   EXPECT_THROW(station_of({}, {0, 0}), Error);
 }
 
-// The place ahead lies straight on, but is left in another direction.
-TEST(PathView, SetsOutAsAskedWhereOnlyTheEndTurns) {
-  for (const double heading_to : {-0.5, 0.0, 0.2, 3.0}) {
-    const auto chain = path_view({{0, 0}, {3, 0}}, {{0, 0}, 0}, {{3, 0}, heading_to}, 1);
-    expect_smooth(chain);
-    EXPECT_LT(turn_between(chain.front().start.heading, 0), 1e-9);
-    EXPECT_LT(turn_between(place_at(chain, length(chain)).heading, heading_to), 1e-6);
-  }
-}
-
-TEST(PathView, JoinsTwoPlaces) {
-  std::mt19937 random(22);
-  std::uniform_real_distribution<double> beside(-0.3, 0.3);
-  for (int i = 0; i < 100; ++i) {
-    const Line line = random_line(random, {3, 1.5});
-    const auto near = [&](const Point& p) {
-      return ChainPlace{planar(p) + Point{beside(random), beside(random)}, beside(random)};
-    };
-    const ChainPlace from = near(line.front()), to = near(line.back());
-    const auto chain = path_view(line, from, to, 0.05);
-    expect_smooth(chain);
-    const ChainPlace end = place_at(chain, length(chain));
-    EXPECT_LT(distance(end.point, to.point), 1e-6);
-    EXPECT_LT(turn_between(end.heading, to.heading), 1e-6);
-    EXPECT_LT(distance(chain.front().start.point, from.point), 1e-9);
-  }
-}
-
-// A turn as paths have it: a way in, an arc of points a metre or less apart, and a way out.
-Line turning(double in, double radius, double turn, double out) {
-  Line line{{0, 0}};
-  const double side = turn < 0 ? -1 : 1;
-  const int steps = std::max(4, static_cast<int>(std::ceil(radius * std::abs(turn))));
-  for (int i = 0; i <= steps; ++i) {
-    const double a = std::abs(turn) * i / steps;
-    line.push_back({in + radius * std::sin(a), side * radius * (1 - std::cos(a))});
-  }
-  line.push_back(line.back() + Point{std::cos(turn), std::sin(turn)} * out);
-  return line;
-}
-
-// One arc between two lines, however sharp the turn: as few pieces as a road engineer would draw.
-TEST(PathView, OfATurnIsAnArcBetweenLines) {
-  std::mt19937 random(23);
-  std::uniform_real_distribution<double> ways(0.2, 12), radii(2.5, 20), turns(0.3, 2.2);
-  for (int i = 0; i < 200; ++i) {
-    const double radius = radii(random), turn = (i % 2 == 0 ? 1 : -1) * turns(random);
-    const Line line = turning(ways(random), radius, turn, ways(random));
-    const auto chain = path_view(line, {line.front(), 0}, {line.back(), turn}, 0.05);
-    expect_smooth(chain);
-    expect_within(chain, line, 0.1);
-    EXPECT_LE(chain.size(), 3u) << i;
-    for (const PlanPiece& piece : chain)
-      EXPECT_LE(std::abs(piece.curvature), 1 / (radius - 1)) << i;
-  }
-}
-
-// A path that turns on the corner of its ends has an arc there, and no kink.
-TEST(PathView, RoundsACorner) {
-  for (const double turn : {0.4, 1.2, -1.5}) {
-    const Point out = Point{5, 0} + Point{std::cos(turn), std::sin(turn)} * 5;
-    const auto chain = path_view({{0, 0}, {5, 0}, out}, {{0, 0}, 0}, {out, turn}, 0.05);
-    ASSERT_GT(chain.size(), 1u);
-    expect_smooth(chain);
-    EXPECT_LT(turn_between(place_at(chain, length(chain)).heading, turn), 1e-6);
-  }
-  // The end lies on the corner itself, and leads elsewhere.
-  const auto ended = path_view({{0, 0}, {5, 0}}, {{0, 0}, 0}, {{5, 1e-9}, 0.4}, 0.05);
-  expect_smooth(ended);
-}
-
 MultiPolygon strip(double left, double right, double left_end, double right_end) {
   return {{{{0, right}, {40, right_end}, {40, left_end}, {0, left}, {0, right}}}};
 }
@@ -332,7 +245,7 @@ TEST(PathBeside, LeadsToPlacesBesideItsEnds) {
   for (std::size_t i = 1; i < path.size(); ++i)
     EXPECT_LT(distance(beside[i], path[i]), distance(beside[i - 1], path[i - 1]) + 1e-9) << i;
   EXPECT_EQ(path_beside(path, {{0, 0}, 0}, to).size(), path.size());
-  for (const PlanPiece& piece : path_view(path, from, to, 0.05))
+  for (const PlanPiece& piece : path_view(path, from, to, 0.05, 3.5))
     EXPECT_LT(std::abs(piece.curvature), 1.0 / 5);
 }
 

@@ -7,5 +7,6 @@
   if (!(holds)) throw std::logic_error("an assertion of Eigen failed: " #holds)
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

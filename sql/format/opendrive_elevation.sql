@@ -1,0 +1,40 @@
+-- OpenDRIVE: heights along roads.
+
+CREATE OR REPLACE FUNCTION streetgen._heights_along(model name)
+    RETURNS TABLE(edge_id bigint, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'height' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY SELECT p.edge_id, p.geom FROM profile p;
+    ELSIF (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model) THEN
+        RETURN QUERY SELECT e.edge_id, e.geom FROM edge e;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._heights_along(name) IS
+    'The heights of edges: of profiles where the model computes them, else of axes that have any.';
+
+CREATE OR REPLACE FUNCTION streetgen._height_curve(station float8[], height float8[], tolerance float8)
+    RETURNS TABLE(s float8[], a float8[], b float8[], c float8[], d float8[])
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_height_curve';
+COMMENT ON FUNCTION streetgen._height_curve(float8[], float8[], float8) IS
+    'Heights at increasing stations as polynomials a + b ds + c ds^2 + d ds^3 from stations s, in one row of arrays: '
+    'as few as pass each height by tolerance (metres), without breaks of grade, but where one needs more than that '
+    'to vanish. Arrays of different length: 22023. Fewer than two stations: no row.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_cubics(element text, place text, s float8[], a float8[], b float8[],
+    c float8[], d float8[]) RETURNS text
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20 AS 'MODULE_PATHNAME', 'streetgen_opendrive_cubics';
+COMMENT ON FUNCTION streetgen._opendrive_cubics(text, text, float8[], float8[], float8[], float8[], float8[]) IS
+    'Elements of polynomials; place is the attribute that says where each begins.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_climb(length float8, height_from float8, grade_from float8,
+    height_to float8, grade_to float8) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    RETURN (SELECT streetgen._opendrive_cubics('elevation', 's', ARRAY[0::float8], ARRAY[height_from],
+        ARRAY[grade_from], ARRAY[(3 * rise - 2 * grade_from - grade_to) / length],
+        ARRAY[(grade_from + grade_to - 2 * rise) / length ^ 2])
+        FROM (SELECT (height_to - height_from) / length AS rise) r);
+COMMENT ON FUNCTION streetgen._opendrive_climb(float8, float8, float8, float8, float8) IS
+    'The elevation of a road of that length as one polynomial, from a height and a grade to others.';
