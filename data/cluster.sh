@@ -35,7 +35,7 @@ install_for_tests() {
 }
 
 # The programs that judge what the suites write.
-install_judges() { install_missing assimp-utils sumo sumo-tools libxml2-utils python3 glpk-utils; }
+install_judges() { install_missing assimp-utils sumo sumo-tools libxml2-utils python3 python3-ezdxf glpk-utils; }
 
 # What the readers of $STREETGEN_READERS need, which are built for Debian 12.
 install_readers() {

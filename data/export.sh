@@ -35,9 +35,9 @@ check_files() {
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
   for file in "$@"; do
     case $file in
-      *.gpkg | *.obj | *.city.json | *.glb | *.tiles | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
+      *.gpkg | *.obj | *.city.json | *.glb | *.tiles | *.dxf | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
-      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj, .city.json, .glb and the folder .tiles the streets in three dimensions, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
+      *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj, .city.json, .glb and the folder .tiles the streets in three dimensions, .dxf a drawing for CAD, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -102,6 +102,7 @@ write_file() {
     *.net.xml) write_sumo "$file" "$model" ;;
     *.sumocfg) write_sumo_configuration "$file" "$model" ;;
     *.city.json) write_lines "$file" "streetgen.export_cityjson($(quoted "$model"), $(quoted "$export_options"))" ;;
+    *.dxf) write_lines "$file" "streetgen.export_dxf($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.tiles) write_tiles "$file" "$model" ;;
     *.glb) write_parts "$file" "streetgen.export_gltf($(quoted "$model"), $(quoted "$export_options"))" ;;
     *.symuvia.xml) write_lines "$file" "streetgen.export_symuvia($(quoted "$model"), $(quoted "$export_options"))" ;;

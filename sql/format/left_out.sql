@@ -6,8 +6,8 @@ CREATE OR REPLACE FUNCTION streetgen._format_content()
     AS $$ VALUES
     ('signals', 'signal', '{sumo,symuvia,opendrive,lanelet2}'::text[], true),
     ('pedestrian crossings', 'sidewalk', '{sumo}', true),
-    ('pedestrian crossings', 'object', '{opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
-    ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
+    ('pedestrian crossings', 'object', '{opendrive,lanelet2,cityjson,gltf,tiles,wavefront,dxf}', true),
+    ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,lanelet2,cityjson,gltf,tiles,wavefront,dxf}', true),
     ('streets above or below the ground', 'height', '{opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
     ('tracks', 'rail', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', false),
     ('objects', 'object', '{symuvia,lanelet2,cityjson,gltf,tiles,wavefront}', false) $$;

@@ -5,11 +5,11 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         maximum float8, choice text[])
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
     AS $$ VALUES
-    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront,opensidewalks}'::text[],
+    ('extent', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront,opensidewalks,dxf}'::text[],
         'box',
         'null'::jsonb, 'm', 'xmin, ymin, xmax, ymax in the SRID of the model: whole edges that touch it; null: all',
         -1e12::float8, 1e12::float8, NULL::text[]),
-    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', 'integer', 'null', '',
+    ('level', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront,dxf}', 'integer', 'null', '',
         'edges of this level alone; null: all', -50, 50, NULL),
     ('junctions', '{sumo,symuvia,opendrive,lanelet2}', 'word', '"node"', '',
         'what a junction is: each node, or the nodes of a '
@@ -18,6 +18,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         'where coordinates are counted from: whole metres of the lower left corner or of the middle of what is '
         'written, or [x, y] or [x, y, z] in the SRID of the model; z is 0 unless given', -1e12, 1e12,
         '{corner,middle}'),
+    ('origin', '{dxf}', 'place', '[0, 0]', 'm', 'the same', -1e12, 1e12, '{corner,middle}'),
     ('precision', '{sumo}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('precision', '{symuvia}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{sumo}', 'number', '0', 'm', 'how far a simplified line may leave that of the model; 0: all its '
@@ -39,7 +40,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
     ('autoware', '{lanelet2}', 'word', '"no"', '', 'whether points have local_x and local_y, and crosswalks a rule '
         'that Autoware knows', NULL, NULL, '{no,yes}'),
     ('version', '{opendrive}', 'word', '"1.7"', '', 'the version of OpenDRIVE', NULL, NULL, '{1.7,1.6}'),
-    ('precision', '{cityjson,wavefront}', 'integer', '3', 'digits',
+    ('precision', '{cityjson,wavefront,dxf}', 'integer', '3', 'digits',
         'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{cityjson,gltf,tiles,wavefront}', 'number', '0.05', 'm',
         'how far triangles may leave the heights of the streets', 0.001, 10, NULL)

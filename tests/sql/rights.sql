@@ -73,7 +73,7 @@ RESET ROLE;
 REVOKE USAGE ON SCHEMA town FROM rights_nobody;
 SET ROLE rights_reader;
 CREATE TEMPORARY TABLE by_reader AS SELECT * FROM pg_temp.states();
-SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity check_model driving_side export_cityjson export_gltf export_lanelet2 export_layer export_opendrive export_opensidewalks export_symuvia export_tiles hill_shade learn_classes progress road_mesh roundabout_candidates setting sheet subject summary svg walk_links' FROM by_reader WHERE state = 'none';
+SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity check_model driving_side export_cityjson export_dxf export_gltf export_lanelet2 export_layer export_opendrive export_opensidewalks export_symuvia export_tiles hill_shade learn_classes progress road_mesh roundabout_candidates setting sheet subject summary svg walk_links' FROM by_reader WHERE state = 'none';
 SELECT 'what computes or changes settings is for the owner', '{create_design,design,drop_design,drop_model,finish_clusters,generate,generate_cluster,import_osm,plan_clusters,set,switch_subject}' <@ array_agg(name) FROM by_reader WHERE state = '42501';
 GRANT SELECT ON by_reader TO rights_editor;
 SET ROLE rights_editor;
@@ -112,7 +112,7 @@ END $$;
 SELECT 'edits beside them are done, or refused for what they are', states LIKE '%none%' AND states !~ '42601|42703|42704|42883|XX' FROM pg_temp.edit_all();
 SET ROLE rights_owner;
 SELECT 'so is what the owner does', bool_and(state IN ('none', '22023')) AND 'none' = ANY (array_agg(state)) FROM (SELECT DISTINCT test.state(s) AS state FROM unnest(ARRAY['SELECT streetgen.generate(''town'', wait => true)', 'SELECT streetgen.adopt_model(''town'')', 'UPDATE town.axis SET width = width + 0.1']
-  || ARRAY(SELECT statement FROM public.call WHERE proname IN ('check_model', 'summary', 'svg', 'export_cityjson', 'export_gltf', 'export_lanelet2', 'export_layer', 'export_opendrive', 'export_symuvia', 'export_tiles', 'road_mesh', 'roundabout_candidates', 'design'))) s) t;
+  || ARRAY(SELECT statement FROM public.call WHERE proname IN ('check_model', 'summary', 'svg', 'export_cityjson', 'export_dxf', 'export_gltf', 'export_lanelet2', 'export_layer', 'export_opendrive', 'export_symuvia', 'export_tiles', 'road_mesh', 'roundabout_candidates', 'design'))) s) t;
 SET ROLE rights_reader;
 SELECT 'and what a reader reads', bool_and(state = 'none') FROM (SELECT DISTINCT state FROM pg_temp.states() WHERE name IN (SELECT name FROM by_reader WHERE state = 'none')) t;
 RESET ROLE;
