@@ -36,6 +36,25 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_step(element text, place text, l
 COMMENT ON FUNCTION streetgen._opendrive_step(text, text, float8, float8, float8) IS
     'The element of a polynomial that is straight over a whole road of that length.';
 
+CREATE OR REPLACE FUNCTION streetgen._opendrive_cubics(element text, place text, s float8[], a float8[], b float8[],
+    c float8[], d float8[]) RETURNS text
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20 AS 'MODULE_PATHNAME', 'streetgen_opendrive_cubics';
+COMMENT ON FUNCTION streetgen._opendrive_cubics(text, text, float8[], float8[], float8[], float8[], float8[]) IS
+    'Elements of polynomials; place is the attribute that says where each begins.';
+
+CREATE OR REPLACE FUNCTION streetgen._opendrive_lean(length float8, "from" float8, "to" float8, lean_in float8,
+    lean_out float8) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
+    RETURN (SELECT CASE WHEN lean_in = 0 AND lean_out = 0
+            THEN streetgen._opendrive_step('laneOffset', 's', length, "from", "to")
+            ELSE streetgen._opendrive_cubics('laneOffset', 's', ARRAY[0, over, length - over],
+                ARRAY["from", "from" + slope * over, "to" - slope * over], ARRAY[slope + lean_in, slope, slope],
+                ARRAY[-2 * lean_in / over, 0, -lean_out / over], ARRAY[lean_in / over ^ 2, 0, lean_out / over ^ 2]) END
+        FROM (SELECT least(4, length / 3) AS over, ("to" - "from") / length AS slope) e);
+COMMENT ON FUNCTION streetgen._opendrive_lean(float8, float8, float8, float8, float8) IS
+    'The offsets of lanes along a road of that length, whose lanes lead aside at its ends, over four metres at most, '
+    'by lean_in and lean_out: metres to the left by metre of the road.';
+
 CREATE OR REPLACE FUNCTION streetgen._opendrive_station(station float8, total float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
     RETURN streetgen._decimal(floor(greatest(least(station, total), 0) * 10000) / 10000, 4);

@@ -261,7 +261,7 @@ BEGIN
         '<elevationProfile>' || streetgen._opendrive_climb(total, CASE WHEN in_end THEN a.z_to ELSE a.z_from END,
             CASE WHEN in_end THEN a.grade_to ELSE -a.grade_from END, CASE WHEN out_end THEN b.z_to ELSE b.z_from END,
             CASE WHEN out_end THEN -b.grade_to ELSE b.grade_from END) || '</elevationProfile>',
-        '<lanes>', streetgen._opendrive_step('laneOffset', 's', total, half * width_in, half * width_out),
+        '<lanes>', streetgen._opendrive_lean(total, half * width_in, half * width_out, lean_in, lean_out),
         '<laneSection s="0">', CASE WHEN NOT right_hand THEN '<left>' || lane || '</left>' END,
         '<center><lane id="0" type="none" level="false"/></center>',
         CASE WHEN right_hand THEN '<right>' || lane || '</right>' END, '</laneSection></lanes>', j.text,

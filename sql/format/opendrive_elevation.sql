@@ -23,12 +23,6 @@ COMMENT ON FUNCTION streetgen._height_curve(float8[], float8[], float8) IS
     'as few as pass each height by tolerance (metres), without breaks of grade, but where one needs more than that '
     'to vanish. Arrays of different length: 22023. Fewer than two stations: no row.';
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_cubics(element text, place text, s float8[], a float8[], b float8[],
-    c float8[], d float8[]) RETURNS text
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 20 AS 'MODULE_PATHNAME', 'streetgen_opendrive_cubics';
-COMMENT ON FUNCTION streetgen._opendrive_cubics(text, text, float8[], float8[], float8[], float8[], float8[]) IS
-    'Elements of polynomials; place is the attribute that says where each begins.';
-
 CREATE OR REPLACE FUNCTION streetgen._opendrive_climb(length float8, height_from float8, grade_from float8,
     height_to float8, grade_to float8) RETURNS text
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE

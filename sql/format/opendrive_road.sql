@@ -7,7 +7,8 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_roads(model name, options jsonb)
         lanes bigint[], types text[], positions integer[], halves boolean[], share_from float8, share_to float8,
         station float8[], border float8[], ways text, road_in bigint, road_out bigint, number_in bigint,
         number_out bigint, in_end boolean, out_end boolean, width_in float8, width_out float8, node_id bigint,
-        type text, lane_in bigint, speed float8)
+        type text, lane_in bigint, speed float8,
+        lean_in float8, lean_out float8)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -126,15 +127,21 @@ BEGIN
         SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
             CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
             halves[i] AS half, types[i] AS type, places[4 * i - 3] AS x, places[4 * i - 2] AS y,
-            places[4 * i - 1] AS heading, places[4 * i] AS width
-        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES (false, starts), (true, ends))
-            v(at_end, places)),
+            places[4 * i - 1] - CASE WHEN abs(lean) < 0.002 THEN 0 ELSE lean END AS heading,
+            CASE WHEN abs(lean) < 0.002 THEN 0 ELSE tan(lean) END AS lean, places[4 * i] AS width
+        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i),
+            LATERAL (SELECT cardinality(heading) AS n) c,
+            LATERAL (VALUES (false, starts, heading[1]), (true, ends,
+                heading[n] + length[n] * (curvature[n] + curvature_end[n]) / 2)) v(at_end, places, across),
+            -- A lane of a taper leads aside of its road, across which it ends.
+            LATERAL (SELECT asin(sin(places[4 * i - 1] - across)) AS lean) w),
     way_road AS MATERIALIZED (
         SELECT streetgen._file_id(way_kind, way_id, (row_number() OVER (PARTITION BY way_kind, way_id
                 ORDER BY interconnections, a.road_id, b.road_id) - 1)::integer) AS road_id,
             array_to_string(interconnections, ' ') AS ways, a.road_id AS road_in, b.road_id AS road_out,
             a.number AS number_in, b.number AS number_out,
-            a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out,
+            a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out, a.lean AS lean_in,
+            b.lean AS lean_out,
             CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, k.lane_in, e.speed,
             coalesce(streetgen._opendrive_lane_type(split_part(k.traffic, '|', 1), false), a.type) AS type,
             (CASE WHEN short THEN ST_MakeLine(ST_MakePoint(a.x, a.y), ST_MakePoint(b.x, b.y)) ELSE k.geom END)::bytea
@@ -151,12 +158,12 @@ BEGIN
     SELECT road_id, false, s, x, y, heading, length, curvature, curvature_end, total, edge_id, before::integer, lefts,
         lanes, types, positions, halves, share_from, share_to, station, border, NULL, NULL::bigint, NULL::bigint,
         NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL::float8, NULL::float8, NULL::bigint, NULL,
-        NULL::bigint, NULL::float8
+        NULL::bigint, NULL::float8, NULL::float8, NULL::float8
     FROM drawn
     UNION ALL
     SELECT w.road_id, true, d.*, d.s[cardinality(d.s)] + d.length[cardinality(d.s)], NULL, NULL, NULL, NULL, NULL, NULL,
         NULL, NULL, NULL, NULL, NULL, ways, road_in, road_out, number_in, number_out, in_end, out_end, width_in,
-        width_out, node_id, type, lane_in, speed
+        width_out, node_id, type, lane_in, speed, lean_in, lean_out
     FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance, greatest(width_in, width_out))
         d;
 END $$;
@@ -165,7 +172,8 @@ COMMENT ON FUNCTION streetgen._opendrive_roads(name, jsonb) IS
     'edge has its lanes from the left, lefts of them left of the centre lane, before others of the edge, and what '
     'streetgen._road_lanes gives; halves: of half a lane whether it is driven along the axis. A connecting one is of '
     'a way from lane to lane: the roads that it joins, the numbers and widths of their lanes and at which of their '
-    'ends, node and speed.';
+    'ends, node and speed. It begins and ends across these roads; a lane that leads aside there does so by as many '
+    'metres a metre, to the left of the way (lean_in, lean_out).';
 
 CREATE OR REPLACE FUNCTION streetgen._lines_between(model name)
     RETURNS TABLE(edge_id bigint, lane_position integer, leftwards boolean, rightwards boolean, paint text)

@@ -1,6 +1,7 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
-degrees; at last how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves. opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
+degrees; how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves; at last between how many linked lanes
+borders lie over 1 cm apart, and how far (m). opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
 "element, id, edge or empty, WKT" of each object, signal, sign and sidewalk. opendrive.py FILE --curves PATHS holds connecting roads against the paths of their
 interconnections (rows "id, WKT" of a file): how many turn over 45 degrees, their records on average, how many of them have an arc under 2 m where the path turns
 wider, and how many of all have an arc under 3 m or half their lane where the path turns wider; those of several interconnections are not held against paths. opendrive.py FILE --grades prints how many elevation records there are, the
@@ -87,6 +88,12 @@ class Road:
         t, slope = (a + b) / 2, (da + db) / 2
         return x - t * math.sin(heading), y + t * math.cos(heading), heading + math.atan2(slope, 1 - curvature * t), abs(a - b)
 
+    def corners(self, number, at_end):
+        """Where the borders of a lane end."""
+        s = self.length if at_end else 0.0
+        (x, y, heading), _ = self.at(s)
+        return [(x - t * math.sin(heading), y + t * math.cos(heading)) for t, _ in self.borders(number, s)]
+
     def polygon(self, number):
         stations = sorted({0.0, self.length} | {s for p in self.pieces for s in piece_stations(p)} | {float(w.get('sOffset')) for w in self.lanes[number].findall('width')})
         inner, outer = [], []
@@ -143,7 +150,9 @@ def joints(roads):
             other_end = link.get('contactPoint') == 'end'
             x, y, heading, width = road.middle(number, at_end)
             u, v, other, other_width = roads[link.get('elementId')].middle(int(lane.get('id')), other_end)
-            yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi))
+            ours, theirs = road.corners(number, at_end), roads[link.get('elementId')].corners(int(lane.get('id')), other_end)
+            apart = min(max(map(math.dist, ours, order)) for order in (theirs, theirs[::-1]))
+            yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi)), apart
 
 
 def grade_gaps(roads):
@@ -241,7 +250,8 @@ def main():
     gaps = list(joints(roads))
     lanes = sum(is_lane(lane) for road in roads.values() if road.edge is not None for lane in road.lanes.values())
     print(lanes, len(gaps) // 2, len(tree.findall('junction')), *(f'{max((g[i] for g in found), default=0):.6f}' for found in (chain, gaps) for i in (0, 1)),
-          sum(metres > 0.01 or degrees > 0.1 for metres, degrees in gaps), sum(1 for _ in not_of_junction(roads)))
+          sum(metres > 0.01 or degrees > 0.1 for metres, degrees, _ in gaps), sum(1 for _ in not_of_junction(roads)),
+          sum(apart > 0.01 for *_, apart in gaps), f'{max((apart for *_, apart in gaps), default=0):.3f}')
 
 
 main()
