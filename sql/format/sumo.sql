@@ -168,22 +168,33 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_going_on(model name, options jsonb)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 BEGIN
+    PERFORM streetgen._use_model(model);
     RETURN QUERY WITH placed AS MATERIALIZED (
-        SELECT lane_id, e.along_axis, e.name, e.goes_to, e.since, e.until, e.since = 0 AS begins, e.until = 1 AS ends,
-            i - 1 + e.walk AS index
-        FROM streetgen._sumo_edges(model, options, false, false) e,
-            streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i))
-    SELECT k.way_id, a.name, b.name, a.index, b.index, a.goes_to, k.traffic, k.geom, k.lane_in, k.lane_out, k.along_in,
-        k.along_out
-    FROM streetgen._connecting_ways(model, options) k
-        JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in) AND a.ends
-        JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out) AND b.begins
+        SELECT lane_id, e.edge_id, e.along_axis, e.name, e.comes_from, e.goes_to, e.since, e.until,
+            e.since = 0 AS begins, e.until = 1 AS ends, i - 1 + e.walk AS index, l.kind
+        FROM streetgen._sumo_edges(model, options, false, false) e CROSS JOIN LATERAL
+            streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN lane l USING (lane_id)),
+    going_on AS MATERIALIZED (
+        SELECT k.way_id, a.name AS name_in, b.name AS name_out, a.index AS index_in, b.index AS index_out, a.goes_to,
+            k.traffic, k.geom, k.lane_in, k.lane_out, k.along_in, k.along_out
+        FROM streetgen._connecting_ways(model, options) k
+            JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in) AND a.ends
+            JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out) AND b.begins)
+    TABLE going_on
     UNION ALL SELECT 0, a.name, b.name, a.index, b.index, a.goes_to, NULL, NULL, NULL, NULL, NULL, NULL
-    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE NOT a.ends AND a.until = b.since;
+    FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE NOT a.ends AND a.until = b.since
+    -- Who finds no way on turns back, from lane to lane in the middle of the street.
+    UNION ALL SELECT * FROM (
+        SELECT DISTINCT ON (a.name) 0::bigint, a.name, b.name, a.index, b.index, a.goes_to, NULL::text, NULL::geometry,
+            NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean
+        FROM placed a JOIN placed b ON a.edge_id = b.edge_id AND a.along_axis <> b.along_axis
+        WHERE a.ends AND b.begins AND a.goes_to = b.comes_from AND (a.kind, b.kind) = ('general', 'general')
+            AND NOT EXISTS (SELECT FROM going_on g WHERE g.name_in = a.name)
+        ORDER BY a.name, a.index DESC, b.index DESC) t;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_going_on(name, jsonb) IS
     'Which lane of an edge of SUMO goes on to which lane of another: by a way with its path and the lanes of the '
-    'model, or, with id 0, from part to part of one street.';
+    'model, or, with id 0, from part to part of one street, and back where a street ends or leads on for nobody.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_connections(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)
@@ -192,7 +203,8 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_connections(model name, options jsonb
 BEGIN
     RETURN QUERY WITH origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
     sumo_edge AS MATERIALIZED (
-        SELECT name, lane_group_id, comes_from, goes_to FROM streetgen._sumo_edges(model, options, false, false)),
+        SELECT name, lane_group_id, comes_from, goes_to FROM streetgen._sumo_edges(model, options, false, false)
+        WHERE lane_count > 0),
     going_on AS MATERIALIZED (SELECT * FROM streetgen._sumo_going_on(model, options))
     SELECT 1, id, '<connection from="' || name_in || '" to="' || name_out || '" fromLane="' || index_in
         || '" toLane="' || index_out
@@ -273,8 +285,9 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one '
     'ends in .end. '
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
-    'interconnection that connects, with its path. An edge without a way on is parted from all that leave its node, '
-    'since netconvert invents what is not said. With subject sidewalk, a sidewalk is lane 0 of its edge, or an edge '
+    'interconnection that connects, with its path. An edge without a way on leads back to the other direction of its '
+    'street, or is parted from all that leave its node, since netconvert invents what is not said. '
+    'With subject sidewalk, a sidewalk is lane 0 of its edge, or an edge '
     'edge_id.walk beside no lane of its direction, and so is a strip on the roadway where a street has none. Crossings '
     'from corner to corner are written (connections), unmarked ones with priority 0. A '
     'node has the intersection as parameter surface; its shape is so wide '

@@ -18,9 +18,13 @@ CREATE FUNCTION pg_temp.found(path text, file xml) RETURNS integer LANGUAGE sql 
 CREATE TEMPORARY VIEW looped AS SELECT d.* FROM town.lane_driving d JOIN town.edge USING (edge_id) WHERE from_node = to_node;
 SELECT 'there is a node for each node, and one in the middle of a loop', pg_temp.found('/nodes/node', pg_temp.file('town', 'nodes')) = (SELECT count(*) FROM town.node) + (SELECT count(*) FROM town.lane_group WHERE from_node = to_node);
 SELECT 'there is a lane for each lane and direction', pg_temp.found('/edges/edge/lane', pg_temp.file('town', 'edges')) = (SELECT count(*) FROM town.lane_driving) + (SELECT count(*) FROM looped) AND (SELECT count(*) = 2 FROM looped);
-SELECT 'there is a connection for each interconnection that connects', pg_temp.found('/connections/connection', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.interconnection WHERE connecting) + (SELECT count(*) FROM looped);
-SELECT 'an edge without a way on is parted from those that leave its node', pg_temp.found('//delete', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.lane_group a JOIN town.lane_group b ON b.from_node = a.to_node
-  WHERE NOT EXISTS (SELECT FROM town.interconnection WHERE connecting AND lane_in = ANY (a.lanes) AND along_in = a.along_axis));
+CREATE FUNCTION pg_temp.turns_back(model name) RETURNS bigint LANGUAGE plpgsql AS $$ DECLARE found bigint; BEGIN
+  EXECUTE format('SELECT count(*) FROM %1$I.lane_group a WHERE EXISTS (SELECT FROM %1$I.lane_group b WHERE (b.edge_id, b.along_axis, b.from_node) = (a.edge_id, NOT a.along_axis, a.to_node))
+    AND NOT EXISTS (SELECT FROM %1$I.interconnection WHERE connecting AND lane_in = ANY (a.lanes) AND along_in = a.along_axis)', model) INTO found; RETURN found; END $$;
+SELECT 'there is a connection for each interconnection that connects, and one back where none does', pg_temp.found('/connections/connection', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.interconnection WHERE connecting) + (SELECT count(*) FROM looped) + pg_temp.turns_back('town') AND pg_temp.turns_back('town') = 5;
+SELECT 'it leads from lane to lane in the middle of the street', pg_temp.found('//connection[@from="-1" and @to="1" and @fromLane="1" and @toLane="1" and not(@shape)]', pg_temp.file('town', 'connections')) = 1;
+SELECT 'an edge without a way on or back is parted from those that leave its node', pg_temp.found('//delete', pg_temp.file('town', 'connections')) = (SELECT count(*) FROM town.lane_group a JOIN town.lane_group b ON b.from_node = a.to_node
+  WHERE NOT EXISTS (SELECT FROM town.lane_group b WHERE (b.edge_id, b.along_axis) = (a.edge_id, NOT a.along_axis)) AND NOT EXISTS (SELECT FROM town.interconnection WHERE connecting AND lane_in = ANY (a.lanes) AND along_in = a.along_axis));
 SELECT 'a loop ends where it began', pg_temp.found('//edge[@id="5.end" and @from = //edge[@id="5"]/@to and @to = //edge[@id="5"]/@from]', pg_temp.file('town', 'edges')) = 1;
 SELECT 'types are those of OpenStreetMap where the kind is one, else by importance', (SELECT array_agg(DISTINCT concat(abs(id::float8), ' ', type) ORDER BY concat(abs(id::float8), ' ', type)) FROM unnest(xpath('//edge[not(contains(@id, "end"))]', f)) e,
     LATERAL (SELECT (xpath('string(/edge/@id)', e))[1]::text AS id, (xpath('string(/edge/@type)', e))[1]::text AS type) v) = '{1 highway.residential,2 highway.residential,3 aeroway.runway,4 highway.residential,5 highway.residential}' FROM pg_temp.file('town', 'edges') f;
@@ -61,7 +65,7 @@ DO $$ BEGIN
 END $$;
 SELECT 'a junction of two nodes is one node', pg_temp.found('//node', pg_temp.file('wide', 'nodes', '{"junctions": "group"}')) = (SELECT count(*) - 1 FROM wide.node) AND (SELECT count(*) = 1 FROM wide.junction_edge);
 SELECT 'without the edge inside', pg_temp.found('//edge[@id="6" or @id="-6"]', pg_temp.file('wide', 'edges', '{"junctions": "group"}')) = 0 AND pg_temp.found('//edge[@id="6" or @id="-6"]', pg_temp.file('wide', 'edges')) = 2;
-SELECT 'its movements are the connections', pg_temp.found('//connection', pg_temp.file('wide', 'connections', '{"junctions": "group"}')) = (SELECT count(*) FROM wide.movement WHERE connecting);
+SELECT 'its movements are the connections, and none is contradicted', pg_temp.found('//connection', f) = (SELECT count(*) FROM wide.movement WHERE connecting) + pg_temp.turns_back('wide') AND pg_temp.found('//delete[@from = //connection/@from and @to = //connection/@to]', f) = 0 FROM pg_temp.file('wide', 'connections', '{"junctions": "group"}') f;
 INSERT INTO wide.junction_override (axis_id, geom, kind) VALUES (6, 'SRID=2154;POINT(650100 6860000)', 'signals');
 SELECT 'signals are traffic lights, one for all nodes of a junction', (SELECT count(*) > 0 FROM wide.junction WHERE kind = 'signals') AND pg_temp.found('//node[@type="traffic_light"]', pg_temp.file('wide', 'nodes')) = 2
   AND pg_temp.found('//node[@type="traffic_light" and @tl = preceding-sibling::node/@tl]', pg_temp.file('wide', 'nodes')) = 1;
