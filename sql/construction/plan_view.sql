@@ -30,6 +30,26 @@ COMMENT ON FUNCTION streetgen._path_view(bytea, float8[], float8[], float8, floa
     'The curve of a path (EWKB) in one row of arrays, from one place to another: x, y and heading. It begins and '
     'ends there, also where the ends of the path lie beside them, and is wider than half the lane.';
 
+CREATE OR REPLACE FUNCTION streetgen.path_view(path geometry, heading_from float8, heading_to float8,
+    lane_width float8 DEFAULT 3.5, tolerance float8 DEFAULT 0.05)
+    RETURNS TABLE(s float8, x float8, y float8, heading float8, length float8, curvature float8)
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 3
+    SET search_path = pg_catalog, public
+    AS $$ SELECT u.* FROM streetgen._path_view(path::bytea,
+              -- What is no line has no ends, and is refused as a path.
+              ARRAY[coalesce(ST_X(ST_StartPoint(path)), 0), coalesce(ST_Y(ST_StartPoint(path)), 0), heading_from],
+              ARRAY[coalesce(ST_X(ST_EndPoint(path)), 0), coalesce(ST_Y(ST_EndPoint(path)), 0), heading_to],
+              tolerance, lane_width) v,
+          unnest(v.s, v.x, v.y, v.heading, v.length, v.curvature) u $$;
+COMMENT ON FUNCTION streetgen.path_view(geometry, float8, float8, float8, float8) IS
+    'The curve of a path from lane to lane (LINESTRING, metres), as streetgen.plan_view gives a chain: as few lines '
+    'and arcs as stay within tolerance of the path (metres, 0.0001 to 1000), or a little more where more of them '
+    'come no nearer. It begins and ends where the path does, in the headings of its lanes (radians, counter-clockwise '
+    'from east). No arc is tighter than 3.1 m or half of lane_width (metres, 0.001 to 1000), but where the path turns '
+    'as far itself within 2 m. Where its end leads elsewhere than the lane, the curve leaves the path beside that '
+    'end. A path that ends where it begins: no row. A line that is no LINESTRING, a number out of range: 22023. NULL '
+    'for anything: no row.';
+
 CREATE OR REPLACE FUNCTION streetgen._road_lanes(axis bytea, alignment float8[], reach float8, lines bytea[],
     surfaces bytea[], widths float8[], parts integer[], tolerance float8)
     RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],

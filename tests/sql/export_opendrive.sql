@@ -8,6 +8,10 @@ SELECT 'a kink becomes an arc', (SELECT array_agg(sign(curvature) ORDER BY s) = 
 SELECT 'a piece begins where the one before ends', (SELECT bool_and(abs(before - s) < 1e-9) FROM (SELECT s, lag(s + length) OVER (ORDER BY s) AS before FROM streetgen.plan_view('LINESTRING(0 0,50 0,80 -40,90 20)')) p);
 SELECT 'no line, and a tolerance of nothing, are refused', test.state($$SELECT FROM streetgen.plan_view('POINT(0 0)')$$) = '22023' AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,0 0)')$$) = '22023'
   AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', 0)$$) = '22023' AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', 'NaN')$$) = '22023' AND test.state($$SELECT FROM streetgen.plan_view('LINESTRING(0 0,NaN 0)')$$) = '22023';
+SELECT 'a path is as few arcs as it needs', (SELECT count(*) = 2 AND min(abs(1 / nullif(curvature, 0))) > 9 FROM streetgen.path_view('LINESTRING(0 0,3.83 0.76,7.07 2.93,9.24 6.17,10 10,10 14)', 0, pi() / 2));
+SELECT 'its arcs are wider than half the lane', (SELECT bool_and(abs(curvature) < 1 / 3.9) FROM streetgen.path_view('LINESTRING(0 0,30 0)', 0.6, 0, 8));
+SELECT 'a path that is none, and a lane of no width, are refused', test.state($$SELECT FROM streetgen.path_view('POINT(0 0)', 0, 0)$$) = '22023' AND test.state($$SELECT FROM streetgen.path_view('LINESTRING(0 0,1 0)', 0, 0, 0)$$) = '22023'
+  AND test.state($$SELECT FROM streetgen.path_view('LINESTRING(0 0,1 0)', 'NaN', 0)$$) = '22023' AND NOT EXISTS (SELECT FROM streetgen.path_view('LINESTRING(0 0,1 0)', NULL, 0));
 SELECT 'NULL for anything is no row', NOT EXISTS (SELECT FROM streetgen.plan_view(NULL)) AND NOT EXISTS (SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', NULL));
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 2154, driving_side => 'right'), streetgen.create_model('left_town', 2154, driving_side => 'left'), streetgen.create_model('bare', 2154, subjects => '{}');
