@@ -22,8 +22,8 @@ DECLARE
     part record;
     by_street constant boolean := options ->> 'nodes' = 'street';
     layers constant text[] := ARRAY(SELECT l.layer FROM streetgen._mesh_layer() l);
-    kerb_material constant integer := (SELECT m.number FROM streetgen._mesh_material(model) m
-        WHERE (m.layer, m.kind) = ('kerb', ''));
+    names constant text[] := streetgen._mesh_names(model);
+    kerb_material constant integer := array_position(names, 'kerb') - 1;
 BEGIN
     FOR part IN SELECT 1 AS cell, _gltf_blocks.edges, _gltf_blocks.nodes, _gltf_blocks.about
         WHERE _gltf_blocks.edges IS NOT NULL
@@ -32,7 +32,7 @@ BEGIN
     LOOP
         RETURN QUERY WITH heights AS MATERIALIZED (SELECT * FROM streetgen._mesh_heights(model, part.about)),
         laid AS MATERIALIZED (SELECT l.* FROM heights a, streetgen._mesh_laid(model, part.edges, part.nodes, layers,
-            options, streetgen._mesh_lift(a.axes, options)) l),
+            names, options, streetgen._mesh_lift(a.axes, options)) l),
         -- A part is one material, of one street where streets are nodes.
         owner AS MATERIALIZED (
             SELECT n, u.edge_id, u.node_id, u.material,

@@ -21,14 +21,14 @@ CREATE OR REPLACE FUNCTION streetgen._indexed_blocks(model name, layers text[], 
     AS $$
 DECLARE
     part record;
-    kerb_material constant integer := (SELECT m.number FROM streetgen._mesh_material(model) m
-        WHERE (m.layer, m.kind) = ('kerb', ''));
+    names constant text[] := streetgen._mesh_names(model);
+    kerb_material constant integer := array_position(names, 'kerb') - 1;
 BEGIN
     FOR part IN SELECT * FROM streetgen._mesh_cells(model, options) c ORDER BY c.cell LOOP
         RETURN QUERY SELECT part.cell, i.places, i.texture, i.normals, i.triangles, i.corners, m.materials, m.ids,
                 m.edge_ids, m.node_ids
             FROM streetgen._mesh_heights(model, part.about) a,
-                streetgen._mesh_laid(model, part.edges, part.nodes, layers, options,
+                streetgen._mesh_laid(model, part.edges, part.nodes, layers, names, options,
                     streetgen._mesh_lift(a.axes, options)) l,
                 streetgen._indexed_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels,
                     a.axis_widths, (options ->> 'tolerance')::float8, x, y, z, digits, decimals) i,

@@ -28,6 +28,11 @@ COMMENT ON FUNCTION streetgen._mesh_material(name) IS
     'The materials of a mesh of streets, numbered from 0: a layer, or a kind of it that theme street draws by itself '
     '(an empty kind: all others), its name in files, its colour (NULL: no rule gives one) and its roughness.';
 
+CREATE OR REPLACE FUNCTION streetgen._mesh_names(model name) RETURNS text[]
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$ SELECT array_agg(name ORDER BY number) FROM streetgen._mesh_material(model) $$;
+COMMENT ON FUNCTION streetgen._mesh_names(name) IS 'The names of all materials of a mesh of streets, in their order.';
+
 CREATE OR REPLACE FUNCTION streetgen._mesh_cells(model name, options jsonb)
     RETURNS TABLE(cell integer, east integer, north integer, edges bigint[], nodes bigint[], about geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -55,6 +60,7 @@ CREATE OR REPLACE FUNCTION streetgen._mesh_ground(model name, edges bigint[], no
     RETURNS TABLE(layer text, kind text, id bigint, part integer, edge_id bigint, node_id bigint, level integer,
         surface geometry, line geometry)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_generic_plan
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -95,6 +101,7 @@ COMMENT ON FUNCTION streetgen._mesh_ground(name, bigint[], bigint[], geometry[],
 CREATE OR REPLACE FUNCTION streetgen._mesh_blocks(model name, edges bigint[], options jsonb)
     RETURNS TABLE(kind text, id bigint, edge_id bigint, level integer, surface geometry, line geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_generic_plan
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -114,6 +121,7 @@ COMMENT ON FUNCTION streetgen._mesh_blocks(name, bigint[], jsonb) IS
 CREATE OR REPLACE FUNCTION streetgen._mesh_covers(model name, edges bigint[])
     RETURNS TABLE(layer text, kind text, id bigint, edge_id bigint, level integer, surface geometry, line geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_generic_plan
     AS $$
 DECLARE
     subjects constant text[] := streetgen._subjects(model);
@@ -157,16 +165,16 @@ COMMENT ON FUNCTION streetgen._mesh_covers(name, bigint[]) IS
     'symbol_rule.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_laid(model name, edges bigint[], nodes bigint[], layers text[],
-    options jsonb, lift float8)
+    names text[], options jsonb, lift float8)
     RETURNS TABLE(surfaces bytea[], levels integer[], wanted boolean[], raised float8[], lines bytea[],
         materials integer[], ids bigint[], edge_ids bigint[], node_ids bigint[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_generic_plan
     AS $$
 #variable_conflict use_column
 BEGIN
     RETURN QUERY WITH own AS MATERIALIZED (
         SELECT * FROM streetgen._mesh_ground(model, edges, nodes, NULL, NULL) WHERE NOT ST_IsEmpty(surface)),
-    material AS MATERIALIZED (SELECT * FROM streetgen._mesh_material(model)),
     -- Neighbours tell which vertices they have on common borders.
     member AS MATERIALIZED (
         SELECT *, true AS wanted FROM own
@@ -180,10 +188,9 @@ BEGIN
         UNION ALL SELECT layer, kind, id, 0, edge_id, NULL, level, surface, line, true
         FROM streetgen._mesh_covers(model, edges) WHERE layer = ANY (layers) AND NOT ST_IsEmpty(surface)),
     numbered AS MATERIALIZED (
-        SELECT row_number() OVER (ORDER BY m.layer, m.id, part, m.kind) AS number, m.*,
-            coalesce(a.number, b.number) AS material
-        FROM member m LEFT JOIN material a ON (a.layer, a.kind) = (m.layer, m.kind)
-            LEFT JOIN material b ON (b.layer, b.kind) = (m.layer, ''))
+        SELECT row_number() OVER (ORDER BY layer, id, part, kind) AS number, m.*,
+            coalesce(array_position(names, layer || '_' || kind), array_position(names, layer)) - 1 AS material
+        FROM member m)
     SELECT array_agg(ST_Multi(surface)::bytea ORDER BY number), array_agg(level ORDER BY number),
         array_agg(wanted ORDER BY number),
         array_agg(l.raised + CASE WHEN covers THEN lift ELSE 0 END ORDER BY number),
@@ -191,10 +198,10 @@ BEGIN
         array_agg(CASE WHEN node_id IS NULL THEN edge_id END ORDER BY number), array_agg(node_id ORDER BY number)
     FROM numbered JOIN streetgen._mesh_layer() l USING (layer);
 END $$;
-COMMENT ON FUNCTION streetgen._mesh_laid(name, bigint[], bigint[], text[], jsonb, float8) IS
+COMMENT ON FUNCTION streetgen._mesh_laid(name, bigint[], bigint[], text[], text[], jsonb, float8) IS
     'The surfaces of edges and nodes (wanted) and those beside them as arguments of streetgen._road_mesh, by number '
     'from 1: with their materials, the ids that their layers give them, and the edge or the node that each is of. Of '
-    'blocks and covers, the layers that are named. Covers are lifted, metres.';
+    'blocks and covers, the layers that are named. names are those of all materials. Covers are lifted, metres.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_lift(axes bytea[], options jsonb) RETURNS float8
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
@@ -209,13 +216,14 @@ CREATE OR REPLACE FUNCTION streetgen._street_mesh(model name, options jsonb)
     AS $$
 DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    names constant text[] := streetgen._mesh_names(model);
     cell record;
 BEGIN
     FOR cell IN SELECT * FROM streetgen._mesh_cells(model, options) c ORDER BY c.cell LOOP
         RETURN QUERY SELECT l.edge_ids[t.number], l.node_ids[t.number],
                 CASE WHEN t.kerb THEN 'kerb' ELSE k.layer END, CASE WHEN t.kerb THEN '' ELSE k.kind END,
                 l.ids[t.number], t.mesh::geometry
-            FROM streetgen._mesh_laid(model, cell.edges, cell.nodes, '{}', options, 0) l
+            FROM streetgen._mesh_laid(model, cell.edges, cell.nodes, '{}', names, options, 0) l
                 CROSS JOIN streetgen._mesh_heights(model, cell.about) a CROSS JOIN LATERAL
                 streetgen._road_mesh(l.surfaces, l.levels, l.wanted, l.raised, l.lines, a.axes, a.axis_levels,
                     a.axis_widths, (options ->> 'tolerance')::float8, srid) t
