@@ -42,4 +42,7 @@ RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, dou
 // The same across a chain that is known.
 RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>& lanes);
 
+// The part of a road between two stations, `from` before `to`, counted from its own beginning.
+RoadLanes road_part(const RoadLanes& road, double from, double to);
+
 }  // namespace streetgen

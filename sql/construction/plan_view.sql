@@ -64,6 +64,17 @@ COMMENT ON FUNCTION streetgen._road_lanes(bytea, float8[], float8, bytea[], byte
     'border: metres to the left of the chain, by border from the left, then by station, and straight between '
     'stations. starts and ends: x, y, heading and width of each lane at the first and the last station.';
 
+CREATE OR REPLACE FUNCTION streetgen._road_part(of_s float8[], of_x float8[], of_y float8[], of_heading float8[],
+    of_length float8[], of_curvature float8[], of_curvature_end float8[], of_station float8[], of_border float8[],
+    since float8, until float8)
+    RETURNS TABLE(s float8[], x float8[], y float8[], heading float8[], length float8[], curvature float8[],
+        curvature_end float8[], station float8[], border float8[], starts float8[], ends float8[])
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_road_part';
+COMMENT ON FUNCTION streetgen._road_part(float8[], float8[], float8[], float8[], float8[], float8[], float8[],
+    float8[], float8[], float8, float8) IS
+    'The part of what streetgen._road_lanes gives between two stations (metres), which count from its beginning then. '
+    'Arrays that do not fit, or a part without length: 22023.';
+
 CREATE OR REPLACE FUNCTION streetgen._chain_station(s float8[], x float8[], y float8[], heading float8[],
     length float8[], curvature float8[], curvature_end float8[], place_x float8, place_y float8)
     RETURNS TABLE(station float8, aside float8, direction float8, beyond float8)

@@ -61,6 +61,15 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_station(station float8, total fl
 COMMENT ON FUNCTION streetgen._opendrive_station(float8, float8) IS
     'The text of a station, metres, no less than 0 and no more than the length of its road, whatever the digits.';
 
+CREATE OR REPLACE FUNCTION streetgen._opendrive_link(element text, road bigint, road_end boolean, junction bigint)
+    RETURNS text
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE
+    RETURN CASE WHEN road IS NOT NULL THEN '<' || element || ' elementType="road" elementId="' || road
+            || '" contactPoint="' || CASE WHEN road_end THEN 'end' ELSE 'start' END || '"/>'
+        WHEN junction IS NOT NULL THEN '<' || element || ' elementType="junction" elementId="' || junction || '"/>' END;
+COMMENT ON FUNCTION streetgen._opendrive_link(text, bigint, boolean, bigint) IS
+    'To what a road is joined: the end of a road, else a junction; NULL: to nothing.';
+
 CREATE OR REPLACE FUNCTION streetgen._opendrive_mark(paint text, leftwards boolean, rightwards boolean,
     inside_left boolean DEFAULT true) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE

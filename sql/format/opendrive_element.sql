@@ -14,7 +14,7 @@ BEGIN
     side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
     joined_node AS MATERIALIZED (
         SELECT node_id, streetgen._file_id('node', place_id) AS place_id FROM streetgen._joined_nodes(model, options)),
-    road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options)),
+    road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options, true)),
     drawn AS NOT MATERIALIZED (SELECT * FROM road WHERE NOT connecting),
     connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
     line_between AS MATERIALIZED (SELECT * FROM streetgen._lines_between(model)),
@@ -54,10 +54,10 @@ BEGIN
             LATERAL (SELECT count(*) AS more FROM shoulder b
                 WHERE (b.road_id, b.side) = (d.road_id, s.side)) outer_lane,
             (SELECT k.raised FROM streetgen._mesh_layer() k WHERE k.layer = 'sidewalk') k),
-    road_of_edge AS MATERIALIZED (SELECT edge_id, min(road_id) AS road_id FROM drawn GROUP BY edge_id),
+    road_of_edge AS MATERIALIZED (SELECT DISTINCT edge_id FROM drawn),
     -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
     standing AS MATERIALIZED (
-        SELECT o.street_object_id, o.type, o.angle, o.kind, o.size, o.drawn, o.subtype, c.geom, c.surface, r.road_id,
+        SELECT o.street_object_id, o.type, o.angle, o.kind, o.size, o.drawn, o.subtype, c.geom, c.surface, e.edge_id,
             e.from_node, e.to_node, ST_X(place) AS x, ST_Y(place) AS y
         FROM streetgen._opendrive_objects(model) o
             LEFT JOIN projected p ON (p.kind, p.id) = ('object', o.street_object_id)
@@ -69,14 +69,15 @@ BEGIN
                     SELECT e.edge_id FROM edge e WHERE ST_DWithin(e.geom, o.geom, 50)
                         AND e.edge_id IN (SELECT edge_id FROM road_of_edge)
                     ORDER BY ST_Distance(e.geom, o.geom), e.edge_id LIMIT 1) END AS edge_id) n
-            JOIN written_edge e ON e.edge_id = n.edge_id JOIN road_of_edge r ON r.edge_id = n.edge_id,
+            JOIN written_edge e ON e.edge_id = n.edge_id,
             LATERAL (SELECT coalesce(p.geom, o.geom) AS geom, coalesce(q.geom, o.surface) AS surface) c,
             LATERAL (SELECT CASE WHEN ST_Dimension(c.geom) = 0 THEN c.geom
                 ELSE ST_LineInterpolatePoint(c.geom, 0.5) END AS place) m),
     own_station AS MATERIALIZED (
-        SELECT s.*, d.total, p.* FROM standing s JOIN drawn d USING (road_id),
-            streetgen._chain_station(d.s, d.x, d.y, d.heading,
-            d.length, d.curvature, d.curvature_end, s.x, s.y) p),
+        SELECT DISTINCT ON (street_object_id) s.*, d.road_id, d.total, p.*
+        FROM standing s JOIN drawn d ON d.edge_id = s.edge_id AND d.before = 0,
+            streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, s.x, s.y) p
+        ORDER BY street_object_id, abs(p.beyond), d.road_id),
     -- Beyond the end of its road it stands at a road across the node, where that is nearer.
     stationed AS MATERIALIZED (
         SELECT o.street_object_id, o.type, o.angle, o.geom, o.kind, o.subtype, o.size, o.drawn, o.surface, o.x, o.y,
@@ -135,7 +136,8 @@ BEGIN
     placed AS MATERIALIZED (
         SELECT lane_id, road_id, edge_id, at_end, halves[i] AS half,
             CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number
-        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false), (true)) v(at_end)),
+        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false, 1), (true, 2)) v(at_end, n)
+        WHERE own_ends[n]),
     -- A signal hangs above the end of its lane; a sign stands half a metre beside the lanes that it is for.
     sign AS MATERIALIZED (
         SELECT g.id, p.road_id, d.total, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first,
@@ -193,6 +195,8 @@ BEGIN
     lane_text AS (
         SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
             || '" type="' || types[i] || '" level="false">'
+            || coalesce('<link>' || nullif(concat('<predecessor id="' || joined_numbers[i] || '"/>', '<successor id="'
+                || joined_numbers[cardinality(lanes) + i] || '"/>'), '') || '</link>', '')
             || CASE WHEN stations = 2 THEN streetgen._opendrive_step('width', 'sOffset', total,
                     border[2 * i - 1] - border[2 * i + 1], border[2 * i] - border[2 * i + 2])
                 ELSE streetgen._opendrive_change('width', 'sOffset', station, ARRAY(
@@ -233,8 +237,9 @@ BEGIN
     SELECT 2, d.road_id, concat(streetgen._opendrive_open(xmlelement(name road, xmlattributes(
             streetgen._xml_text(a.name) AS name, streetgen._decimal(d.total, 7) AS length,
             d.road_id AS id, -1 AS junction, CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule))),
-        '<link>', '<predecessor elementType="junction" elementId="' || f.place_id || '"/>',
-        '<successor elementType="junction" elementId="' || t.place_id || '"/>', '</link>',
+        '<link>', streetgen._opendrive_link('predecessor', joined_road[1], joined_end[1],
+            CASE WHEN own_ends[1] THEN f.place_id END), streetgen._opendrive_link('successor', joined_road[2],
+            joined_end[2], CASE WHEN own_ends[2] THEN t.place_id END), '</link>',
         '<type s="0" type="unknown"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
         streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
         '<elevationProfile>' || streetgen._opendrive_cubics('elevation', 's', h.s, h.a, h.b, h.c, h.d)

@@ -1,14 +1,14 @@
 -- OpenDRIVE: roads, those along edges with their lanes, and those of the ways from lane to lane.
 
-CREATE OR REPLACE FUNCTION streetgen._opendrive_roads(model name, options jsonb)
+CREATE OR REPLACE FUNCTION streetgen._opendrive_roads(model name, options jsonb, joining boolean DEFAULT false)
     RETURNS TABLE(road_id bigint, connecting boolean, s float8[], x float8[], y float8[], heading float8[],
         length float8[],
         curvature float8[], curvature_end float8[], total float8, edge_id bigint, before integer, lefts integer,
         lanes bigint[], types text[], positions integer[], halves boolean[], share_from float8, share_to float8,
         station float8[], border float8[], ways text, road_in bigint, road_out bigint, number_in bigint,
         number_out bigint, in_end boolean, out_end boolean, width_in float8, width_out float8, node_id bigint,
-        type text, lane_in bigint, speed float8,
-        lean_in float8, lean_out float8)
+        type text, lane_in bigint, speed float8, lean_in float8, lean_out float8, own_ends boolean[],
+        joined_road bigint[], joined_end boolean[], joined_numbers integer[])
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -79,8 +79,7 @@ BEGIN
                 ON (part > 0) = (both_ways AND options ->> 'two_way_lanes' IS NOT DISTINCT FROM 'driving')
             WHERE lane_id NOT IN (SELECT lane_id FROM inner_lane)) l),
     road AS (
-        SELECT edge_id, run, streetgen._file_id('edge', edge_id, run::integer) AS road_id,
-            min(lane_position) - 1 AS before,
+        SELECT edge_id, run, min(lane_position) - 1 AS before,
             count(*) FILTER (WHERE NOT on_right)::integer AS lefts,
             array_agg(lane_id ORDER BY lane_position, part) AS lanes,
             array_agg(streetgen._opendrive_lane_type(kind, both_ways AND part = 0, turn)
@@ -96,33 +95,91 @@ BEGIN
         FROM (SELECT *, count(*) FILTER (WHERE was_right AND NOT on_right)
                 OVER (PARTITION BY edge_id ORDER BY lane_position, part) AS run FROM sided) s
         GROUP BY edge_id, run),
-    -- Where lanes meet, or go on beside their end, roads are cut back: a way of no length cannot be driven.
-    met AS MATERIALIZED (
-        SELECT l.edge_id, at_end, greatest(0.05, 2 * max(ST_Length(w.geom))) AS cut
-        FROM junction_way w, LATERAL (VALUES (lane_in, along_in), (lane_out, NOT along_out)) v(lane_id, at_end)
-            JOIN lane l USING (lane_id) WHERE ST_Length(w.geom) < 2 GROUP BY l.edge_id, at_end),
     stretch AS (
         SELECT e.edge_id, coalesce(p.geom, e.geom) AS geom, first.abscissa AS since,
-            last.abscissa AS until, ST_Length(e.geom) AS total,
-            coalesce(f.cut, 0) AS cut_start, coalesce(t.cut, 0) AS cut_end
+            last.abscissa AS until, ST_Length(e.geom) AS total
         FROM written_edge e LEFT JOIN projected p ON (p.kind, p.id) = ('edge', e.edge_id)
-            LEFT JOIN met f ON f.edge_id = e.edge_id AND NOT f.at_end
-            LEFT JOIN met t ON t.edge_id = e.edge_id AND t.at_end
             JOIN section_limit first ON (first.edge_id, first.which) = (e.edge_id, 'start')
             JOIN section_limit last ON (last.edge_id, last.which) = (e.edge_id, 'end')),
-    drawn AS MATERIALIZED (
-        SELECT r.road_id, edge_id, r.before, r.lefts, r.lanes, r.types, r.positions, r.halves, v.share_from,
-            v.share_to, d.*,
-            d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
+    whole AS MATERIALIZED (
+        SELECT r.edge_id, r.run, r.before, r.lefts, r.lanes, r.types, r.positions, r.halves, v.share_from,
+            v.share_to, d.*, d.s[cardinality(d.s)] + d.length[cardinality(d.s)] AS total
         FROM origin o, road r JOIN stretch t USING (edge_id) LEFT JOIN course c USING (edge_id),
-            -- Crossed limits lie at one place.
+            -- Crossed limits lie at one place; those within 5 mm of a node lie on it.
             LATERAL (SELECT greatest(least(since, (since + until - 0.01) / 2, total - 0.01), 0) AS first) u,
-            LATERAL (SELECT u.first AS a, least(greatest(until, u.first + 0.01), total) AS b) w,
-            LATERAL (SELECT (a + least(cut_start, (b - a) / 4)) / total AS share_from,
-                (b - least(cut_end, (b - a) / 4)) / total AS share_to) v,
+            LATERAL (SELECT least(greatest(until, first + 0.01), total) AS final) z,
+            LATERAL (SELECT CASE WHEN first > 0.005 THEN first / total ELSE 0 END AS share_from,
+                CASE WHEN final < total - 0.005 THEN final / total ELSE 1 END AS share_to) v,
             LATERAL streetgen._road_lanes(ST_LineSubstring(ST_Force2D(t.geom), share_from, share_to)::bytea,
                 coalesce(c.alignment, '{}'), coalesce(c.reach, 0), r.lines, r.surfaces, r.widths, r.parts,
                 o.tolerance) d),
+    whole_end AS MATERIALIZED (
+        SELECT lane_id, edge_id, run, i::integer AS i, v.at_end, at_node, halves[i] AS half, places[4 * i - 3] AS x,
+            places[4 * i - 2] AS y, places[4 * i - 1] AS heading, places[4 * i] AS width
+        FROM whole, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES
+            (false, share_from = 0, starts), (true, share_to = 1, ends)) v(at_end, at_node, places)),
+    way_end AS MATERIALIZED (
+        SELECT k.way_kind, k.way_id, n.place_id, a.edge_id AS edge_in, a.run AS run_in, a.i AS i_in,
+            a.at_end AS in_end, b.edge_id AS edge_out, b.run AS run_out, b.i AS i_out, b.at_end AS out_end,
+            ST_Length(k.geom) AS length, k.traffic,
+            joining AND a.at_node AND b.at_node AND sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2) < 0.005
+                AND abs(a.width - b.width) < 0.01
+                AND cos(a.heading - b.heading) * CASE WHEN a.at_end = b.at_end THEN -1 ELSE 1 END > 0.999999 AS meets
+        FROM junction_way k JOIN whole_end a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+                AND coalesce(a.half = k.along_in, true)
+            JOIN whole_end b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
+                AND coalesce(b.half = k.along_out, true)
+            JOIN written_edge e ON e.edge_id = a.edge_id
+            JOIN joined_node n ON n.node_id = CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END),
+    -- Two roads that meet lane to lane, where nobody waits or crosses, are joined without a junction.
+    joint AS MATERIALIZED (
+        SELECT place_id
+        FROM way_end
+        GROUP BY place_id
+        HAVING bool_and(meets AND traffic IS NULL AND edge_in <> edge_out)
+            AND min(least(edge_in, edge_out)) = max(least(edge_in, edge_out))
+            AND min(greatest(edge_in, edge_out)) = max(greatest(edge_in, edge_out))
+            AND max(run_in) = 0 AND max(run_out) = 0
+            AND min(in_end::integer) FILTER (WHERE edge_in < edge_out)
+                IS NOT DISTINCT FROM max(in_end::integer) FILTER (WHERE edge_in < edge_out)
+            AND count(DISTINCT (edge_in, i_in, in_end)) = count(*)
+            AND count(DISTINCT (edge_out, i_out, out_end)) = count(*)
+            AND place_id NOT IN (SELECT streetgen._held_places(model, options))
+            AND 2 = (SELECT count(*) FROM written_edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+                JOIN joined_node n USING (node_id) WHERE n.place_id = way_end.place_id)),
+    -- Where lanes meet in a junction, or go on beside their end, roads are cut back: a way of no length is none.
+    met AS MATERIALIZED (
+        SELECT edge_id, at_end, greatest(0.05, 2 * max(length)) AS cut
+        FROM way_end, LATERAL (VALUES (edge_in, in_end), (edge_out, out_end)) v(edge_id, at_end)
+        WHERE length < 2 AND place_id NOT IN (TABLE joint) GROUP BY edge_id, at_end),
+    -- CARLA does not tell the ends of a road apart that begins and ends at one junction: it is two, joined.
+    looped AS (
+        SELECT e.edge_id FROM written_edge e JOIN joined_node f ON f.node_id = e.from_node
+            JOIN joined_node t ON t.node_id = e.to_node
+        WHERE joining AND f.place_id = t.place_id AND f.place_id IN (SELECT place_id FROM way_end)),
+    -- The halves meet within the longest piece of the chain, where no border bends: at no plain share of it.
+    piece AS MATERIALIZED (
+        SELECT edge_id, run, nth, streetgen._file_id('edge', edge_id, (run + 5 * nth)::integer) AS road_id,
+            ARRAY[nth = 0, nth = last] AS ends, CASE nth WHEN 0 THEN first ELSE middle END AS since,
+            CASE nth WHEN last THEN final ELSE middle END AS until
+        FROM (SELECT w.edge_id, w.run, w.total, least(coalesce(f.cut, 0), w.total / 4) AS first,
+                w.total - least(coalesce(t.cut, 0), w.total / 4) AS final,
+                (w.edge_id IN (TABLE looped))::integer AS last, CASE WHEN w.edge_id IN (TABLE looped) THEN (
+                    SELECT greatest(least(since + 0.618034 * extent, 0.7 * w.total), 0.3 * w.total)
+                    FROM unnest(w.s, w.length) u(since, extent)
+                    ORDER BY extent DESC, since LIMIT 1) END AS middle
+            FROM whole w LEFT JOIN met f ON f.edge_id = w.edge_id AND NOT f.at_end
+                LEFT JOIN met t ON t.edge_id = w.edge_id AND t.at_end) w, generate_series(0, last) nth),
+    drawn AS MATERIALIZED (
+        SELECT p.road_id, p.nth, p.ends AS own_ends, w.*
+        FROM whole w JOIN piece p USING (edge_id, run) WHERE p.since = 0 AND p.until = w.total
+        UNION ALL
+        SELECT p.road_id, p.nth, p.ends, w.edge_id, w.run, w.before, w.lefts, w.lanes, w.types, w.positions, w.halves,
+            w.share_from + (w.share_to - w.share_from) * p.since / w.total,
+            w.share_from + (w.share_to - w.share_from) * p.until / w.total, d.*, p.until - p.since
+        FROM whole w JOIN piece p USING (edge_id, run), streetgen._road_part(w.s, w.x, w.y, w.heading, w.length,
+            w.curvature, w.curvature_end, w.station, w.border, p.since, p.until) d
+        WHERE p.since > 0 OR p.until < w.total),
     placed AS MATERIALIZED (
         SELECT lane_id, road_id, edge_id, i::integer AS i, v.at_end,
             CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number,
@@ -131,10 +188,27 @@ BEGIN
             CASE WHEN abs(lean) < 0.002 THEN 0 ELSE tan(lean) END AS lean, places[4 * i] AS width
         FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i),
             LATERAL (SELECT cardinality(heading) AS n) c,
-            LATERAL (VALUES (false, starts, heading[1]), (true, ends,
-                heading[n] + length[n] * (curvature[n] + curvature_end[n]) / 2)) v(at_end, places, across),
+            LATERAL (VALUES (false, own_ends[1], starts, heading[1]), (true, own_ends[2], ends,
+                heading[n] + length[n] * (curvature[n] + curvature_end[n]) / 2)) v(at_end, own, places, across),
             -- A lane of a taper leads aside of its road, across which it ends.
-            LATERAL (SELECT asin(sin(places[4 * i - 1] - across)) AS lean) w),
+            LATERAL (SELECT asin(sin(places[4 * i - 1] - across)) AS lean) w
+        WHERE own),
+    -- The lanes of a road at one end, and those of the road to which it is joined there.
+    joined AS MATERIALIZED (
+        SELECT a.road_id, a.at_end, min(b.road_id) AS other, bool_or(b.at_end) AS other_end,
+            array_agg(a.i) AS lanes, array_agg(b.number::integer) AS numbers
+        FROM (SELECT edge_in, i_in, in_end, edge_out, i_out, out_end FROM way_end WHERE place_id IN (TABLE joint)
+            UNION SELECT edge_out, i_out, out_end, edge_in, i_in, in_end FROM way_end
+            WHERE place_id IN (TABLE joint)) w
+            JOIN placed a ON (a.edge_id, a.i, a.at_end) = (edge_in, i_in, in_end)
+            JOIN placed b ON (b.edge_id, b.i, b.at_end) = (edge_out, i_out, out_end)
+        GROUP BY a.road_id, a.at_end
+        UNION ALL
+        SELECT d.road_id, NOT d.own_ends[2], o.road_id, d.own_ends[2], array_agg(i),
+            array_agg(CASE WHEN i <= d.lefts THEN d.lefts - i + 1 ELSE d.lefts - i END)
+        FROM drawn d JOIN drawn o ON (o.edge_id, o.run, o.nth) = (d.edge_id, d.run, 1 - d.nth),
+            LATERAL generate_series(1, cardinality(d.lanes)) i
+        WHERE NOT (d.own_ends[1] AND d.own_ends[2]) GROUP BY d.road_id, d.own_ends, o.road_id),
     way_road AS MATERIALIZED (
         SELECT streetgen._file_id(way_kind, way_id, (row_number() OVER (PARTITION BY way_kind, way_id
                 ORDER BY interconnections, a.road_id, b.road_id) - 1)::integer) AS road_id,
@@ -154,26 +228,34 @@ BEGIN
             JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
                 AND coalesce(b.half = k.along_out, true)
             JOIN written_edge e ON e.edge_id = a.edge_id,
-            LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w)
-    SELECT road_id, false, s, x, y, heading, length, curvature, curvature_end, total, edge_id, before::integer, lefts,
-        lanes, types, positions, halves, share_from, share_to, station, border, NULL, NULL::bigint, NULL::bigint,
-        NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL::float8, NULL::float8, NULL::bigint, NULL,
-        NULL::bigint, NULL::float8, NULL::float8, NULL::float8
-    FROM drawn
+            LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w
+        WHERE (k.way_kind, k.way_id) NOT IN (SELECT way_kind, way_id FROM way_end WHERE place_id IN (TABLE joint)))
+    SELECT d.road_id, false, s, x, y, heading, length, curvature, curvature_end, total, edge_id, before::integer,
+        lefts, d.lanes, types, positions, halves, share_from, share_to, station, border, NULL, NULL::bigint,
+        NULL::bigint, NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL::float8, NULL::float8,
+        NULL::bigint, NULL, NULL::bigint, NULL::float8, NULL::float8, NULL::float8, own_ends, ARRAY[f.other, t.other],
+        ARRAY[f.other_end, t.other_end], ARRAY(SELECT CASE WHEN at_end THEN t.numbers[array_position(t.lanes, i)]
+            ELSE f.numbers[array_position(f.lanes, i)] END
+            FROM (VALUES (false), (true)) v(at_end), generate_series(1, cardinality(d.lanes)) i ORDER BY at_end, i)
+    FROM drawn d LEFT JOIN joined f ON f.road_id = d.road_id AND NOT f.at_end
+        LEFT JOIN joined t ON t.road_id = d.road_id AND t.at_end
     UNION ALL
     SELECT w.road_id, true, d.*, d.s[cardinality(d.s)] + d.length[cardinality(d.s)], NULL, NULL, NULL, NULL, NULL, NULL,
         NULL, NULL, NULL, NULL, NULL, ways, road_in, road_out, number_in, number_out, in_end, out_end, width_in,
-        width_out, node_id, type, lane_in, speed, lean_in, lean_out
+        width_out, node_id, type, lane_in, speed, lean_in, lean_out, NULL, NULL, NULL, NULL
     FROM way_road w, streetgen._path_view(path, path_from, path_to, path_tolerance, greatest(width_in, width_out))
         d;
 END $$;
-COMMENT ON FUNCTION streetgen._opendrive_roads(name, jsonb) IS
+COMMENT ON FUNCTION streetgen._opendrive_roads(name, jsonb, boolean) IS
     'The roads of a file of OpenDRIVE, each with its chain (s to curvature_end) and its length (total). A road of an '
     'edge has its lanes from the left, lefts of them left of the centre lane, before others of the edge, and what '
     'streetgen._road_lanes gives; halves: of half a lane whether it is driven along the axis. A connecting one is of '
     'a way from lane to lane: the roads that it joins, the numbers and widths of their lanes and at which of their '
     'ends, node and speed. It begins and ends across these roads; a lane that leads aside there does so by as many '
-    'metres a metre, to the left of the way (lean_in, lean_out).';
+    'metres a metre, to the left of the way (lean_in, lean_out). joining: whether two roads that meet '
+    'lane to lane are joined, and one that begins and ends at one junction is two. own_ends: whether a road begins and '
+    'ends where its edge does; joined_road, joined_end, joined_numbers: at its start and its end the road to which it '
+    'is joined, at which of its ends, and the numbers of the lanes there.';
 
 CREATE OR REPLACE FUNCTION streetgen._lines_between(model name)
     RETURNS TABLE(edge_id bigint, lane_position integer, leftwards boolean, rightwards boolean, paint text)

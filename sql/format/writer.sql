@@ -25,7 +25,7 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         'points', 0, 10, NULL),
     ('tolerance', '{symuvia}', 'number', '0.1', 'm', 'how far a simplified line may leave that of the model; 0: all '
         'its points', 0, 10, NULL),
-    ('precision', '{opendrive}', 'integer', '4', 'digits', 'digits of a coordinate behind the point', 3, 8, NULL),
+    ('precision', '{opendrive}', 'integer', '7', 'digits', 'digits of a coordinate behind the point', 3, 8, NULL),
     ('tolerance', '{opendrive,lanelet2}', 'number', '0.05', 'm',
         'how far lines and arcs may leave the lines of the model', 0.001, 1, NULL),
     ('two_way_lanes', '{opendrive}', 'word', '"bidirectional"', '', 'what a lane for both directions is: one lane of '

@@ -1,6 +1,6 @@
 """What a file of OpenDRIVE says, by an evaluation of its own: opendrive.py FILE prints how many lanes, connecting roads and junctions there
 are, and the greatest gaps: within reference lines (m, degrees) and between linked lanes (m, degrees), and how many of them are wider than 1 cm or 0.1
-degrees; how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves; at last between how many linked lanes
+degrees; how many roads that a connecting road joins do not lead to its junction, or are connecting roads themselves, or are not linked back; at last between how many linked lanes
 borders lie over 1 cm apart, and how far (m). opendrive.py FILE --lanes prints a row "edge, lane number, polygon as WKT" of each lane instead, but sidewalks and the room beside lanes; opendrive.py FILE --beside a row
 "element, id, edge or empty, WKT" of each object, signal, sign and sidewalk. opendrive.py FILE --curves PATHS holds connecting roads against the paths of their
 interconnections (rows "id, WKT" of a file): how many turn over 45 degrees, their records on average, how many of them have an arc under 2 m where the path turns
@@ -139,20 +139,41 @@ def degrees_between(a, b):
     return abs(math.degrees(math.remainder(a - b, 2 * math.pi)))
 
 
+def links(roads):
+    """Lanes that are linked to a lane of another road: road, number and whether at its end, road, number and end of the other."""
+    for road in roads.values():
+        for end, at_end in (('predecessor', False), ('successor', True)):
+            link = road.element.find('link/' + end)
+            if link is None or link.get('elementType') != 'road':
+                continue
+            for number, lane in road.lanes.items():
+                if lane.find('link/' + end) is not None:
+                    yield (road, number, at_end), (roads[link.get('elementId')], int(lane.find('link/' + end).get('id')), link.get('contactPoint') == 'end')
+
+
 def joints(roads):
     """Gaps, metres and degrees, where lanes are linked."""
-    for road in roads.values():
-        if road.element.get('junction') == '-1':
-            continue
-        number = next(n for n in road.lanes if n != 0)
-        for end, at_end in (('predecessor', False), ('successor', True)):
-            link, lane = road.element.find('link/' + end), road.lanes[number].find('link/' + end)
-            other_end = link.get('contactPoint') == 'end'
-            x, y, heading, width = road.middle(number, at_end)
-            u, v, other, other_width = roads[link.get('elementId')].middle(int(lane.get('id')), other_end)
-            ours, theirs = road.corners(number, at_end), roads[link.get('elementId')].corners(int(lane.get('id')), other_end)
-            apart = min(max(map(math.dist, ours, order)) for order in (theirs, theirs[::-1]))
-            yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, other + (0 if at_end != other_end else math.pi)), apart
+    for (road, number, at_end), (other, other_number, other_end) in links(roads):
+        x, y, heading, width = road.middle(number, at_end)
+        u, v, turned, other_width = other.middle(other_number, other_end)
+        ours, theirs = road.corners(number, at_end), other.corners(other_number, other_end)
+        apart = min(max(map(math.dist, ours, order)) for order in (theirs, theirs[::-1]))
+        yield max(math.hypot(x - u, y - v), abs(width - other_width)), degrees_between(heading, turned + (0 if at_end != other_end else math.pi)), apart
+
+
+def movements(roads):
+    """Connecting roads, and lanes of one edge that go on as lanes of another."""
+    joined = sum(1 if road.lanes[number].get('type') == 'bidirectional' else 0.5
+                 for (road, number, _), (other, _, _) in links(roads) if None not in (road.edge, other.edge) and road.edge != other.edge)
+    return round(joined) + sum(road.edge is None for road in roads.values())
+
+
+def not_linked_back(roads):
+    """Lanes that are linked to a lane of a road without junction that is not linked to them."""
+    found = set((a[0].element, *a[1:], b[0].element, *b[1:]) for a, b in links(roads))
+    for a, b in links(roads):
+        if None not in (a[0].edge, b[0].edge) and (b[0].element, *b[1:], a[0].element, *a[1:]) not in found:
+            yield a[0].element.get('id')
 
 
 def grade_gaps(roads):
@@ -248,9 +269,12 @@ def main():
     chain = [(math.hypot(x - float(b.get('x')), y - float(b.get('y'))), degrees_between(heading, float(b.get('hdg'))))
              for road in roads.values() for a, b in zip(road.pieces, road.pieces[1:]) for x, y, heading in [place(a, float(a.get('length')))]]
     gaps = list(joints(roads))
-    lanes = sum(is_lane(lane) for road in roads.values() if road.edge is not None for lane in road.lanes.values())
-    print(lanes, len(gaps) // 2, len(tree.findall('junction')), *(f'{max((g[i] for g in found), default=0):.6f}' for found in (chain, gaps) for i in (0, 1)),
-          sum(metres > 0.01 or degrees > 0.1 for metres, degrees, _ in gaps), sum(1 for _ in not_of_junction(roads)),
+    # Of a road in two halves, which are joined, the lanes count once.
+    edges = {road.edge: road for road in reversed(roads.values()) if road.edge is not None}
+    halves = [a for (a, _, _), (b, _, _) in links(roads) if a.edge == b.edge and a is not edges[a.edge]]
+    lanes = sum(is_lane(lane) for road in roads.values() if road.edge is not None and not any(road is half for half in halves) for lane in road.lanes.values())
+    print(lanes, movements(roads), len(tree.findall('junction')), *(f'{max((g[i] for g in found), default=0):.6f}' for found in (chain, gaps) for i in (0, 1)),
+          sum(metres > 0.01 or degrees > 0.1 for metres, degrees, _ in gaps), sum(1 for _ in not_of_junction(roads)) + sum(1 for _ in not_linked_back(roads)),
           sum(apart > 0.01 for *_, apart in gaps), f'{max((apart for *_, apart in gaps), default=0):.3f}')
 
 

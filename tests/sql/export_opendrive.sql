@@ -71,6 +71,17 @@ SELECT 'its roads lie where they do on earth', max(ST_Distance(ST_Transform(ST_S
   FROM about_origin, written, LATERAL (SELECT (xpath('number(//offset/@y)', written.file))[1]::text::float8 AS y) o, unnest(pg_temp.texts('//road/@id', written.file)) id,
     LATERAL (SELECT ARRAY(SELECT (xpath('number(//road[@id="' || id || '"]//geometry[1]/@' || a || ')', about_origin.file))[1]::text::float8 FROM unnest('{x,y}'::text[]) a)) p(l),
     LATERAL (SELECT ARRAY(SELECT (xpath('number(//road[@id="' || id || '"]//geometry[1]/@' || a || ')', written.file))[1]::text::float8 FROM unnest('{x,y}'::text[]) a)) q(m);
+-- Two roads that meet lane to lane are joined, where nobody waits.
+SELECT FROM streetgen.create_model('in_line', 2154, subjects => '{interconnection,object}', driving_side => 'right') \g /dev/null
+INSERT INTO in_line.axis (axis_id, geom, width, direction) SELECT i, ST_SetSRID(ST_MakeLine(ST_MakePoint(650000 + 100 * i, 6860000), ST_MakePoint(650100 + 100 * i, 6860000)), 2154), CASE i WHEN 3 THEN 8 ELSE 7 END, 'both' FROM generate_series(1, 5) i;
+INSERT INTO in_line.axis (axis_id, geom, width, direction) VALUES (6, 'SRID=2154;LINESTRING(650600 6860030,650620 6860030,650620 6860010,650600 6860000)', 4, 'direct'), (7, 'SRID=2154;LINESTRING(650600 6860000,650600 6860030)', 7, 'both');
+INSERT INTO in_line.street_object (type, geom, axis_id, abscissa, axis_offset) VALUES ('crossing', 'SRID=2154;POINT(650500 6860000)', 4, 100, 0);
+CREATE TEMPORARY TABLE in_line_file AS SELECT pg_temp.file('in_line') AS file;
+CREATE FUNCTION pg_temp.road_of(axis bigint) RETURNS text LANGUAGE sql AS $$ SELECT '//road[@id="' || streetgen._file_id('edge', edge_id) || '"]' FROM in_line.edge WHERE axis_id = axis $$;
+SELECT 'roads of one width are joined', pg_temp.found(pg_temp.road_of(1) || '/link/successor[@elementType="road" and @contactPoint="start"]', file) = 1 AND pg_temp.found(pg_temp.road_of(2) || '/link/predecessor[@elementType="road" and @contactPoint="end"]', file) = 1 FROM in_line_file;
+SELECT 'lane to lane, either way', pg_temp.texts(pg_temp.road_of(1) || '//lane/link/successor/@id', file) = '{-1,1}' AND pg_temp.texts(pg_temp.road_of(2) || '//lane/link/predecessor/@id', file) = '{-1,1}' FROM in_line_file;
+SELECT 'those of two widths by a junction', pg_temp.found(pg_temp.road_of(2) || '/link/successor[@elementType="junction"]', file) = 1 AND pg_temp.found(pg_temp.road_of(4) || '/link/predecessor[@elementType="junction"]', file) = 1 FROM in_line_file;
+SELECT 'also where people cross', pg_temp.found(pg_temp.road_of(4) || '/link/successor[@elementType="junction"]', file) = 1 FROM in_line_file;
 SELECT FROM streetgen.create_model('beyond', 2154, driving_side => 'right') \g /dev/null
 SELECT setval(pg_get_serial_sequence('beyond.edge', 'edge_id'), 5000000000) \g /dev/null
 INSERT INTO beyond.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
@@ -147,7 +158,7 @@ CREATE FUNCTION pg_temp.rows_compared(model name, statements_of name) RETURNS fl
 DECLARE plan jsonb; known jsonb := streetgen._begin_export(model, 'opendrive', 'interconnection', '{}'); statement text := (SELECT substring(prosrc, 'RETURN QUERY (.*);\s*END') FROM pg_proc WHERE proname = statements_of);
 BEGIN
   PERFORM set_config('search_path', format('pg_catalog, %I, public', model), true);
-  EXECUTE 'EXPLAIN (ANALYZE, FORMAT JSON) ' || regexp_replace(regexp_replace(statement, '\moptions\M', quote_literal(known) || '::jsonb', 'g'), '\mmodel\M', quote_literal(model) || '::name', 'g') INTO plan;
+  EXECUTE 'EXPLAIN (ANALYZE, FORMAT JSON) ' || regexp_replace(regexp_replace(replace(statement, 'joining AND', 'true AND'), '\moptions\M', quote_literal(known) || '::jsonb', 'g'), '\mmodel\M', quote_literal(model) || '::name', 'g') INTO plan;
   RETURN (SELECT max(r::text::float8) FROM (SELECT jsonb_path_query(plan, '$.**."Rows Removed by Join Filter"') UNION ALL SELECT jsonb_path_query(plan, '$.**."Actual Rows"')) p(r));
 END $$;
 DO $$ BEGIN

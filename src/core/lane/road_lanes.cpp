@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/polyline.hpp"
+#include "lane/lane_limit.hpp"
 #include "streetgen/cancel.hpp"
 
 namespace streetgen {
@@ -187,6 +188,8 @@ std::vector<std::size_t> needed(const std::vector<double>& stations,
   return out;
 }
 
+}  // namespace
+
 LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
   const std::vector<double>&left = road.borders[lane], &right = road.borders[lane + 1];
   const std::size_t last = road.stations.size() - 1;
@@ -201,8 +204,6 @@ LaneLimit lane_limit(const RoadLanes& road, std::size_t lane, bool at_start) {
            heading + std::atan2(slope, 1 - curvature * off)},
           left[at] - right[at]};
 }
-
-}  // namespace
 
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance) {
   // The inner border of a tighter arc would turn back.

@@ -1,4 +1,5 @@
 // Elements of OpenDRIVE that are lists of numbers.
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,18 @@ Datum text_result(Work&& work) {
   report(outcome);
   return PointerGetDatum(
       cstring_to_text_with_len(slot->value->data(), static_cast<int>(slot->value->size())));
+}
+
+// A straight polynomial from a station on.
+struct Straight {
+  double at = 0, value = 0, slope = 0;
+};
+
+// Whether one says the same as the one before it, to the digits that are written.
+bool goes_on(const Straight& before, const Straight& next) {
+  constexpr double digit = 1e-4, slope_digit = 2e-6;
+  return std::abs(before.slope - next.slope) <= slope_digit &&
+         std::abs(before.value + before.slope * (next.at - before.at) - next.value) <= digit;
 }
 
 void append(std::string& text, const char* words, double value, int digits) {
@@ -93,11 +106,15 @@ STREETGEN_FUNCTION(streetgen_opendrive_change) {
     const std::vector<double> value = read_numbers(values, 1, "value");
     if (value.size() != at.size())
       throw Error(ErrorKind::invalid_input, "there is not a value for each station");
+    Straight before;
     for (std::size_t i = 1; i < at.size(); ++i) {
+      const Straight next{at[i - 1], value[i - 1], (value[i] - value[i - 1]) / (at[i] - at[i - 1])};
+      if (i > 1 && goes_on(before, next)) continue;
+      before = next;
       text.append("<").append(element).append(" ").append(place);
-      append(text, "=\"", at[i - 1], 7);
-      append(text, "\" a=\"", value[i - 1], 5);
-      append(text, "\" b=\"", (value[i] - value[i - 1]) / (at[i] - at[i - 1]), 9);
+      append(text, "=\"", next.at, 7);
+      append(text, "\" a=\"", next.value, 5);
+      append(text, "\" b=\"", next.slope, 9);
       text += "\" c=\"0\" d=\"0\"/>";
     }
   });

@@ -63,6 +63,23 @@ std::vector<PlanPiece> read_chain(const NumberArray (&columns)[chain_columns]) {
 
 double tolerance_of(double value) { return in_range(value, 1e-4, 1e3, "tolerance"); }
 
+// Those of its chain, stations, borders, and the places of lanes at both ends.
+NumberColumns columns_of(const RoadLanes& road) {
+  NumberColumns columns = columns_of(road.chain);
+  columns.push_back(road.stations);
+  columns.emplace_back();
+  for (const auto& border : road.borders)
+    columns.back().insert(columns.back().end(), border.begin(), border.end());
+  for (const auto* ends : {&road.starts, &road.ends}) {
+    columns.emplace_back();
+    for (const LaneLimit& end : *ends)
+      for (const double number :
+           {end.middle.point.x, end.middle.point.y, end.middle.heading, end.width})
+        columns.back().push_back(number);
+  }
+  return columns;
+}
+
 LanePart part_of(int number) {
   constexpr LanePart parts[] = {LanePart::whole, LanePart::left_half, LanePart::right_half};
   if (number < 0 || number > 2) throw Error(ErrorKind::invalid_input, "a part is 0, 1 or 2");
@@ -216,21 +233,38 @@ STREETGEN_FUNCTION(streetgen_road_lanes) {
     }
     const Line line = read_line(axis, "axis").line;
     auto course = course_beside(elements_of(alignment), line, in_range(reach, 0, 1e3, "reach"));
-    const RoadLanes road = course.empty() ? road_lanes(line, lanes, tolerance_of(tolerance))
-                                          : road_lanes(std::move(course), lanes);
-    NumberColumns& columns = *slot->value;
-    columns = columns_of(road.chain);
-    columns.push_back(road.stations);
-    columns.emplace_back();
-    for (const auto& border : road.borders)
-      columns.back().insert(columns.back().end(), border.begin(), border.end());
-    for (const auto* ends : {&road.starts, &road.ends}) {
-      columns.emplace_back();
-      for (const LaneLimit& end : *ends)
-        for (const double number :
-             {end.middle.point.x, end.middle.point.y, end.middle.heading, end.width})
-          columns.back().push_back(number);
-    }
+    *slot->value = columns_of(course.empty() ? road_lanes(line, lanes, tolerance_of(tolerance))
+                                             : road_lanes(std::move(course), lanes));
+  });
+  report(outcome);
+  give_row(*slot->value, result_of(fcinfo));
+  PG_RETURN_NULL();
+}
+
+// The columns of a chain, stations, values by border and station, and two stations.
+STREETGEN_FUNCTION(streetgen_road_part) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  NumberArray columns[chain_columns];
+  for (int i = 0; i < chain_columns; ++i) columns[i] = take_numbers(fcinfo, i);
+  const NumberArray station = take_numbers(fcinfo, chain_columns);
+  const NumberArray border = take_numbers(fcinfo, chain_columns + 1);
+  const double from = PG_GETARG_FLOAT8(chain_columns + 2);
+  const double to = PG_GETARG_FLOAT8(chain_columns + 3);
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
+  Slot<NumberColumns>* slot = make_slot<NumberColumns>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    slot->value = new NumberColumns;
+    RoadLanes road;
+    road.chain = read_chain(columns);
+    road.stations = read_numbers(station, 1, "station");
+    if (road.stations.size() < 2)
+      throw Error(ErrorKind::invalid_input, "there are not two stations");
+    if (!(from >= 0 && from < to)) throw Error(ErrorKind::invalid_input, "a part has no length");
+    const std::vector<double> values = read_numbers(border, road.stations.size(), "border");
+    for (auto at = values.begin(); at != values.end(); at += road.stations.size())
+      road.borders.emplace_back(at, at + road.stations.size());
+    *slot->value = columns_of(road_part(road, from, std::min(to, road.stations.back())));
   });
   report(outcome);
   give_row(*slot->value, result_of(fcinfo));

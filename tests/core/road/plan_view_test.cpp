@@ -232,6 +232,27 @@ TEST(RoadLanes, MayHaveHalfAGround) {
     for (int end = 0; end < 2; ++end) EXPECT_NEAR(road.borders[p][end], wanted[p][end], 1e-3);
 }
 
+// Parts of a road lie on it, and one begins where the other ends.
+TEST(RoadPart, LiesOnItsRoad) {
+  const Line axis{{0, 0}, {20, 0}, {30, 5}, {40, 30}};
+  const RoadLanes road = road_lanes(axis, {{{}, axis, 3}, {{}, {{0, -3}, {40, 27}}, 3}}, 0.05);
+  const double cut = 23.7;
+  const RoadLanes first = road_part(road, 0, cut), last = road_part(road, cut, length(road.chain));
+  EXPECT_NEAR(length(first.chain) + length(last.chain), length(road.chain), 1e-9);
+  for (double s = 0; s < length(road.chain); s += 0.37) {
+    const ChainPlace there = place_at(road.chain, s);
+    const ChainPlace here = s < cut ? place_at(first.chain, s) : place_at(last.chain, s - cut);
+    EXPECT_NEAR(distance(here.point, there.point), 0, 1e-9) << s;
+    EXPECT_NEAR(here.heading, there.heading, 1e-9) << s;
+  }
+  for (int lane = 0; lane < 2; ++lane) {
+    EXPECT_NEAR(distance(first.ends[lane].middle.point, last.starts[lane].middle.point), 0, 1e-9);
+    EXPECT_NEAR(first.ends[lane].middle.heading, last.starts[lane].middle.heading, 1e-9);
+    EXPECT_NEAR(first.ends[lane].width, last.starts[lane].width, 1e-9);
+    EXPECT_NEAR(distance(last.ends[lane].middle.point, road.ends[lane].middle.point), 0, 1e-9);
+  }
+}
+
 // A path that is led aside keeps to its line less and less: it is never farther than at its ends.
 TEST(PathBeside, LeadsToPlacesBesideItsEnds) {
   Line path;
