@@ -345,9 +345,14 @@ std::vector<Line> border_lines(const BorderCourse& course, const std::vector<Bor
     // A reader looks at the middle point, which is to lie about the middle.
     for (Line* line : {&left, &right}) *line = with_points_all_along(*line);
     if (are_bounds(left, right)) continue;
-    const double width = distance(left.front(), right.front());
-    (leftwards ? left : right) = round_a_nose(
-        leftwards ? left : right, middle_point(leftwards ? right : left), width, leftwards);
+    // A border between two lanes goes round none: it is outside of the one inside.
+    if (leftwards ? b > 1 : b + 1 < lines.size()) continue;
+    Line& inner = leftwards ? left : right;
+    const Point outside = middle_point(leftwards ? right : left);
+    inner = round_a_nose(inner, outside, distance(left.front(), right.front()), leftwards);
+    // A way that goes about in a ring narrower than its lane is straight.
+    if (!ends.empty() && !are_bounds(left, right))
+      for (Line* line : {&left, &right}) *line = {line->front(), line->back()};
   }
   return lines;
 }
