@@ -135,11 +135,13 @@ BEGIN
         SELECT l.name, string_agg('<lane index="' || index || coalesce('" allow="' || allow, '')
             || coalesce('" disallow="' || disallow, '') || '" width="' || round(l.width::numeric, digits)
             || coalesce('" shape="' || streetgen._coordinates(streetgen._at_least_long(l.line, 0.16), x, y, digits,
-                tolerance), '') || '">' || origin_id || '</lane>', '' ORDER BY index) AS elements
+                tolerance), '') || '">' || origin_id || '</lane>', '' ORDER BY index) AS elements,
+            -- Without it netconvert counts anew whenever it reads the network, by lanes that it leads on to corners.
+            greatest(avg(ST_Length(l.line)), 0.16) AS metres
         FROM origin, lane_line l JOIN sumo_edge USING (name) JOIN street USING (edge_id) GROUP BY l.name)
     SELECT 1, lane_group_id, concat('<edge id="', s.name, '" from="', comes_from, '" to="', goes_to, '" type="', type,
         '" priority="', priority, '" numLanes="', s.lane_count + walk, '" speed="',
-        round(e.speed::numeric / 3.6, 2), '"', named, ' spreadType="center',
+        round(e.speed::numeric / 3.6, 2), '"', named, ' length="', round(metres::numeric, 2), '" spreadType="center',
         '" shape="' || streetgen._coordinates(streetgen._at_least_long(line, 0.16), x, y, digits, 0.01), '">', elements,
         '<stopOffset value="' || round(back::numeric, digits) || '"/>',
         CASE WHEN s.until = 1 AND (s.edge_id, s.along_axis) IN (SELECT edge_id, along_axis FROM marking
