@@ -52,6 +52,57 @@ COMMENT ON FUNCTION streetgen._gltf_blocks(name, jsonb, float8, float8, float8, 
     'The data of a file of glTF: a row for each material of each square, or of each edge and node in it, counted from '
     'an origin. edges, nodes and about are those of one square alone; NULL: of all.';
 
+CREATE OR REPLACE FUNCTION streetgen._gltf_shape(kind text)
+    RETURNS TABLE(part integer, vertices bigint, indices bigint, lowest real[], highest real[], bytes bytea)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 2 AS 'MODULE_PATHNAME', 'streetgen_gltf_shape';
+COMMENT ON FUNCTION streetgen._gltf_shape(text) IS
+    'The shape of objects of a kind as data of glTF about its foot: its post (part 0) and its head (1), which looks to '
+    'the north. No row for what lies in the ground.';
+
+CREATE OR REPLACE FUNCTION streetgen._gltf_objects(model name, edges bigint[], about geometry, options jsonb)
+    RETURNS TABLE(name text, kind text, shape text, place geometry, angle float8)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    subjects constant text[] := streetgen._subjects(model);
+    written constant bigint[] := coalesce(edges, ARRAY(SELECT streetgen._written_edges(model, options)));
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'object' = ANY (subjects) THEN
+        RETURN QUERY WITH drawn AS MATERIALIZED (SELECT k.kind, k.drawn_as
+            FROM streetgen._drawn_kinds(model, 'street', 1) k WHERE k.layer = 'object')
+        SELECT o.type || '_' || o.street_object_id, coalesce(k.drawn_as, ''), coalesce(k.drawn_as, ''),
+            streetgen._raised_place(o.geom, h.geom), o.angle
+        FROM street_object o LEFT JOIN drawn k ON k.kind = o.type
+            CROSS JOIN LATERAL (SELECT n.edge_id FROM edge n WHERE ST_DWithin(n.geom, o.geom, 50)
+                ORDER BY n.geom <-> o.geom, n.edge_id LIMIT 1) e
+            LEFT JOIN streetgen._heights_along(model) h ON h.edge_id = e.edge_id
+        -- A control point lies on the axis, where its traffic obeys it.
+        WHERE e.edge_id = ANY (written) AND (about IS NULL OR o.geom && ST_Expand(about, 50))
+            AND GeometryType(o.geom) = 'POINT' AND o.control_point_id IS NULL
+            AND o.type <> ALL (_types_below('crossing') || _types_below('parking_bay'))
+        ORDER BY o.street_object_id;
+    END IF;
+    IF 'signal' = ANY (subjects) THEN
+        RETURN QUERY SELECT 'signal_' || s.lane_id, 'traffic_light'::text, 'signal'::text,
+            streetgen._raised_place(s.geom, h.geom), s.angle + 180
+        FROM signal_head s JOIN lane l USING (lane_id)
+            LEFT JOIN streetgen._heights_along(model) h ON h.edge_id = l.edge_id
+        WHERE l.edge_id = ANY (written) ORDER BY s.lane_id, s.along_axis;
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._gltf_objects(name, bigint[], geometry, jsonb) IS
+    'The objects and lights at edges about a box (NULL: those that options take): what they are drawn as, their shape, their '
+    'place (POINT Z) and where they look, degrees clockwise from north.';
+
+CREATE OR REPLACE FUNCTION streetgen._raised_place(place geometry, line geometry) RETURNS geometry
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
+    AS $$ SELECT ST_SetSRID(ST_MakePoint(ST_X(place), ST_Y(place), coalesce(ST_Z(ST_LineInterpolatePoint(line,
+        ST_LineLocatePoint(line, place))), 0)), ST_SRID(place)) $$;
+COMMENT ON FUNCTION streetgen._raised_place(geometry, geometry) IS
+    'A POINT with the height of the nearest place of a LINESTRING Z; 0 without one.';
+
 CREATE OR REPLACE FUNCTION streetgen._gltf_word(value bigint) RETURNS bytea
     LANGUAGE sql IMMUTABLE PARALLEL SAFE
     RETURN (SELECT string_agg(substring(int8send(value) FROM 8 - i FOR 1), '' ORDER BY i) FROM generate_series(0, 3) i);
@@ -75,13 +126,23 @@ DECLARE
     srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH block AS MATERIALIZED (
-        SELECT b.*, dense_rank() OVER (ORDER BY cell, edge_id, node_id) - 1 AS mesh,
+    RETURN QUERY WITH object AS MATERIALIZED (SELECT * FROM streetgen._gltf_objects(model, edges, about, options)),
+    every_material AS MATERIALIZED (SELECT * FROM streetgen._mesh_material(model)),
+    -- A shape is one mesh, however many objects have it.
+    block AS MATERIALIZED (
+        SELECT b.*, dense_rank() OVER (ORDER BY cell, edge_id, node_id, shape) - 1 AS mesh,
             row_number() OVER place - 1 AS number, sum(length(bytes)) OVER place - length(bytes) AS start
-        FROM streetgen._gltf_blocks(model, options, x, y, z, edges, nodes, about) b
-        WINDOW place AS (ORDER BY cell, edge_id, node_id, material)),
+        FROM (SELECT g.cell, g.edge_id, g.node_id, NULL::text AS shape, 0 AS part, g.material, g.vertices, g.indices,
+                g.lowest, g.highest, g.bytes
+            FROM streetgen._gltf_blocks(model, options, x, y, z, edges, nodes, about) g
+            UNION ALL SELECT NULL, NULL, NULL, k.shape, s.part, m.number, s.vertices, s.indices, s.lowest, s.highest,
+                s.bytes
+            FROM (SELECT DISTINCT o.kind, o.shape FROM object o) k CROSS JOIN LATERAL streetgen._gltf_shape(k.shape) s
+                CROSS JOIN LATERAL (SELECT m.number FROM every_material m WHERE m.layer = 'object'
+                    AND m.kind IN ('', CASE s.part WHEN 1 THEN k.kind ELSE '' END) ORDER BY m.kind DESC LIMIT 1) m) b
+        WINDOW place AS (ORDER BY cell, edge_id, node_id, shape, material, part)),
     material AS MATERIALIZED (
-        SELECT m.*, row_number() OVER (ORDER BY number) - 1 AS place FROM streetgen._mesh_material(model) m
+        SELECT m.*, row_number() OVER (ORDER BY number) - 1 AS place FROM every_material m
         WHERE number IN (SELECT material FROM block)),
     size AS (SELECT sum(length(bytes))::bigint AS bytes FROM block),
     view AS NOT MATERIALIZED (
@@ -93,7 +154,8 @@ BEGIN
             (3, 32 * vertices, 4 * indices, 34963, 5125, indices, 'SCALAR', NULL, NULL))
             a(k, after, bytes, target, component, count, type, low, high)),
     mesh AS (
-        SELECT mesh AS number, coalesce('edge_' || edge_id, 'node_' || node_id, 'cell_' || cell) AS name,
+        SELECT mesh AS number, shape, coalesce('edge_' || edge_id, 'node_' || node_id, 'cell_' || cell,
+                nullif(shape, ''), 'object') AS name,
             CASE WHEN num_nonnulls(edge_id, node_id) > 0 THEN json_build_object('edge_id', edge_id, 'node_id', node_id,
                 'name', min(a.name), 'class', min(a.kind)) END AS extras,
             json_agg(json_build_object('attributes', json_build_object('POSITION', 4 * number,
@@ -102,12 +164,19 @@ BEGIN
         FROM (SELECT b.*, m.place FROM block b JOIN material m ON m.number = material) b LEFT JOIN (
             SELECT edge_id, streetgen._xml_text(name) AS name, streetgen._xml_text(kind) AS kind
             FROM edge JOIN axis USING (axis_id)) a USING (edge_id)
-        GROUP BY mesh, cell, edge_id, node_id),
+        GROUP BY mesh, cell, edge_id, node_id, shape),
+    node AS MATERIALIZED (
+        SELECT number, json_strip_nulls(json_build_object('name', name, 'mesh', number, 'extras', extras)) AS node
+        FROM mesh WHERE shape IS NULL
+        UNION ALL SELECT (SELECT count(*) FROM mesh WHERE shape IS NULL) + row_number() OVER () - 1,
+            json_build_object('name', streetgen._xml_text(o.name), 'mesh', m.number, 'translation', json_build_array(
+                round((ST_X(o.place) - x)::numeric, 3), round((ST_Z(o.place) - z)::numeric, 3),
+                round((y - ST_Y(o.place))::numeric, 3)), 'rotation', json_build_array(0,
+                round(sind(-turned / 2)::numeric, 6), 0, round(cosd(turned / 2)::numeric, 6)))
+        FROM object o JOIN mesh m ON m.shape = o.shape CROSS JOIN LATERAL (SELECT coalesce(o.angle, 0) AS turned) t),
     -- A list of thousands of elements in one value would be copied many times: it is written piece by piece.
     element AS (
-        SELECT 2 AS turn, number, number::text AS text FROM mesh
-        UNION ALL SELECT 4, number, json_strip_nulls(json_build_object('name', name, 'mesh', number, 'extras', extras))
-            ::text FROM mesh
+        SELECT 2 AS turn, number, number::text AS text FROM node UNION ALL SELECT 4, number, node::text FROM node
         UNION ALL SELECT 6, number, json_build_object('name', name, 'primitives', primitives)::text FROM mesh
         UNION ALL SELECT 8, 4 * number + k, json_strip_nulls(json_build_object('bufferView', 4 * number + k,
             'componentType', component, 'count', count, 'type', type, 'min', low, 'max', high))::text FROM view
@@ -163,6 +232,8 @@ COMMENT ON FUNCTION streetgen.export_gltf(name, jsonb) IS
     'tolerance. Heights, normals and texture coordinates, metres, are those of streetgen.road_mesh. x is to the east, '
     'y up, z to the south. Positions are floats, counted from an origin that extras of the asset name with the SRID; a '
     'float resolves a millimetre ten kilometres from there. A node is a square of 500 m, or by option nodes each edge '
-    'and each node of the model, whose extras have its id, name and class. options as '
+    'and each node of the model, whose extras have its id, name and class. An object (subject object) is a node with '
+    'the mesh of its kind: tree, lamp, sign, bollard and others; so are signals (signal), which hang over their lanes. '
+    'options as '
     'streetgen.export_option() lists them: an unknown one, or no edge that they take: 22023. A caller who may not read '
     'the model: 42501. What is stale is written as it was, with a warning.';

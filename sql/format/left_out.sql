@@ -2,7 +2,7 @@
 
 CREATE OR REPLACE FUNCTION streetgen._format_content()
     RETURNS TABLE(content text, subject text, formats text[], written boolean)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 9 SET search_path = pg_catalog
     AS $$ VALUES
     ('signals', 'signal', '{sumo,symuvia,opendrive,lanelet2}'::text[], true),
     ('pedestrian crossings', 'sidewalk', '{sumo}', true),
@@ -10,7 +10,8 @@ CREATE OR REPLACE FUNCTION streetgen._format_content()
     ('streets with sidewalks', 'sidewalk', '{sumo,opendrive,lanelet2,cityjson,gltf,tiles,wavefront,dxf}', true),
     ('streets above or below the ground', 'height', '{opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', true),
     ('tracks', 'rail', '{sumo,symuvia,opendrive,lanelet2,cityjson,gltf,tiles,wavefront}', false),
-    ('objects', 'object', '{symuvia,lanelet2,cityjson,gltf,tiles,wavefront}', false) $$;
+    ('objects', 'object', '{gltf,tiles}', true),
+    ('objects', 'object', '{symuvia,lanelet2,cityjson,wavefront}', false) $$;
 COMMENT ON FUNCTION streetgen._format_content() IS
     'What formats write of a model with a subject (written), and what they do not write of a model with that subject.';
 

@@ -8,11 +8,12 @@ CREATE OR REPLACE FUNCTION streetgen._mesh_layer()
     ('sidewalk', false, 0.15, 0.8), ('kerb', NULL, NULL, 0.7),
     ('side_strip', true, 0.152, 0.9), ('bay', true, 0.152, 0.9), ('lane', true, 0.002, 0.9),
     ('lane_separator', true, 0.005, 0.5), ('marking', true, 0.005, 0.5), ('rim_marking', true, 0.005, 0.5),
-    ('crossing', true, 0.005, 0.5), ('bus_stop_box', true, 0.006, 0.5), ('refuge', true, 0.006, 0.8) $$;
+    ('crossing', true, 0.005, 0.5), ('bus_stop_box', true, 0.006, 0.5), ('refuge', true, 0.006, 0.8),
+    ('object', NULL, NULL, 0.8) $$;
 COMMENT ON FUNCTION streetgen._mesh_layer() IS
     'What a mesh of streets consists of, each a layer of symbol_rule: ground, or what covers ground (paint); what it '
     'is raised above the roadway, metres; and its roughness. Where streets have heights, covers lie higher by twice '
-    'the tolerance. A kerb closes the step between raised ground and the roadway.';
+    'the tolerance. A kerb closes the step between raised ground and the roadway, and objects stand on it.';
 
 CREATE OR REPLACE FUNCTION streetgen._mesh_material(model name)
     RETURNS TABLE(number integer, layer text, kind text, name text, fill text, roughness float8)

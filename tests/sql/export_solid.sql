@@ -79,6 +79,20 @@ SELECT 'paint lies above the roadway, by 5 mm and, where there are heights, twic
 SELECT 'a node for each street, with its id and name', (SELECT array_agg(n ->> 'name' ORDER BY n ->> 'name') FROM jsonb_array_elements(told -> 'nodes') n) = (SELECT array_agg(road ORDER BY road) FROM (SELECT DISTINCT road FROM face) f)
     AND (SELECT n #>> '{extras,name}' FROM jsonb_array_elements(told -> 'nodes') n WHERE n -> 'extras' -> 'edge_id' = '1') = 'a "<&' FROM (SELECT pg_temp.told(pg_temp.file('town', '{"nodes": "street"}')) AS told) f;
 
+-- Objects: a mesh for each kind, a node for each object.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('furnished', 2154, 3, subjects => '{object}');
+  INSERT INTO furnished.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000 10, 650100 6860000 20)', 9);
+  INSERT INTO furnished.street_object (type, geom) VALUES ('tree', 'SRID=2154;POINT(650020 6860008)'), ('tree', 'SRID=2154;POINT(650040 6860008)'), ('lamp', 'SRID=2154;POINT(650030 6859992)'), ('manhole', 'SRID=2154;POINT(650050 6860000)');
+  INSERT INTO furnished.control_point (geom, kind) VALUES ('SRID=2154;POINT(650070 6860000)', 'stop');
+END $$;
+CREATE TEMPORARY TABLE stands AS SELECT n ->> 'name' AS name, told #>> ARRAY['meshes', n ->> 'mesh', 'name'] AS mesh, n, ordinality - 1 AS number FROM pg_temp.told(pg_temp.file('furnished', '{"origin": [650000, 6860000, 0]}')) told, jsonb_array_elements(told -> 'nodes') WITH ORDINALITY e(n, ordinality);
+SELECT 'an object is a node with the mesh of its kind; none lies in the ground or is a control point', (SELECT array_agg(mesh || ' ' || name ORDER BY name) FROM stands WHERE n ? 'translation') = ARRAY(SELECT type || ' ' || type || '_' || street_object_id FROM furnished.street_object WHERE type IN ('lamp', 'tree') ORDER BY type || '_' || street_object_id);
+SELECT 'it stands in its place, as high as its street', count(*) = 3 AND bool_and(abs((n #>> '{translation,0}')::float8 - (ST_X(o.geom) - 650000)) < 1e-3 AND abs((n #>> '{translation,2}')::float8 + (ST_Y(o.geom) - 6860000)) < 1e-3
+    AND abs((n #>> '{translation,1}')::float8 - (10 + (ST_X(o.geom) - 650000) / 10)) < 0.01) FROM stands JOIN furnished.street_object o ON name = type || '_' || street_object_id;
+SELECT 'and looks where it does, clockwise from north', bool_and(abs(sind(o.angle / 2) + (n #>> '{rotation,1}')::float8) < 1e-5) FROM stands JOIN furnished.street_object o ON name = type || '_' || street_object_id;
+SELECT 'all nodes are of the scene', (SELECT array_agg(r::integer ORDER BY r::integer) FROM jsonb_array_elements_text(told #> '{scenes,0,nodes}') r) = (SELECT array_agg(number::integer ORDER BY number) FROM stands) FROM pg_temp.told(pg_temp.file('furnished')) told;
+
 -- Wavefront: vertices, texture coordinates, normals and faces.
 CREATE FUNCTION pg_temp.object(model name, options jsonb DEFAULT '{}') RETURNS SETOF text[] LANGUAGE sql AS $$ SELECT string_to_array(r, ' ') FROM (SELECT line FROM streetgen.export_wavefront(model, 'objects', options) ORDER BY ordinality) l, regexp_split_to_table(line, E'\n') r $$;
 CREATE TEMPORARY TABLE word AS SELECT row_number() OVER () AS n, w FROM pg_temp.object('town', '{"origin": "middle"}') w;

@@ -1,5 +1,5 @@
 // streetgen._road_mesh, _gltf_mesh and _indexed_mesh: the triangles of surfaces, with the heights
-// of axes.
+// of axes; and _gltf_shape: those of objects.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -10,8 +10,10 @@
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "streetgen/gltf_mesh.hpp"
 #include "streetgen/indexed_mesh.hpp"
+#include "streetgen/object_shape.hpp"
 #include "streetgen/surface_mesh.hpp"
 #include "value/decimal.hpp"
 #include "value/line_array.hpp"
@@ -180,6 +182,23 @@ Datum integer_list(const std::vector<int>& values, Oid type) {
   return array;
 }
 
+// Rows of _gltf_mesh and _gltf_shape: a number, and the data of its mesh.
+Datum give_packed(FunctionCallInfo fcinfo, const std::map<int, GltfMesh>& packed) {
+  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
+  for (const auto& [part, mesh] : packed) {
+    Datum values[6] = {Int32GetDatum(part),
+                       Int64GetDatum(mesh.vertices),
+                       Int64GetDatum(mesh.indices),
+                       floats_datum(mesh.least.data(), 3),
+                       floats_datum(mesh.most.data(), 3),
+                       bytes_datum(mesh.bytes)};
+    bool nulls[6] = {};
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+    for (int i = 3; i < 6; ++i) pfree(DatumGetPointer(values[i]));
+  }
+  PG_RETURN_NULL();
+}
+
 }  // namespace
 
 }  // namespace streetgen::pg
@@ -268,17 +287,22 @@ STREETGEN_FUNCTION(streetgen_gltf_mesh) {
         (*slot->value)[part] = std::move(packed);
   });
   report(outcome);
-  auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
-  for (const auto& [part, mesh] : *slot->value) {
-    Datum values[6] = {Int32GetDatum(part),
-                       Int64GetDatum(mesh.vertices),
-                       Int64GetDatum(mesh.indices),
-                       floats_datum(mesh.least.data(), 3),
-                       floats_datum(mesh.most.data(), 3),
-                       bytes_datum(mesh.bytes)};
-    bool nulls[6] = {};
-    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
-    for (int i = 3; i < 6; ++i) pfree(DatumGetPointer(values[i]));
-  }
-  PG_RETURN_NULL();
+  return give_packed(fcinfo, *slot->value);
+}
+
+STREETGEN_FUNCTION(streetgen_gltf_shape) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
+  const std::string_view kind = take_bytes(fcinfo, 0);
+  using Packed = std::map<int, GltfMesh>;
+  Slot<Packed>* slot = make_slot<Packed>(CurrentMemoryContext);
+  const Outcome outcome = compute([&] {
+    const ObjectShape shape = object_shape(std::string(kind));
+    slot->value = new Packed;
+    if (!shape.post.triangles.empty()) (*slot->value)[0] = gltf_mesh({&shape.post}, {});
+    if (!shape.head.triangles.empty()) (*slot->value)[1] = gltf_mesh({&shape.head}, {});
+  });
+  report(outcome);
+  return give_packed(fcinfo, *slot->value);
 }
