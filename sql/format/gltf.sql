@@ -93,8 +93,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._gltf_objects(name, bigint[], geometry, jsonb) IS
-    'The objects and lights at edges about a box (NULL: those that options take): what they are drawn as, their shape, their '
-    'place (POINT Z) and where they look, degrees clockwise from north.';
+    'The objects and lights at edges about a box (NULL: those that options take): what they are drawn as, their shape, '
+    'their place (POINT Z) and where they look, degrees clockwise from north.';
 
 CREATE OR REPLACE FUNCTION streetgen._raised_place(place geometry, line geometry) RETURNS geometry
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public

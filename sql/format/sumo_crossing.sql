@@ -10,10 +10,10 @@ DECLARE
     inside bigint[];
     rings bigint[];
 BEGIN
+    PERFORM streetgen._use_model(model);
     IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    PERFORM streetgen._use_model(model);
     inside := streetgen._edges_within_junctions(model);
     rings := ARRAY(SELECT r.edge_id FROM streetgen._ring_edges(model) r);
     RETURN QUERY WITH place AS MATERIALIZED (SELECT * FROM streetgen._places(model, options)),
