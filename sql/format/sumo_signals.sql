@@ -75,14 +75,21 @@ BEGIN
     shown AS (
         SELECT controller_id, starts, string_agg(sign, '' ORDER BY turn, number) AS signs
         FROM sign WHERE controller_id IN (SELECT controller_id FROM link) GROUP BY controller_id, starts)
-    SELECT 1, controller_id, xmlelement(name "tlLogic", xmlattributes(controller_id AS id, 'static'
-            AS type, 'streetgen' AS "programID", round(min(c.start_offset)) AS "offset"),
+    SELECT 1, controller_id, xmlelement(name "tlLogic", xmlattributes(controller_id AS id,
+            options ->> 'programs' AS type, 'streetgen' AS "programID", round(min(c.start_offset)) AS "offset"),
         -- Tools of SUMO read whole seconds: what is beyond goes to the next phase, and the cycle lasts as long.
-        xmlagg(xmlelement(name phase, xmlattributes(round(s.ends) - round(s.starts) AS duration, signs AS state))
-            ORDER BY s.starts))::text
+        xmlagg(xmlelement(name phase, xmlattributes(seconds AS duration, signs AS state,
+            -- Detectors end a green after 5 s where nobody walks, and prolong it by half.
+            CASE WHEN adapts AND NOT walks THEN least(seconds, 5) WHEN adapts THEN seconds END AS "minDur",
+            CASE WHEN adapts THEN ceil(1.5 * seconds) END AS "maxDur")) ORDER BY s.starts))::text
     FROM shown JOIN part s USING (controller_id, starts)
         JOIN streetgen._signal_controllers(model) c USING (controller_id)
-    WHERE round(s.ends) > round(s.starts)
+        JOIN (SELECT t.controller_id, t.ordinality, t.ends AS state_ends, EXISTS (SELECT FROM walked w
+                WHERE w.controller_id = t.controller_id AND w.starts < t.ends AND w.until > t.starts) AS walks
+            FROM timed t) t USING (controller_id, ordinality)
+        CROSS JOIN LATERAL (SELECT round(s.ends) - round(s.starts) AS seconds,
+            options ->> 'programs' = 'actuated' AND s.kind = 'green' AND s.ends = t.state_ends AS adapts) d
+    WHERE seconds > 0
     GROUP BY controller_id
     UNION ALL SELECT 2, controller_id, xmlelement(name connection, xmlattributes(name_in AS "from", name_out AS "to",
         index_in AS "fromLane", index_out AS "toLane", controller_id AS tl, number AS "linkIndex"))::text

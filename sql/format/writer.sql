@@ -28,6 +28,8 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
     ('precision', '{opendrive}', 'integer', '7', 'digits', 'digits of a coordinate behind the point', 3, 8, NULL),
     ('tolerance', '{opendrive,lanelet2}', 'number', '0.05', 'm',
         'how far lines and arcs may leave the lines of the model', 0.001, 1, NULL),
+    ('programs', '{sumo}', 'word', '"static"', '', 'whether signals keep their times, or end and prolong their greens '
+        'as detectors say', NULL, NULL, '{static,actuated}'),
     ('two_way_lanes', '{opendrive}', 'word', '"bidirectional"', '', 'what a lane for both directions is: one lane of '
         'type bidirectional, or a lane of type driving each way, half as wide', NULL, NULL, '{bidirectional,driving}'),
     ('georeference', '{opendrive}', 'word', '"srid"', '', 'where coordinates count: in the SRID of the model, '

@@ -130,6 +130,11 @@ BEGIN;
 UPDATE foot.signal_state SET duration = duration + 0.6 WHERE ordinality IN (1, 2);
 SELECT 'a fraction goes to the next phase, and the cycle lasts as long', bool_and(d ~ '^[0-9]+$') AND sum(d::float8) = (SELECT round(sum(duration)) FROM foot.signal_state) FROM unnest(xpath('//@duration', pg_temp.file('foot', 'tlLogics'))) u, LATERAL (SELECT u::text AS d) t;
 ROLLBACK;
+CREATE TEMPORARY VIEW adapted AS SELECT model, (xpath('string(/phase/@duration)', p))[1]::text::float8 AS duration, nullif((xpath('string(/phase/@minDur)', p))[1]::text, '')::float8 AS least, nullif((xpath('string(/phase/@maxDur)', p))[1]::text, '')::float8 AS most,
+    (xpath('string(/phase/@state)', p))[1]::text AS state FROM (VALUES ('foot'::name), ('wide')) m(model), unnest(xpath('//tlLogic[@type="actuated"]/phase', pg_temp.file(model, 'tlLogics', '{"programs": "actuated"}'))) p;
+SELECT model || ': programs follow detectors within bounds', count(least) > 0 AND count(least) < count(*) AND bool_and(least <= duration AND duration <= most AND least >= least(duration, 5)) FROM adapted GROUP BY model;
+SELECT model || ': no amber and no all red changes', bool_and(least IS NULL) FROM adapted WHERE state ~ 'y' OR state !~ '[Gg]' GROUP BY model;
+SELECT 'where people walk greens are not cut', bool_and(least = duration) AND count(*) > 0 FROM adapted WHERE model = 'foot' AND least IS NOT NULL AND right(state, 4) ~ 'G';
 SELECT model || ': each crossing has green, and then nobody drives in from there or straight out', bool_and(i >= first) FILTER (WHERE stopped) AND count(DISTINCT i) FILTER (WHERE stopped) = 4 FROM (
   SELECT model, i, first, substr(state, i + 1, 1) = 'G' AND NOT EXISTS (SELECT FROM unnest(xpath('//connection', s.f)) k, LATERAL (SELECT (xpath('string(/connection/@from)', k))[1]::text AS a, (xpath('string(/connection/@to)', k))[1]::text AS b,
       (xpath('string(/connection/@linkIndex)', k))[1]::text::integer AS link) l, unnest(string_to_array((xpath(format('string(//crossing[@linkIndex="%s"]/@edges)', i), pg_temp.file(model, 'connections')))[1]::text, ' ')) e
