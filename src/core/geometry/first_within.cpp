@@ -13,7 +13,8 @@ namespace {
 
 struct CellHash {
   std::size_t operator()(const GridCell& cell) const {
-    return static_cast<std::size_t>(cell.x * 0x9e3779b97f4a7c15LL ^ cell.y * 0x517cc1b727220a95LL);
+    return static_cast<std::uint64_t>(cell.x) * 0x9e3779b97f4a7c15 ^
+           static_cast<std::uint64_t>(cell.y) * 0x517cc1b727220a95;
   }
 };
 
