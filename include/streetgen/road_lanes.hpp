@@ -35,14 +35,16 @@ struct RoadLanes {
 };
 
 // The lanes of a road, given from the left to the right, across the chain of lines and arcs that
-// follows `axis` by `tolerance` metres, with arcs as wide as half the road where there is room.  Of two that leave a gap or overlap, the border is in the
-// middle.  None is narrower than a millimetre.  An axis without length, or no lane: no station.
+// follows `axis` by `tolerance` metres, with arcs as wide as half the road where there is room.  Of
+// two that leave a gap or overlap, the border is in the middle.  None is narrower than a
+// millimetre. An axis without length, or no lane: no station.
 RoadLanes road_lanes(const Line& axis, const std::vector<LaneGround>& lanes, double tolerance);
 
 // The same across a chain that is known.
 RoadLanes road_lanes(std::vector<PlanPiece> chain, const std::vector<LaneGround>& lanes);
 
 // The part of a road between two stations, `from` before `to`, counted from its own beginning.
+// Beside the chain there is none: no station.
 RoadLanes road_part(const RoadLanes& road, double from, double to);
 
 }  // namespace streetgen

@@ -21,7 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen._height_curve(station float8[], height floa
 COMMENT ON FUNCTION streetgen._height_curve(float8[], float8[], float8) IS
     'Heights at increasing stations as polynomials a + b ds + c ds^2 + d ds^3 from stations s, in one row of arrays: '
     'as few as pass each height by tolerance (metres), without breaks of grade, but where one needs more than that '
-    'to vanish. Arrays of different length: 22023. Fewer than two stations: no row.';
+    'to vanish. Arrays of different length, other stations: 22023. Fewer than two: no row.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_climb(length float8, height_from float8, grade_from float8,
     height_to float8, grade_to float8) RETURNS text

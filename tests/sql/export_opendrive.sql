@@ -12,6 +12,10 @@ SELECT 'a path is as few arcs as it needs', (SELECT count(*) = 2 AND min(abs(1 /
 SELECT 'its arcs are wider than half the lane', (SELECT bool_and(abs(curvature) < 1 / 3.9) FROM streetgen.path_view('LINESTRING(0 0,30 0)', 0.6, 0, 8));
 SELECT 'a path that is none, and a lane of no width, are refused', test.state($$SELECT FROM streetgen.path_view('POINT(0 0)', 0, 0)$$) = '22023' AND test.state($$SELECT FROM streetgen.path_view('LINESTRING(0 0,1 0)', 0, 0, 0)$$) = '22023'
   AND test.state($$SELECT FROM streetgen.path_view('LINESTRING(0 0,1 0)', 'NaN', 0)$$) = '22023' AND NOT EXISTS (SELECT FROM streetgen.path_view('LINESTRING(0 0,1 0)', NULL, 0));
+SELECT 'a part beyond its road, of no chain, or before it, is refused: ' || since, test.state(format('SELECT FROM streetgen._road_part(%1$L, %1$L, %1$L, %1$L, %2$L, %1$L, %1$L, ''{0,10}'', ''{1,1,-1,-1}'', %3$s, 20)', zero, length, since)) = '22023'
+  FROM (VALUES ('{0}', '{10}', 10.0), ('{}', '{}', 0), ('{0}', '{0}', 1), ('{0}', '{10}', -1)) v(zero, length, since);
+SELECT 'a path between places without x, y and heading is refused', test.state($$SELECT FROM streetgen._path_view(ST_AsEWKB('LINESTRING(0 0,1 1)'::geometry), '{}', '{1,1,1}', 0.1, 3)$$) = '22023' AND test.state($$SELECT FROM streetgen._path_view(ST_AsEWKB('LINESTRING(0 0,1 1)'::geometry), '{0,0,0}', '{1,1,1}', 0.1, 3)$$) = 'none';
+SELECT 'heights at stations that do not increase are refused', test.state($$SELECT streetgen._height_curve('{0,0,1}', '{1,2,3}', 0.01)$$) = '22023' AND test.state($$SELECT streetgen._height_curve('{0,1}', '{1,2}', 0.01)$$) = 'none';
 SELECT 'NULL for anything is no row', NOT EXISTS (SELECT FROM streetgen.plan_view(NULL)) AND NOT EXISTS (SELECT FROM streetgen.plan_view('LINESTRING(0 0,1 0)', NULL));
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 2154, driving_side => 'right'), streetgen.create_model('left_town', 2154, driving_side => 'left'), streetgen.create_model('bare', 2154, subjects => '{}');

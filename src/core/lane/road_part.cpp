@@ -41,6 +41,7 @@ double value_at(const std::vector<double>& stations, const std::vector<double>& 
 RoadLanes road_part(const RoadLanes& road, double from, double to) {
   RoadLanes part;
   part.chain = chain_part(road.chain, from, to);
+  if (part.chain.empty()) return {};
   part.stations.push_back(0);
   for (const double s : road.stations)
     if (s > from && s < to) part.stations.push_back(s - from);

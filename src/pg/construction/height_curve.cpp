@@ -26,6 +26,9 @@ STREETGEN_FUNCTION(streetgen_height_curve) {
     const std::vector<double> heights = read_numbers(height, 1, "height");
     if (heights.size() != stations.size())
       throw Error(ErrorKind::invalid_input, "there is not a height for each station");
+    for (std::size_t i = 1; i < stations.size(); ++i)
+      if (!(stations[i] > stations[i - 1]))
+        throw Error(ErrorKind::invalid_input, "stations do not increase");
     slot->value = new NumberColumns(5);
     for (const HeightPiece& piece :
          height_curve(stations, heights, in_range(tolerance, 1e-6, 1e3, "tolerance"))) {

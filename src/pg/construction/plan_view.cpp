@@ -61,6 +61,15 @@ std::vector<PlanPiece> read_chain(const NumberArray (&columns)[chain_columns]) {
   return chain;
 }
 
+// x, y and heading.
+ChainPlace read_place(const NumberArray& array, const std::string& name) {
+  const std::vector<double> numbers = read_numbers(array, 3, name);
+  if (numbers.size() != 3)
+    throw Error(ErrorKind::invalid_input, name + " has " + std::to_string(numbers.size()) +
+                                              " numbers, expected x, y and a heading");
+  return {{numbers[0], numbers[1], 0}, numbers[2]};
+}
+
 double tolerance_of(double value) { return in_range(value, 1e-4, 1e3, "tolerance"); }
 
 // Those of its chain, stations, borders, and the places of lanes at both ends.
@@ -122,10 +131,8 @@ STREETGEN_FUNCTION(streetgen_path_view) {
   Slot<NumberColumns>* slot = make_slot<NumberColumns>(CurrentMemoryContext);
   const Outcome outcome = compute([&] {
     slot->value = new NumberColumns;
-    const std::vector<double> a = read_numbers(from, 3, "place_from");
-    const std::vector<double> b = read_numbers(to, 3, "place_to");
-    const auto chain = path_view(read_line(path, "path").line, {{a.at(0), a.at(1), 0}, a.at(2)},
-                                 {{b.at(0), b.at(1), 0}, b.at(2)}, tolerance_of(tolerance),
+    const auto chain = path_view(read_line(path, "path").line, read_place(from, "place_from"),
+                                 read_place(to, "place_to"), tolerance_of(tolerance),
                                  in_range(lane_width, 1e-3, 1e3, "lane_width"));
     *slot->value = columns_of(chain);
   });
@@ -260,11 +267,13 @@ STREETGEN_FUNCTION(streetgen_road_part) {
     road.stations = read_numbers(station, 1, "station");
     if (road.stations.size() < 2)
       throw Error(ErrorKind::invalid_input, "there are not two stations");
-    if (!(from >= 0 && from < to)) throw Error(ErrorKind::invalid_input, "a part has no length");
+    if (!(from >= 0)) throw Error(ErrorKind::invalid_input, "a part begins before its road");
     const std::vector<double> values = read_numbers(border, road.stations.size(), "border");
     for (auto at = values.begin(); at != values.end(); at += road.stations.size())
       road.borders.emplace_back(at, at + road.stations.size());
-    *slot->value = columns_of(road_part(road, from, std::min(to, road.stations.back())));
+    const RoadLanes part = road_part(road, from, std::min(to, road.stations.back()));
+    if (part.chain.empty()) throw Error(ErrorKind::invalid_input, "a part has no length");
+    *slot->value = columns_of(part);
   });
   report(outcome);
   give_row(*slot->value, result_of(fcinfo));

@@ -253,6 +253,15 @@ TEST(RoadPart, LiesOnItsRoad) {
   }
 }
 
+// Beside the chain there is no part.
+TEST(RoadPart, NeedsAChain) {
+  const Line axis{{0, 0}, {10, 0}};
+  const RoadLanes road = road_lanes(axis, {{{}, axis, 3}}, 0.05);
+  for (const auto& part :
+       {road_part(road, 10, 20), road_part({{}, {0, 10}, {{1, 1}, {-1, -1}}}, 0, 5)})
+    EXPECT_TRUE(part.stations.empty() && part.borders.empty() && part.starts.empty());
+}
+
 // A path that is led aside keeps to its line less and less: it is never farther than at its ends.
 TEST(PathBeside, LeadsToPlacesBesideItsEnds) {
   Line path;
