@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "support/eigen.hpp"
 #include "fit/residual.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/progress.hpp"
+#include "support/eigen.hpp"
 
 namespace streetgen {
 

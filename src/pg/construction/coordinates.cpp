@@ -1,5 +1,6 @@
 // The points of a line as files of SUMO and of SymuVia have them, and points that are one in files.
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -92,7 +93,7 @@ STREETGEN_FUNCTION(streetgen_first_within) {
   const Outcome outcome = compute([&] {
     const std::vector<double> numbers = read_numbers(place, 3, "places");
     std::vector<Point> places;
-    std::vector<long> groups;
+    std::vector<std::int64_t> groups;
     for (int i = 0; i < group.count; ++i) {
       places.push_back({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
       groups.push_back(DatumGetInt64(group.values[i]));

@@ -1,8 +1,10 @@
 // streetgen._cityjson_boundaries and _wavefront_faces: triangles of an indexed mesh as text.
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "frame/border.hpp"
+#include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "value/value_array.hpp"
 
@@ -35,10 +37,12 @@ TriangleLists take_lists(FunctionCallInfo fcinfo) {
 template <class Write>
 std::vector<std::string> texts_of(const TriangleLists& lists, Write write) {
   std::vector<std::string> texts;
-  int corner = 0;
+  std::int64_t corner = 0;
   for (int i = 0; i < lists.triangles.count; ++i) {
+    poll_cancel();
     std::string& text = texts.emplace_back();
-    const int last = corner + DatumGetInt32(lists.triangles.values[i]) * numbers_per_triangle;
+    const std::int64_t triangles = DatumGetInt32(lists.triangles.values[i]);
+    const std::int64_t last = corner + triangles * numbers_per_triangle;
     if (last < corner || last > lists.corners.count)
       throw Error(ErrorKind::invalid_input, "corners are fewer than triangles name");
     for (; corner < last; corner += numbers_per_triangle) write(text, corner);
@@ -46,12 +50,12 @@ std::vector<std::string> texts_of(const TriangleLists& lists, Write write) {
   return texts;
 }
 
-int corner_number(const TriangleLists& lists, int which) {
+int corner_number(const TriangleLists& lists, std::int64_t which) {
   return DatumGetInt32(lists.corners.values[which]);
 }
 
 // The number in the file of the place of a corner.
-std::string place_text(const TriangleLists& lists, int which) {
+std::string place_text(const TriangleLists& lists, std::int64_t which) {
   const int place = corner_number(lists, which);
   if (place < 1 || place > lists.places.count)
     throw Error(ErrorKind::invalid_input, "a corner names no place");
@@ -84,7 +88,7 @@ STREETGEN_FUNCTION(streetgen_cityjson_boundaries) {
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const TriangleLists lists = take_lists(fcinfo);
-  return give_texts(fcinfo, lists, [&](std::string& text, int corner) {
+  return give_texts(fcinfo, lists, [&](std::string& text, std::int64_t corner) {
     if (!text.empty()) text += ',';
     for (int k = 0; k < 3; ++k) {
       text += k == 0 ? "[[" : ",";
@@ -99,7 +103,7 @@ STREETGEN_FUNCTION(streetgen_wavefront_faces) {
   InitMaterializedSRF(fcinfo, MAT_SRF_USE_EXPECTED_DESC);
   const TriangleLists lists = take_lists(fcinfo);
   const std::int64_t texture = PG_GETARG_INT64(3), normals = PG_GETARG_INT64(4);
-  return give_texts(fcinfo, lists, [&](std::string& text, int corner) {
+  return give_texts(fcinfo, lists, [&](std::string& text, std::int64_t corner) {
     text += text.empty() ? "f" : "\nf";
     for (int k = 0; k < 3; ++k, corner += 3) {
       text += ' ' + place_text(lists, corner);

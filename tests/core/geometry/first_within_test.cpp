@@ -30,5 +30,10 @@ TEST(FirstWithin, APlaceOfAGroupKeepsToIt) {
   EXPECT_EQ(first_within(places, {1, 2, 2, 0}, 0.05), (std::vector<int>{0, 1, 1, 1}));
 }
 
+TEST(FirstWithin, HoldsFarFromTheOrigin) {
+  const std::vector<Point> places{{1e9, -9e8}, {1e9, -9e8 + 0.01}, {-1e9, 9e8}};
+  EXPECT_EQ(first_within(places, {0, 0, 0}, 0.05), (std::vector<int>{0, 0, 2}));
+}
+
 }  // namespace
 }  // namespace streetgen
