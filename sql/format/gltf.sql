@@ -75,8 +75,11 @@ BEGIN
         SELECT o.type || '_' || o.street_object_id, coalesce(k.drawn_as, ''), coalesce(k.drawn_as, ''),
             streetgen._raised_place(o.geom, h.geom), o.angle
         FROM street_object o LEFT JOIN drawn k ON k.kind = o.type
-            CROSS JOIN LATERAL (SELECT n.edge_id FROM edge n WHERE ST_DWithin(n.geom, o.geom, 50)
-                ORDER BY n.geom <-> o.geom, n.edge_id LIMIT 1) e
+            LEFT JOIN object_edge b ON b.street_object_id = o.street_object_id
+            -- The nearest street may be the one below a bridge.
+            CROSS JOIN LATERAL (SELECT b.edge_id WHERE b.edge_id IS NOT NULL
+                UNION ALL (SELECT n.edge_id FROM edge n WHERE b.edge_id IS NULL AND ST_DWithin(n.geom, o.geom, 50)
+                    ORDER BY n.geom <-> o.geom, n.edge_id LIMIT 1)) e
             LEFT JOIN streetgen._heights_along(model) h ON h.edge_id = e.edge_id
         -- A control point lies on the axis, where its traffic obeys it.
         WHERE e.edge_id = ANY (written) AND (about IS NULL OR o.geom && ST_Expand(about, 50))
@@ -93,7 +96,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._gltf_objects(name, bigint[], geometry, jsonb) IS
-    'The objects and lights at edges about a box (NULL: those that options take): what they are drawn as, their shape, '
+    'The objects and lights at edges about a box (NULL: those that options take), each at the edge that its axis gives '
+    'it, else at the nearest one: what they are drawn as, their shape, '
     'their place (POINT Z) and where they look, degrees clockwise from north.';
 
 CREATE OR REPLACE FUNCTION streetgen._raised_place(place geometry, line geometry) RETURNS geometry

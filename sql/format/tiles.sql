@@ -60,12 +60,14 @@ CREATE OR REPLACE FUNCTION streetgen._tileset(model name, options jsonb) RETURNS
 DECLARE
     undulation constant float8 := options ->> 'undulation';
     size float8 := 500;
-    -- Rows of one level: their square, their region and what the file says of them.
-    tiles jsonb := (SELECT jsonb_agg(jsonb_build_object('east', t.east, 'north', t.north, 'region', t.region, 'tile',
-            jsonb_build_object('boundingVolume', jsonb_build_object('region', t.region), 'geometricError', 0,
-                'transform', streetgen._tile_transform(t.origin, undulation),
-                'content', jsonb_build_object('uri', t.path))))
-        FROM streetgen._tiles(model, options) t);
+    -- Rows of one level: their square, their region and what the file says of them. Squares are counted from the
+    -- least one: -1 and 0 remain apart, however often they are halved.
+    tiles jsonb := (SELECT jsonb_agg(jsonb_build_object('east', east - least_east, 'north', north - least_north,
+            'region', region, 'tile', jsonb_build_object('boundingVolume', jsonb_build_object('region', region),
+                'geometricError', 0, 'transform', streetgen._tile_transform(origin, undulation),
+                'content', jsonb_build_object('uri', path))))
+        FROM (SELECT t.*, min(t.east) OVER () AS least_east, min(t.north) OVER () AS least_north
+            FROM streetgen._tiles(model, options) t) s);
 BEGIN
     -- Nothing stands for what is far: a tile that is not drawn is as wrong as it is large.
     WHILE jsonb_array_length(tiles) > 1 LOOP

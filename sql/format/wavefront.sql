@@ -7,9 +7,15 @@ COMMENT ON FUNCTION streetgen._wavefront_faces(integer[], integer[], bigint[], b
     'The faces of each mesh of streetgen._indexed_mesh; places are the numbers of these in the file, and so many '
     'texture coordinates and normals of others come before.';
 
+CREATE OR REPLACE FUNCTION streetgen._wavefront_name(name text) RETURNS text
+    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    AS $$ SELECT regexp_replace(name, '[\s[:cntrl:]]', '_', 'g') $$;
+COMMENT ON FUNCTION streetgen._wavefront_name(text) IS
+    'The name of a material as one word of one line: a kind of symbol_rule may have spaces.';
+
 CREATE OR REPLACE FUNCTION streetgen._wavefront_materials(model name) RETURNS TABLE(ordinality bigint, line text)
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog
-    AS $$ SELECT number::bigint + 1, concat('newmtl ', name, E'\nKd ' || (
+    AS $$ SELECT number::bigint + 1, concat('newmtl ', streetgen._wavefront_name(name), E'\nKd ' || (
             SELECT string_agg(round(get_byte(decode(substr(fill, 2), 'hex'), n) / 255.0, 4)::text, ' ' ORDER BY n)
             FROM generate_series(0, 2) n), E'\nKs 0 0 0\nillum 1\n')
         FROM streetgen._mesh_material(model) $$;
@@ -34,7 +40,8 @@ BEGIN
         FROM block, unnest(places) WITH ORDINALITY p(place, n)),
     numbered AS (SELECT cell, array_agg(number ORDER BY n) AS numbers FROM vertex GROUP BY cell),
     surface AS MATERIALIZED (
-        SELECT cell, edge_ids[mesh] AS edge_id, node_ids[mesh] AS node_id, m.number, m.name, ids[mesh] AS id, faces
+        SELECT cell, edge_ids[mesh] AS edge_id, node_ids[mesh] AS node_id, m.number, ids[mesh] AS id, faces,
+            streetgen._wavefront_name(m.name) AS name
         FROM block JOIN numbered USING (cell) CROSS JOIN LATERAL streetgen._wavefront_faces(triangles, corners, numbers,
                 texture_before::bigint, normals_before::bigint)
             JOIN streetgen._mesh_material(model) m ON m.number = materials[mesh]),

@@ -90,6 +90,13 @@ CREATE TEMPORARY TABLE stands AS SELECT n ->> 'name' AS name, told #>> ARRAY['me
 SELECT 'an object is a node with the mesh of its kind; none lies in the ground or is a control point', (SELECT array_agg(mesh || ' ' || name ORDER BY name) FROM stands WHERE n ? 'translation') = ARRAY(SELECT type || ' ' || type || '_' || street_object_id FROM furnished.street_object WHERE type IN ('lamp', 'tree') ORDER BY type || '_' || street_object_id);
 SELECT 'it stands in its place, as high as its street', count(*) = 3 AND bool_and(abs((n #>> '{translation,0}')::float8 - (ST_X(o.geom) - 650000)) < 1e-3 AND abs((n #>> '{translation,2}')::float8 + (ST_Y(o.geom) - 6860000)) < 1e-3
     AND abs((n #>> '{translation,1}')::float8 - (10 + (ST_X(o.geom) - 650000) / 10)) < 0.01) FROM stands JOIN furnished.street_object o ON name = type || '_' || street_object_id;
+-- A lamp of a bridge stands on it, though the street below is nearer.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('bridge', 2154, 3, subjects => '{object}');
+  INSERT INTO bridge.axis (axis_id, geom, width, level) VALUES (1, 'SRID=2154;LINESTRING(650000 6860000 10, 650100 6860000 10)', 9, 0), (2, 'SRID=2154;LINESTRING(650050 6859950 20, 650050 6860050 20)', 9, 1);
+  INSERT INTO bridge.street_object (type, geom, axis_id, abscissa, axis_offset) VALUES ('lamp', 'SRID=2154;POINT(650054 6860001)', 2, 51, -4);
+END $$;
+SELECT 'a lamp of a bridge stands on it', count(*) = 1 AND bool_and((n #>> '{translation,1}')::float8 = 20) FROM pg_temp.told(pg_temp.file('bridge')) told, jsonb_array_elements(told -> 'nodes') n WHERE n ? 'translation';
 SELECT 'and looks where it does, clockwise from north', bool_and(abs(sind(o.angle / 2) + (n #>> '{rotation,1}')::float8) < 1e-5) FROM stands JOIN furnished.street_object o ON name = type || '_' || street_object_id;
 SELECT 'all nodes are of the scene', (SELECT array_agg(r::integer ORDER BY r::integer) FROM jsonb_array_elements_text(told #> '{scenes,0,nodes}') r) = (SELECT array_agg(number::integer ORDER BY number) FROM stands) FROM pg_temp.told(pg_temp.file('furnished')) told;
 
@@ -108,6 +115,9 @@ SELECT 'normals are of one metre', bool_and(abs(sqrt(w[2]::float8 ^ 2 + w[3]::fl
 SELECT 'each material has its colour', (SELECT array_agg(DISTINCT w[2] ORDER BY w[2]) FROM word WHERE w[1] = 'usemtl') = '{intersection,kerb,lane_separator,section,sidewalk}'
     AND (SELECT count(*) FROM streetgen.export_wavefront('town', 'materials') m WHERE split_part(m.line, E'\n', 1) IN (SELECT 'newmtl ' || w[2] FROM word WHERE w[1] = 'usemtl')) = 5;
 
+INSERT INTO flat.symbol_rule (theme, layer, kind, place, fill) VALUES ('street', 'section', E'red brick\nf 1 2 3', 1, '#ff0000');
+SELECT 'a kind with spaces is one word', (SELECT count(*) FROM streetgen.export_wavefront('flat', 'materials') m WHERE split_part(m.line, E'\n', 1) = 'newmtl section_red_brick_f_1_2_3') = 1 AND NOT EXISTS (SELECT FROM streetgen.export_wavefront('flat', 'materials') m WHERE m.line ~ '(?n)^f');
+
 SELECT 'parts are of a megabyte at most, numbered from one', max(length(part)) <= 1048576 AND array_agg(ordinality ORDER BY ordinality) = array_agg(n ORDER BY n) FROM (SELECT *, row_number() OVER (ORDER BY ordinality) AS n FROM streetgen.export_gltf('town')) p;
 -- Each square has four.
 SELECT 'no part holds more than a thousand accessors', sum(n) = 4 * 20 * 13 AND max(n) <= 1000 AND sum(n) = (SELECT jsonb_array_length(pg_temp.told(pg_temp.file('wide')) -> 'accessors')) FROM (SELECT regexp_count(encode(part, 'escape'), '"bufferView"') AS n FROM streetgen.export_gltf('wide')) p;
@@ -125,6 +135,14 @@ SELECT 'its matrix puts what lies 400 m away on earth, by 0.05 m', bool_and(sqrt
     FROM streetgen._tiles('town', '{"undulation": 44.5, "extent": null, "level": null}') t JOIN tile ON tile #>> '{content,uri}' = t.path, LATERAL (SELECT array_agg(v::float8 ORDER BY n) AS m FROM jsonb_array_elements_text(tile -> 'transform') WITH ORDINALITY e(v, n)) m,
         (VALUES (0, 0, 0), (400, 0, 10), (0, -400, 0), (-280, 280, 5)) v(dx, dy, dz), LATERAL (SELECT ST_Transform(ST_Translate(t.origin, dx, dy, dz + 44.5), 4978) AS p) p, LATERAL (SELECT ARRAY[ST_X(p), ST_Y(p), ST_Z(p)] AS there) w;
 SELECT 'a tile holds the triangles of its square', (SELECT sum((pg_temp.told(file) #>> ARRAY['accessors', '3', 'count'])::bigint) > 0 FROM (SELECT string_agg(part, '' ORDER BY ordinality) AS file FROM streetgen.export_tiles('town') WHERE path <> 'tileset.json' GROUP BY path) f);
+
+-- Squares on both sides of the origin of the SRID: the equator.
+DO $$ BEGIN
+  PERFORM streetgen.create_model('equator', 32631, subjects => '{surface}');
+  INSERT INTO equator.axis (geom, width) SELECT ST_SetSRID(ST_MakeLine(ST_MakePoint(500000, y), ST_MakePoint(500040, y)), 32631), 6 FROM unnest('{-700,-200,300}'::float8[]) y;
+END $$;
+SELECT 'squares with negative numbers are of the tree', (SELECT array_agg(u ORDER BY u) FROM jsonb_path_query(told, 'strict $.**.uri') u) = '{"\"1000_-1.glb\"","\"1000_-2.glb\"","\"1000_0.glb\""}' AND (told ->> 'geometricError')::float8 = 2000
+  FROM (SELECT convert_from(string_agg(part, '' ORDER BY ordinality), 'UTF8')::jsonb AS told FROM streetgen.export_tiles('equator') WHERE path = 'tileset.json') t;
 
 SELECT 'the same bytes again', pg_temp.file('town') = (SELECT file FROM solid) AND md5(pg_temp.city('town')::text) = (SELECT md5(city::text) FROM city);
 SELECT 'bad input: ' || statement, test.state(statement) = expected FROM (VALUES
