@@ -45,17 +45,26 @@ END $$;
 COMMENT ON FUNCTION streetgen._content_count(name, text, jsonb) IS
     'How many of that content the streets have that options take; all tracks and objects.';
 
+CREATE OR REPLACE FUNCTION streetgen._left_out(model name, format text, options jsonb)
+    RETURNS TABLE(content text, subject text, written boolean, number bigint)
+    LANGUAGE sql STABLE STRICT PARALLEL UNSAFE ROWS 5 SET search_path = pg_catalog, public
+    AS $$
+    SELECT c.content, c.subject, c.written, n.number
+    FROM streetgen._subjects(model) subjects, streetgen._format_content() c,
+        LATERAL (SELECT streetgen._content_count(model, c.content, options) AS number) n
+    WHERE format = ANY (c.formats) AND c.written <> (c.subject = ANY (subjects)) AND n.number > 0
+    ORDER BY c.content $$;
+COMMENT ON FUNCTION streetgen._left_out(name, text, jsonb) IS
+    'The contents that the input of a model has and a format leaves out, with their number; written: the subject makes '
+    'the format have them.';
+
 CREATE OR REPLACE FUNCTION streetgen._tell_left_out(model name, format text, options jsonb) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 DECLARE
-    subjects constant text[] := streetgen._subjects(model);
     absent record;
 BEGIN
-    FOR absent IN SELECT c.*, n.number FROM streetgen._format_content() c,
-            LATERAL (SELECT streetgen._content_count(model, c.content, options) AS number) n
-        WHERE format = ANY (c.formats) AND written <> (c.subject = ANY (subjects)) AND n.number > 0
-    LOOP
+    FOR absent IN SELECT * FROM streetgen._left_out(model, format, options) LOOP
         IF absent.written THEN
             RAISE WARNING '% of model "%" are left out (%): format % has them of a model with subject "%"',
                 absent.content, model, absent.number, format, absent.subject
