@@ -42,10 +42,9 @@ CREATE OR REPLACE FUNCTION streetgen._course_through(alignment float8[], places 
         SELECT n, alignment[7 * n - 3] AS heading, alignment[7 * n - 2] AS length, alignment[7 * n - 1] AS bend,
             alignment[7 * n] AS bend_end, f.place, ST_Distance(f.place, t.place) / ST_Distance(f.was, t.was) AS scale,
             ST_Azimuth(f.was, t.was) - ST_Azimuth(f.place, t.place) AS turn
-        FROM generate_series(1, cardinality(alignment) / 7) n,
-            LATERAL (SELECT ST_PointN(places, n) AS place, ST_PointN(streetgen._course_places(alignment), n) AS was) f,
-            LATERAL (SELECT ST_PointN(places, n + 1) AS place,
-                ST_PointN(streetgen._course_places(alignment), n + 1) AS was) t)
+        FROM streetgen._course_places(alignment) own, generate_series(1, cardinality(alignment) / 7) n,
+            LATERAL (SELECT ST_PointN(places, n) AS place, ST_PointN(own, n) AS was) f,
+            LATERAL (SELECT ST_PointN(places, n + 1) AS place, ST_PointN(own, n + 1) AS was) t)
     SELECT array_agg(v ORDER BY n, k)
     FROM (SELECT *, coalesce(sum(length * scale) OVER (ORDER BY n ROWS BETWEEN UNBOUNDED PRECEDING AND 1 PRECEDING), 0)
             AS station FROM element) e,

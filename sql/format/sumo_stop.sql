@@ -24,7 +24,8 @@ BEGIN
     IF 'lane' = ANY (streetgen._subjects(model)) THEN
         RETURN QUERY SELECT 'parking_lane', l.lane_id, l.edge_id, l.along_axis, l.width, 0::float8, 6::float8,
                 l.geom
-            FROM lane l WHERE l.kind = 'parking' AND NOT l.lane_id = ANY (streetgen._lanes_with_bays(model));
+            FROM streetgen._lanes_with_bays(model) with_bays, lane l
+            WHERE l.kind = 'parking' AND l.lane_id <> ALL (with_bays);
     END IF;
     IF 'object' = ANY (streetgen._subjects(model)) THEN
         RETURN QUERY SELECT 'parking_bay', b.street_object_id, e.edge_id, NULL::boolean,
