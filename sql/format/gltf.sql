@@ -79,7 +79,7 @@ BEGIN
             -- The nearest street may be the one below a bridge.
             CROSS JOIN LATERAL (SELECT b.edge_id WHERE b.edge_id IS NOT NULL
                 UNION ALL (SELECT n.edge_id FROM edge n WHERE b.edge_id IS NULL AND ST_DWithin(n.geom, o.geom, 50)
-                    ORDER BY n.geom <-> o.geom, n.edge_id LIMIT 1)) e
+                    ORDER BY ST_Distance(n.geom, o.geom), n.edge_id LIMIT 1)) e
             LEFT JOIN streetgen._heights_along(model) h ON h.edge_id = e.edge_id
         -- A control point lies on the axis, where its traffic obeys it.
         WHERE e.edge_id = ANY (written) AND (about IS NULL OR o.geom && ST_Expand(about, 50))

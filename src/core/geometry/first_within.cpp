@@ -22,8 +22,8 @@ double apart(const Point& a, const Point& b) { return std::hypot(a.x - b.x, a.y 
 
 }  // namespace
 
-std::vector<int> first_within(const std::vector<Point>& places, const std::vector<std::int64_t>& groups,
-                              double reach) {
+std::vector<int> first_within(const std::vector<Point>& places,
+                              const std::vector<std::int64_t>& groups, double reach) {
   // A cell is as wide as the reach, so that the cells around hold all that lies within.
   std::unordered_map<GridCell, std::vector<int>, CellHash> standing;
   std::vector<int> first(places.size());
