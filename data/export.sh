@@ -29,7 +29,7 @@ parts_of() {
   esac
 }
 
-# check_files FILE…: the ending of each, its layer, its folder, and that nothing of that name is there.
+# check_files FILE…: the ending of each, its layer, its folder, that it takes options, and that nothing of that name is there.
 check_files() {
   local file folder part seen=$'\n'
   mapfile -t layers < <(run_sql -At -c "SELECT layer FROM streetgen._export_layer() ORDER BY turn")
@@ -38,6 +38,10 @@ check_files() {
       *.gpkg | *.obj | *.city.json | *.glb | *.tiles | *.dxf | *.net.xml | *.sumocfg | *.symuvia.xml | *.xodr | *.lanelet2.osm | *.opensidewalks.geojson) ;;
       *.shp | *.geojson) [ -n "$(layer_of "$file")" ] || fail "$file would hold one layer: name it after that, as roads.${file##*.} or town_axes.${file##*.} ($(printf '%s, ' "${layers[@]}" | sed 's:, $::'))" ;;
       *) fail "$file has an unknown ending: .gpkg holds all layers, .shp and .geojson one each, .obj, .city.json, .glb and the folder .tiles the streets in three dimensions, .dxf a drawing for CAD, .net.xml, .symuvia.xml, .xodr and .lanelet2.osm a network for simulators, .sumocfg that of SUMO with its bus stops and parking areas, .opensidewalks.geojson the network on foot" ;;
+    esac
+    case $file in
+      *.opensidewalks.geojson) ;;
+      *.gpkg | *.shp | *.geojson) [ "$export_options" = '{}' ] || fail "$file takes no options: it holds whole layers. Files of other endings take them" ;;
     esac
     folder=$(dirname "$file")
     [ -d "$folder" ] || fail "$file cannot be written: there is no folder $folder"
@@ -51,12 +55,14 @@ check_files() {
 }
 
 # write_layer FILE MODEL LAYER WGS84 OPTION…: a remark of ogr2ogr is an error, since so it says that it cut a name or a value.
+# ogr2ogr does not say of GeoJSON that a disk is full, cat does.
 write_layer() {
-  local file=$1 model=$2 layer=$3 wgs84=$4 type query remark
+  local file=$1 model=$2 layer=$3 wgs84=$4 made=$1 shown=/dev/null type query remark
   shift 4
+  [[ $file != *.geojson ]] || made=/vsistdout/ shown=$file
   IFS=$'\t' read -r type query < <(run_sql -At -F $'\t' -c "SELECT geometry_type, query FROM streetgen.export_layer($(quoted "$model"), $wgs84) WHERE layer = '$layer'") ||
     fail "model $model has no layer $layer: it does not compute that subject (SELECT * FROM streetgen.subject($(quoted "$model")))"
-  remark=$(ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$file" "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database options='-c jit=off'" -sql "$query" 2>&1) && [ -z "$remark" ] ||
+  remark=$({ ogr2ogr -q "$@" -nln "$layer" -nlt "$type" "$made" "PG:host=$PGHOST port=$PGPORT user=$PGUSER dbname=$database options='-c jit=off'" -sql "$query" | cat >"$shown"; } 2>&1) && [ -z "$remark" ] ||
     fail "layer $layer cannot be written to $(basename "$file"): $(head -n 1 <<<"$remark")"
 }
 

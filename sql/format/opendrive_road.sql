@@ -175,9 +175,12 @@ BEGIN
         FROM whole w JOIN piece p USING (edge_id, run) WHERE p.since = 0 AND p.until = w.total
         UNION ALL
         SELECT p.road_id, p.nth, p.ends, w.edge_id, w.run, w.before, w.lefts, w.lanes, w.types, w.positions, w.halves,
-            w.share_from + (w.share_to - w.share_from) * p.since / w.total,
-            w.share_from + (w.share_to - w.share_from) * p.until / w.total, d.*, p.until - p.since
-        FROM whole w JOIN piece p USING (edge_id, run), streetgen._road_part(w.s, w.x, w.y, w.heading, w.length,
+            v.share_from, v.share_to, d.*, p.until - p.since
+        FROM whole w JOIN piece p USING (edge_id, run),
+            -- A mean weighed so is never beyond both ends, however it is rounded.
+            LATERAL (SELECT w.share_from * (1 - p.since / w.total) + w.share_to * (p.since / w.total) AS share_from,
+                w.share_from * (1 - p.until / w.total) + w.share_to * (p.until / w.total) AS share_to) v,
+            streetgen._road_part(w.s, w.x, w.y, w.heading, w.length,
             w.curvature, w.curvature_end, w.station, w.border, p.since, p.until) d
         WHERE p.since > 0 OR p.until < w.total),
     placed AS MATERIALIZED (

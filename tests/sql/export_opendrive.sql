@@ -86,6 +86,15 @@ SELECT 'roads of one width are joined', pg_temp.found(pg_temp.road_of(1) || '/li
 SELECT 'lane to lane, either way', pg_temp.texts(pg_temp.road_of(1) || '//lane/link/successor/@id', file) = '{-1,1}' AND pg_temp.texts(pg_temp.road_of(2) || '//lane/link/predecessor/@id', file) = '{-1,1}' FROM in_line_file;
 SELECT 'those of two widths by a junction', pg_temp.found(pg_temp.road_of(2) || '/link/successor[@elementType="junction"]', file) = 1 AND pg_temp.found(pg_temp.road_of(4) || '/link/predecessor[@elementType="junction"]', file) = 1 FROM in_line_file;
 SELECT 'also where people cross', pg_temp.found(pg_temp.road_of(4) || '/link/successor[@elementType="junction"]', file) = 1 FROM in_line_file;
+-- Roads are cut back at one end, and have the height of the axis at the other one.
+SELECT FROM streetgen.create_model('sloping', 2154, 3) \g /dev/null
+INSERT INTO sloping.axis (geom, width) SELECT ST_Translate(ST_MakeLine(ST_SetSRID(ST_MakePoint(v.x, 0, 100), 2154),
+        ST_SetSRID(ST_MakePoint(v.x + v.dx, v.dy, 103), 2154)), 650000, 6860000 + 40 * i), 7
+    FROM generate_series(1, 40) i, LATERAL (VALUES (0, 50, 0), (50, 30 + 0.7 * i, 0.03 * i)) v(x, dx, dy);
+SELECT 'no road reaches beyond its edge, by a rounding', count(*) = 80 AND bool_and(share_from >= 0 AND share_to <= 1)
+    FROM streetgen._opendrive_roads('sloping', streetgen._export_options('opendrive', '{}'), false) WHERE NOT connecting;
+SELECT 'roads with heights are written: ' || format, test.state('SELECT FROM streetgen.export_' || format || '(''sloping'')') = 'none'
+    FROM unnest('{opendrive,lanelet2}'::text[]) format;
 SELECT FROM streetgen.create_model('beyond', 2154, driving_side => 'right') \g /dev/null
 SELECT setval(pg_get_serial_sequence('beyond.edge', 'edge_id'), 5000000000) \g /dev/null
 INSERT INTO beyond.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7);
