@@ -167,7 +167,7 @@ BEGIN
                 'material', place) ORDER BY number) AS primitives
         FROM (SELECT b.*, m.place FROM block b JOIN material m ON m.number = material) b LEFT JOIN (
             SELECT edge_id, streetgen._xml_text(name) AS name, streetgen._xml_text(kind) AS kind
-            FROM edge JOIN axis USING (axis_id)) a USING (edge_id)
+            FROM edge JOIN axis USING (axis_id) WHERE edge_id IN (SELECT s.edge_id FROM block s)) a USING (edge_id)
         GROUP BY mesh, cell, edge_id, node_id, shape),
     node AS MATERIALIZED (
         SELECT number, json_strip_nulls(json_build_object('name', name, 'mesh', number, 'extras', extras)) AS node

@@ -194,7 +194,7 @@ BEGIN
                 AND ST_DWithin(p.line, k.line, 10)
         WHERE options ->> 'autoware' = 'yes' GROUP BY file_id),
     with_room AS MATERIALIZED (SELECT edge_id FROM streetgen._room_beside_lanes(model)),
-    -- What the lines of roads, of ways and of walks are, and those that are painted.
+    -- The tags of the lines of roads, and of those that are painted.
     line_kind AS (
         SELECT streetgen._lanelet2_id(b.road_id, b.number) AS id, CASE
             WHEN b.number IN (1, cardinality(d.lanes) + 1) AND d.edge_id NOT IN (SELECT edge_id FROM with_room)

@@ -17,7 +17,7 @@ BEGIN
     RETURN QUERY WITH RECURSIVE written_edge AS MATERIALIZED (
         SELECT * FROM edge WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
     origin AS MATERIALIZED (SELECT * FROM streetgen._opendrive_origin(model, options)),
-    -- Nothing but where coordinates count on a projection of their own.
+    -- Geometries are here where coordinates count on a projection of their own.
     projected AS MATERIALIZED (SELECT * FROM streetgen._projected_geometries(model, options)),
     way AS MATERIALIZED (
         SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic,
@@ -145,8 +145,9 @@ BEGIN
             AND count(DISTINCT (edge_in, i_in, in_end)) = count(*)
             AND count(DISTINCT (edge_out, i_out, out_end)) = count(*)
             AND place_id NOT IN (SELECT streetgen._held_places(model, options))
-            AND 2 = (SELECT count(*) FROM written_edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-                JOIN joined_node n USING (node_id) WHERE n.place_id = way_end.place_id)),
+            AND place_id IN (SELECT n.place_id
+                FROM written_edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
+                    JOIN joined_node n USING (node_id) GROUP BY n.place_id HAVING count(*) = 2)),
     -- Where lanes meet in a junction, or go on beside their end, roads are cut back: a way of no length is none.
     met AS MATERIALIZED (
         SELECT edge_id, at_end, greatest(0.05, 2 * max(length)) AS cut

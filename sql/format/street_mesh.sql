@@ -18,7 +18,7 @@ COMMENT ON FUNCTION streetgen._mesh_layer() IS
 CREATE OR REPLACE FUNCTION streetgen._mesh_material(model name)
     RETURNS TABLE(number integer, layer text, kind text, name text, fill text, roughness float8)
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE ROWS 30 SET search_path = pg_catalog
-    -- As one sees it from near.
+    -- Scale 1 has the colours that one sees from near.
     AS $$ SELECT row_number() OVER (ORDER BY l.layer, kind)::integer - 1, l.layer, k.kind,
             concat_ws('_', l.layer, nullif(k.kind, '')), k.fill, l.roughness
         FROM streetgen._mesh_layer() l, LATERAL (SELECT DISTINCT ON (kind) kind, fill FROM (

@@ -136,7 +136,7 @@ BEGIN
             || coalesce('" disallow="' || disallow, '') || '" width="' || round(l.width::numeric, digits)
             || coalesce('" shape="' || streetgen._coordinates(streetgen._at_least_long(l.line, 0.16), x, y, digits,
                 tolerance), '') || '">' || origin_id || '</lane>', '' ORDER BY index) AS elements,
-            -- Without it netconvert counts anew whenever it reads the network, by lanes that it leads on to corners.
+            -- netconvert counts a length that is not said whenever it reads, by lanes that it leads on to corners.
             greatest(avg(ST_Length(l.line)), 0.16) AS metres
         FROM origin, lane_line l JOIN sumo_edge USING (name) JOIN street USING (edge_id) GROUP BY l.name)
     SELECT 1, lane_group_id, concat('<edge id="', s.name, '" from="', comes_from, '" to="', goes_to, '" type="', type,

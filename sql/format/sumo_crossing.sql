@@ -23,7 +23,7 @@ BEGIN
         FROM place JOIN streetgen._signal_controllers(model) ON controller_id = junction_id
         WHERE kind = 'signals' AND cycle > 0),
     marked AS MATERIALIZED (SELECT * FROM streetgen._crossings_at_ends(model, options)),
-    -- Without paint people cross where lanes end.
+    -- People cross without paint where lanes end.
     arm AS MATERIALIZED (
         SELECT a.*, m.edge_id IS NOT NULL AS marked, coalesce(m.along, usual.width) AS along, coalesce(m.line,
                 CASE WHEN a.at_start THEN l.line ELSE ST_Reverse(l.line) END) AS line,
@@ -58,7 +58,7 @@ BEGIN
         SELECT *, NOT marked AND NOT ring AND narrow AND CASE WHEN arms = 1 THEN false WHEN arms = 2 THEN ends
             ELSE NOT for_them OR count(*) FILTER (WHERE for_them) OVER (PARTITION BY place_id) > 2 END AS unmarked
         FROM mouth),
-    -- At signals and within junctions people cross without paint only where they get round no other way.
+    -- People cross without paint at signals and within junctions only where they get round no other way.
     crossing AS (
         SELECT * FROM (
             SELECT *, row_number() OVER (PARTITION BY place_id, marked, unmarked AND seldom

@@ -1,4 +1,4 @@
--- Where vehicles stand beside lanes of SUMO: bus stops and places to park, in an additional file.
+-- Places where vehicles stand beside lanes of SUMO: bus stops and places to park, in an additional file.
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_with_bays(model name) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -1,4 +1,4 @@
--- Where people walk along edges of SUMO, and where walks meet at corners.
+-- Walks along edges of SUMO, and the corners at which they meet.
 
 CREATE OR REPLACE FUNCTION streetgen._edges_within_junctions(model name) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -28,7 +28,7 @@ BEGIN
     END IF;
     inside := streetgen._edges_within_junctions(model);
     RETURN QUERY WITH sidewalk AS MATERIALIZED (SELECT * FROM streetgen._sidewalks_beside(model, options, lines)),
-    -- On the roadway there is room for two who meet, at its border.
+    -- Two who meet have room at the border of the roadway.
     bare AS (
         SELECT e.edge_id, v.side, outwards, 1.3::float8 AS width, (v.side = 'right') = right_hand AS along_axis
         FROM edge e JOIN axis a USING (axis_id) LEFT JOIN axis_class c ON c.class = a.kind

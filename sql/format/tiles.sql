@@ -69,7 +69,7 @@ DECLARE
         FROM (SELECT t.*, min(t.east) OVER () AS least_east, min(t.north) OVER () AS least_north
             FROM streetgen._tiles(model, options) t) s);
 BEGIN
-    -- Nothing stands for what is far: a tile that is not drawn is as wrong as it is large.
+    -- A tile that is not drawn is as wrong as it is large: no coarser one stands for it.
     WHILE jsonb_array_length(tiles) > 1 LOOP
         tiles := (SELECT jsonb_agg(jsonb_build_object('east', g.east, 'north', g.north, 'region', g.region, 'tile',
                 CASE WHEN g.children > 1 THEN jsonb_build_object('boundingVolume', jsonb_build_object('region',

@@ -28,9 +28,9 @@ constexpr double sharpest_bend = 0.5;
 constexpr double widening = 0.4;
 // Metres. How far the border inside a turn without room goes round it, and how wide.
 constexpr double nose_length = 0.5, nose_width = 0.2;
-// Of the way from the middle of the border outside to the nearer end: where the tip is at most.
+// The tip is at most so far of the way from the middle of the border outside to the nearer end.
 constexpr double nearest_tip = 0.8;
-// Of a border that needs points all along, each side is at most such a part.
+// Each side of a border that needs points all along is at most such a part of it.
 constexpr int sides_all_along = 8;
 
 struct BorderPoint {
@@ -40,7 +40,7 @@ struct BorderPoint {
 
 using Border = std::vector<BorderPoint>;
 
-// Straight between stations, and as at the first and the last one beyond them.
+// The value is straight between stations, and as at the first and the last one beyond them.
 double value_at(const std::vector<double>& stations, const std::vector<double>& values, double s) {
   const auto next = std::upper_bound(stations.begin(), stations.end(), s);
   if (next == stations.begin()) return values.front();
@@ -197,7 +197,7 @@ class Unfolding {
   Border border_;
 };
 
-// How far a point is from where the side from a to b passes it, aside or in height.
+// The distance of a point from where the side from a to b passes it, aside or in height.
 double off(const BorderPoint& p, const BorderPoint& a, const BorderPoint& b) {
   const double share = b.s > a.s ? (p.s - a.s) / (b.s - a.s) : 0;
   const double height = a.point.z + (b.point.z - a.point.z) * share;
@@ -233,7 +233,7 @@ double bend(const Point& a, const Point& b, const Point& c) {
   return sides > 0 ? 2 * std::abs(cross(b - a, c - b)) / sides : infinite;
 }
 
-// On which side of a border the lane lies that is not to get narrower.
+// The side of a border on which the lane lies that is not to get narrower.
 enum class InnerSide { none, left, right };
 
 // Points that make a sharp bend are left out, where the border lies within the tolerance of what is
@@ -265,7 +265,7 @@ class Blunting {
     return lane_ == InnerSide::left ? left > 0 : lane_ == InnerSide::right && left < 0;
   }
 
-  // As a share of how far it may be off, without the point.
+  // The share of what a border may be off by which it is, without the point.
   double off_without(std::size_t k) const {
     const BorderPoint &from = border_[kept_[k - 1]], &to = border_[kept_[k + 1]];
     double most = 0;
@@ -306,7 +306,7 @@ Line without_short_sides(const Border& border) {
   return line;
 }
 
-// With a point wherever a side is too long a part of the line.
+// The line with a point wherever a side is too long a part of it.
 Line with_points_all_along(const Line& line) {
   const double longest = length(line) / sides_all_along;
   Line out{line.front()};

@@ -1,4 +1,4 @@
-// How readers of Lanelet2 tell on which side of a bound a place lies.
+// The side of a bound on which a place lies, as readers of Lanelet2 tell it.
 #pragma once
 
 #include "streetgen/geometry.hpp"
@@ -8,7 +8,8 @@ namespace streetgen {
 // Whether the place lies left of the side of the line that is nearest to it.
 bool lies_left(const Line& line, const Point& place);
 
-// The point in the middle of the list of points, the second one of two; the middle of a line of two.
+// The point in the middle of the list of points, the second one of two; the middle of a line of
+// two.
 Point middle_point(const Line& line);
 
 // Whether a reader takes both lines, of two points at least, as they are: the left and the right

@@ -1,4 +1,4 @@
-// Where a lane of a road begins or ends.
+// The place where a lane of a road begins or ends.
 #pragma once
 
 #include <cstddef>

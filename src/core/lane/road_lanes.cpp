@@ -154,7 +154,7 @@ std::vector<std::vector<std::optional<Span>>> spans_of(const std::vector<LaneGro
   return spans;
 }
 
-// What a lane has of its ground.
+// The part of its ground that a lane has.
 Span part_of(const Span& span, LanePart part) {
   if (part == LanePart::left_half) return {span.left, span.middle()};
   if (part == LanePart::right_half) return {span.middle(), span.right};

@@ -31,8 +31,8 @@ class ArcChain {
   Place end() const;
   double heading_at_end() const { return starts_.back().heading; }
 
-  // How a place moves by the length and the curvature of each arc in turn.  An arc moves what lies
-  // behind it, and by its curvature also what lies in it.
+  // The moves of a place by the length and the curvature of each arc in turn.  An arc moves what
+  // lies behind it, and by its curvature also what lies in it.
   void slopes(const Place& place, std::vector<Point>& out) const;
 
   const std::vector<ChainArc>& arcs() const { return arcs_; }

@@ -78,7 +78,7 @@ void read_headings(PathGuide& guide) {
   guide.to.heading = heading;
 }
 
-// Of the path without its ends, where it may turn into lanes.
+// The ends of the path do not count: it may turn into lanes there.
 double sharpest_bend(const PathGuide& guide, double over) {
   const std::vector<double>&s = guide.stations, &h = guide.headings;
   double most = 0;

@@ -1,4 +1,4 @@
-// What a curve from lane to lane follows: points of the path, and how far it may leave each.
+// The guide of a curve from lane to lane: points of the path, and how far it may leave each.
 #pragma once
 
 #include <vector>

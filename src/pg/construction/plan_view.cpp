@@ -72,7 +72,7 @@ ChainPlace read_place(const NumberArray& array, const std::string& name) {
 
 double tolerance_of(double value) { return in_range(value, 1e-4, 1e3, "tolerance"); }
 
-// Those of its chain, stations, borders, and the places of lanes at both ends.
+// The columns of a road: its chain, stations, borders, and the places of lanes at both ends.
 NumberColumns columns_of(const RoadLanes& road) {
   NumberColumns columns = columns_of(road.chain);
   columns.push_back(road.stations);

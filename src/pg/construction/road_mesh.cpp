@@ -109,7 +109,7 @@ Datum floats_datum(const std::vector<float>& values) {
 // The row of _indexed_mesh.
 struct IndexedRow {
   std::vector<std::string> places, normals, texture;
-  // Of each mesh that has triangles: its surface, whether it is the kerb of that, their count.
+  // Each mesh that has triangles has its surface, whether it is the kerb of that, and their count.
   std::vector<int> numbers, kerbs, triangles;
   // Numbers from 1 of place, texture and normal of each corner.
   std::vector<int> corners;
