@@ -68,7 +68,7 @@ COMMENT ON FUNCTION streetgen._dxf_layers(name) IS
     'paper alone.';
 
 CREATE OR REPLACE FUNCTION streetgen._dxf_entities(model name, box geometry, options jsonb)
-    RETURNS TABLE(turn integer, layer text, id bigint, part bigint, entity text)
+    RETURNS TABLE(turn integer, layer text, id bigint, part bigint, entity text, bounds geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
@@ -91,15 +91,16 @@ BEGIN
         UNION ALL SELECT layer, kind, id, path, ST_CurveToLine(geom), false FROM shape
         WHERE GeometryType(geom) IN ('CIRCULARSTRING', 'COMPOUNDCURVE'))
     SELECT 1, layer, id, row_number() OVER (ORDER BY layer, id, kind, path, ST_AsBinary(line)),
-        streetgen._dxf_polyline(ST_Force2D(line), closed, layer, x, y, digits) FROM ring
-    UNION ALL SELECT 2, 'corner', corner_id, 1, streetgen._dxf_arc(arc, 'corner', x, y, digits) FROM corner
+        streetgen._dxf_polyline(ST_Force2D(line), closed, layer, x, y, digits), ST_Envelope(line) FROM ring
+    UNION ALL SELECT 2, 'corner', corner_id, 1, streetgen._dxf_arc(arc, 'corner', x, y, digits), ST_Envelope(arc)
+    FROM corner
     WHERE arc && box AND ST_Intersects(arc, box)
         AND (only_level IS NULL OR edge_a IN (SELECT edge_id FROM edge WHERE level = only_level))
     -- A street has its name once, at the middle of its longest edge, to be read from below or from the right.
     UNION ALL SELECT 3, 'name', edge_id, 1, format(E'0\nTEXT\n8\nname\n10\n%1$s\n20\n%2$s\n30\n0\n40\n2'
             '\n1\n%3$s\n50\n%4$s\n72\n1\n73\n2\n11\n%1$s\n21\n%2$s\n31\n0', streetgen._decimal(ST_X(place) - x, digits),
         streetgen._decimal(ST_Y(place) - y, digits), streetgen._dxf_text(name),
-        streetgen._decimal(CASE WHEN along > 90 AND along <= 270 THEN along - 180 ELSE along END, 3))
+        streetgen._decimal(CASE WHEN along > 90 AND along <= 270 THEN along - 180 ELSE along END, 3)), NULL
     FROM (SELECT DISTINCT ON (a.name) e.edge_id, a.name, e.geom
             FROM edge e JOIN axis a USING (axis_id) WHERE a.name <> '' AND e.geom && box AND ST_Intersects(e.geom, box)
                 AND (only_level IS NULL OR e.level = only_level)
@@ -109,7 +110,7 @@ BEGIN
         LATERAL (SELECT ((turned % 360 + 360) % 360)::float8 AS along) w;
 END $$;
 COMMENT ON FUNCTION streetgen._dxf_entities(name, geometry, jsonb) IS
-    'The entities of a drawing of what lies in a box: lines and rings, arcs of corners, names.';
+    'The entities of a drawing of what meets a box: lines and rings, arcs of corners, names, with the bounds of each.';
 
 CREATE OR REPLACE FUNCTION streetgen.export_dxf(model name, options jsonb DEFAULT '{}')
     RETURNS TABLE(ordinality bigint, line text)
@@ -119,10 +120,10 @@ CREATE OR REPLACE FUNCTION streetgen.export_dxf(model name, options jsonb DEFAUL
 DECLARE
     known constant jsonb := streetgen._begin_export(model, 'dxf', 'surface', options);
     model_srid constant integer := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    -- A drawing without an extent takes all that has a coordinate, also what lies far from the axes.
     box constant geometry := coalesce(ST_MakeEnvelope((known -> 'extent' ->> 0)::float8,
         (known -> 'extent' ->> 1)::float8, (known -> 'extent' ->> 2)::float8, (known -> 'extent' ->> 3)::float8,
-        model_srid),
-        ST_SetSRID(streetgen._model_extent(model), model_srid));
+        model_srid), ST_MakeEnvelope(-1e12, -1e12, 1e12, 1e12, model_srid));
 BEGIN
     RETURN QUERY WITH origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, known)),
     entity AS MATERIALIZED (
@@ -136,8 +137,11 @@ BEGIN
         SELECT 0 AS turn, '' AS layer, 0::bigint AS id, 0::bigint AS part, format(
             E'999\nStreetGen %s, model %s, SRID %s\n0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n9\n$EXTMIN\n10\n%s'
             '\n20\n%s\n9\n$EXTMAX\n10\n%s\n20\n%s\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n%s',
-            streetgen.version(), streetgen._dxf_text(model), model_srid, ST_XMin(box) - o.x, ST_YMin(box) - o.y,
-            ST_XMax(box) - o.x, ST_YMax(box) - o.y, (SELECT count(*) FROM layer)) AS text FROM origin o
+            streetgen.version(), streetgen._dxf_text(model), model_srid,
+            streetgen._decimal(ST_XMin(drawn) - o.x, o.digits), streetgen._decimal(ST_YMin(drawn) - o.y, o.digits),
+            streetgen._decimal(ST_XMax(drawn) - o.x, o.digits), streetgen._decimal(ST_YMax(drawn) - o.y, o.digits),
+            (SELECT count(*) FROM layer)) AS text
+        FROM origin o, (SELECT ST_Extent(e.bounds) AS drawn FROM entity e) b
         UNION ALL SELECT 0, l.layer, 1, 0, format(E'0\nLAYER\n2\n%s\n70\n0\n62\n%s\n6\nCONTINUOUS', l.layer, l.colour)
         FROM layer l
         UNION ALL SELECT 0, '~', 2, 0, E'0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES'

@@ -30,6 +30,22 @@ SELECT 'no name stands on its head', bool_and((value ->> '50')::float8 > -90 AND
 SELECT 'one level', (SELECT count(*) FROM pg_temp.entity('town', '{"level": 1}') WHERE layer = 'axis' AND type = 'POLYLINE') = 1;
 SELECT 'an extent', (SELECT array_agg(value ->> '1') FROM pg_temp.entity('town', '{"extent": [650290, 6859990, 650310, 6860010]}') WHERE type = 'TEXT') = '{back}';
 SELECT 'from an origin', min((value ->> '10')::float8) BETWEEN -10 AND 10 FROM pg_temp.entity('town', '{"origin": "corner"}') WHERE type = 'VERTEX';
+-- A tree stands, and a walk leads, far from all axes.
+SELECT FROM streetgen.create_model('wide', 2154, subjects => '{object,footway}') \g /dev/null
+INSERT INTO wide.axis (geom, width) VALUES ('SRID=2154;LINESTRING(650000 6860000, 650100 6860000)', 9);
+INSERT INTO wide.street_object (type, geom, placement) VALUES ('tree', 'SRID=2154;POINT(650050 6860080)', 'absolute');
+INSERT INTO wide.footway (geom) VALUES ('SRID=2154;LINESTRING(649900 6859800, 650000 6859800)');
+CREATE TEMPORARY TABLE wide_entity AS SELECT * FROM pg_temp.entity('wide');
+SELECT 'what lies far from the axes is drawn', count(*) FILTER (WHERE layer = 'object') > 0
+    AND count(*) FILTER (WHERE layer = 'footway') > 0 FROM wide_entity WHERE type = 'POLYLINE';
+SELECT 'the extent that it names is that of its vertices', count(*) > 0 AND bool_and((header ->> 'from')::float8 = low)
+    AND bool_and((header ->> 'to')::float8 = high)
+FROM (SELECT c.code, min((value ->> c.code)::float8) AS low, max((value ->> c.code)::float8) AS high
+        FROM wide_entity, (VALUES ('10'), ('20')) c(code) WHERE type = 'VERTEX' GROUP BY c.code) v,
+    LATERAL (SELECT jsonb_build_object('from', m[1], 'to', m[2]) AS header
+        FROM (SELECT string_agg(line, E'\n' ORDER BY ordinality) AS file FROM streetgen.export_dxf('wide')) f,
+            regexp_match(file, CASE code WHEN '10' THEN 'EXTMIN\n10\n(\S+)\n.*EXTMAX\n10\n(\S+)'
+                ELSE 'EXTMIN\n10\n\S+\n20\n(\S+)\n.*EXTMAX\n10\n\S+\n20\n(\S+)' END) m) h;
 SELECT 'colours are those of CAD programs', streetgen._dxf_colour('#ff0000') = 1 AND streetgen._dxf_colour('#00000059') = 250 AND streetgen._dxf_colour(NULL) = 7;
 SELECT 'bad input: ' || statement, test.state(statement) = expected FROM (VALUES ($$SELECT streetgen.export_dxf('bare')$$, '22023'), ($$SELECT streetgen.export_dxf('town', '{"tolerance": 1}')$$, '22023'), ($$SELECT streetgen.export_dxf('nowhere')$$, '3F000'),
     ($$SELECT streetgen.export_dxf('town', NULL)$$, '22023'), ($$SELECT streetgen.export_dxf('town', '{"extent": [0, 0, 1, 1]}')$$, '22023')) s(statement, expected);
