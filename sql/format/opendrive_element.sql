@@ -50,9 +50,9 @@ BEGIN
             || '<roadMark sOffset="0" type="none" color="standard" laneChange="none"/><height sOffset="0" inner="'
             || raised || '" outer="' || raised || '"/></lane>' AS text
         FROM streetgen._sidewalks_beside(model, options, false) s
-            JOIN drawn d ON d.edge_id = s.edge_id AND s.lane_id = ANY (d.lanes),
-            LATERAL (SELECT count(*) AS more FROM shoulder b
-                WHERE (b.road_id, b.side) = (d.road_id, s.side)) outer_lane,
+            JOIN drawn d ON d.edge_id = s.edge_id AND s.lane_id = ANY (d.lanes)
+            LEFT JOIN shoulder b ON (b.road_id, b.side) = (d.road_id, s.side),
+            LATERAL (SELECT num_nonnulls(b.road_id) AS more) outer_lane,
             (SELECT k.raised FROM streetgen._mesh_layer() k WHERE k.layer = 'sidewalk') k),
     road_of_edge AS MATERIALIZED (SELECT DISTINCT edge_id FROM drawn),
     -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
@@ -67,7 +67,8 @@ BEGIN
                 WHEN o.edge_id IS NULL OR options ->> 'junctions' = 'group'
                         OR o.edge_id IN (SELECT edge_id FROM written_edge) THEN (
                     SELECT e.edge_id FROM edge e WHERE ST_DWithin(e.geom, o.geom, 50)
-                        AND e.edge_id IN (SELECT edge_id FROM road_of_edge)
+                        -- As a value it is looked up: as a join it is read for each object.
+                        AND (e.edge_id IN (SELECT edge_id FROM road_of_edge)) IS TRUE
                     ORDER BY ST_Distance(e.geom, o.geom), e.edge_id LIMIT 1) END AS edge_id) n
             JOIN written_edge e ON e.edge_id = n.edge_id,
             LATERAL (SELECT coalesce(p.geom, o.geom) AS geom, coalesce(q.geom, o.surface) AS surface) c,
@@ -209,18 +210,16 @@ BEGIN
             CROSS JOIN streetgen._few(lanes) WITH ORDINALITY u(lane_id, i)
             LEFT JOIN line_between m ON (m.edge_id, m.lane_position)
                 = (d.edge_id, positions[i] - CASE WHEN i <= lefts THEN 1 ELSE 0 END)),
-    lanes_text AS (
-        SELECT road_id, string_agg(text, '' ORDER BY i) FILTER (WHERE i <= lefts) AS on_left,
-            string_agg(text, '' ORDER BY i) FILTER (WHERE i > lefts) AS on_right
-        FROM lane_text GROUP BY road_id),
     -- The lane farthest to the left comes first.
     across AS MATERIALIZED (
-        SELECT l.road_id, '<left>' || nullif(concat(a.text, c.text, l.on_left), '') || '</left>' AS on_left,
-            '<right>' || nullif(concat(l.on_right, d.text, b.text), '') || '</right>' AS on_right
-        FROM lanes_text l LEFT JOIN sidewalk_lane a ON (a.road_id, a.side) = (l.road_id, 'left')
-            LEFT JOIN sidewalk_lane b ON (b.road_id, b.side) = (l.road_id, 'right')
-            LEFT JOIN shoulder c ON (c.road_id, c.side) = (l.road_id, 'left')
-            LEFT JOIN shoulder d ON (d.road_id, d.side) = (l.road_id, 'right'))
+        SELECT road_id, '<left>' || string_agg(text, '' ORDER BY turn, i) FILTER (WHERE side = 'left') || '</left>'
+                AS on_left,
+            '<right>' || string_agg(text, '' ORDER BY turn, i) FILTER (WHERE side = 'right') || '</right>' AS on_right
+        FROM (SELECT road_id, CASE WHEN i <= lefts THEN 'left' ELSE 'right' END AS side, 0 AS turn, i, text
+            FROM lane_text
+            UNION ALL SELECT road_id, side, CASE side WHEN 'left' THEN -1 ELSE 1 END, 0, text FROM shoulder
+            UNION ALL SELECT road_id, side, CASE side WHEN 'left' THEN -2 ELSE 2 END, 0, text FROM sidewalk_lane) t
+        GROUP BY road_id)
     SELECT 1, 0::bigint, streetgen._opendrive_open(xmlelement(name header, xmlattributes(
             1 AS "revMajor", right(options ->> 'version', 1) AS "revMinor", model AS name,
             streetgen._decimal(north - y, 2) AS north, streetgen._decimal(south - y, 2) AS south,

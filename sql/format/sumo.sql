@@ -191,7 +191,8 @@ BEGIN
             NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean
         FROM placed a JOIN placed b ON a.edge_id = b.edge_id AND a.along_axis <> b.along_axis
         WHERE a.ends AND b.begins AND a.goes_to = b.comes_from AND (a.kind, b.kind) = ('general', 'general')
-            AND NOT EXISTS (SELECT FROM going_on g WHERE g.name_in = a.name)
+            -- Few names are expected, and looked up.
+            AND a.name NOT IN (SELECT DISTINCT g.name_in FROM going_on g)
         ORDER BY a.name, a.index DESC, b.index DESC) t;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_going_on(name, jsonb) IS
