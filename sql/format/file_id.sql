@@ -16,11 +16,14 @@ CREATE OR REPLACE FUNCTION streetgen._file_id(kind text, id bigint, part integer
     RETURN CASE WHEN id BETWEEN 1 AND 33554431 AND part >= 0 THEN id * 64 + part + CASE
             WHEN kind = 'node' AND part < 1 THEN 0 WHEN kind = 'object' AND part < 1 THEN 1
             WHEN kind = 'lane' AND part < 4 THEN 2 WHEN kind = 'edge' AND part < 10 THEN 6
-            WHEN kind = 'movement' AND part < 16 THEN 16 WHEN kind = 'interconnection' AND part < 32 THEN 32
+            WHEN kind = 'movement' AND part < 10 THEN 16 WHEN kind = 'entry' AND part < 2 THEN 26
+            WHEN kind = 'bridge' AND part < 2 THEN 28 WHEN kind = 'tunnel' AND part < 2 THEN 30
+            WHEN kind = 'interconnection' AND part < 32 THEN 32
             ELSE streetgen._no_file_id(kind, id, part) END
         ELSE streetgen._no_file_id(kind, id, part) END;
 COMMENT ON FUNCTION streetgen._file_id(text, bigint, integer) IS
-    'The id in files of an edge, a lane, a node, an interconnection, a movement or an object: below 2^31, no two '
-    'alike, and the same as long as the model keeps its own id. part: from 0, where one has several in a file, less '
-    'than 4 of a lane, 10 of an edge, 16 of a movement and 32 of an interconnection. An id beyond 33,554,431, a part '
-    'beyond those of its kind, or an unknown kind: 22003.';
+    'The id in files of an edge, a lane, the entry of a lane, a node, an interconnection, a movement, an object, a '
+    'bridge or a tunnel: below 2^31, no two alike, and the same as long as the model keeps its own id. part: from 0, '
+    'where one has several in a file, less than 2 of an entry, a bridge and a tunnel, 4 of a lane, 10 of an edge and '
+    'of a movement, and 32 of an interconnection. An id beyond 33,554,431, a part beyond those of its kind, or an '
+    'unknown kind: 22003.';

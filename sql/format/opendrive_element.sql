@@ -17,7 +17,15 @@ BEGIN
     road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options, true)),
     drawn AS NOT MATERIALIZED (SELECT * FROM road WHERE NOT connecting),
     connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
-    line_between AS MATERIALIZED (SELECT * FROM streetgen._lines_between(model)),
+    street AS MATERIALIZED (SELECT * FROM streetgen._opendrive_streets(model, options)),
+    -- Fast roads have lines at their edges also where the model paints none.
+    line_between AS MATERIALIZED (
+        SELECT * FROM streetgen._lines_between(model)
+        UNION ALL SELECT edge_id, position, false, false, 'solid'
+        FROM (SELECT edge_id, max(lane_position) AS lanes FROM lane JOIN street USING (edge_id)
+            WHERE edge_lines GROUP BY edge_id) f, LATERAL (VALUES (0), (lanes)) v(position)
+        WHERE NOT EXISTS (SELECT FROM lane_separator s
+            WHERE (s.edge_id, s.lane_position) = (f.edge_id, v.position))),
     raised AS MATERIALIZED (
         SELECT h.road_id, c.*, heights[1] AS z_from, heights[cardinality(heights)] AS z_to, c.b[1] AS grade_from,
             c.b[n] + (h.total - c.s[n]) * (2 * c.c[n] + 3 * c.d[n] * (h.total - c.s[n])) AS grade_to
@@ -99,8 +107,9 @@ BEGIN
             -- What lies beside no road says by its corners where it is.
             WHEN abs(beyond) > 0.01 THEN ST_Buffer(geom, size / 2, 'quad_segs=2') END AS ground
         FROM stationed),
-    object_text AS MATERIALIZED (
-        SELECT road_id, '<objects>' || string_agg(streetgen._opendrive_open(xmlelement(name object, xmlattributes(
+    object_text AS (
+        SELECT road_id, 'object' AS kind, street_object_id AS id,
+            streetgen._opendrive_open(xmlelement(name object, xmlattributes(
                 -- CARLA takes a name that begins with speed_ for a speed limit.
                 streetgen._file_id('object', street_object_id) AS id,
                 streetgen._xml_text(replace(type, '_', ' ')) AS name, kind AS type, subtype,
@@ -115,11 +124,26 @@ BEGIN
             || CASE WHEN outlined THEN concat(CASE WHEN kind = 'crosswalk' THEN outline END, '<outlines>', outline,
                 '</outlines>') ELSE '' END
             || CASE WHEN kind = 'parkingSpace' THEN '<parkingSpace access="all"/>' ELSE '' END
-            || '</object>', '' ORDER BY street_object_id) || '</objects>' AS text
+            || '</object>' AS text
         FROM (SELECT convergence FROM origin) n, grounded,
             LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o,
-            LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) END AS outline) c
-        GROUP BY road_id),
+            LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) END AS outline) c),
+    -- Lanes of the edge that are a road of their own lie on the same deck.
+    structure_text AS (
+        SELECT road_id, kind, id, '<' || kind || ' s="' || streetgen._opendrive_station(since, total) || '" length="'
+            || streetgen._opendrive_station(until - since, total - since) || '" id="'
+            || streetgen._file_id(kind, id, part::integer) || '" type="' || type || '"/>' AS text
+        FROM (SELECT d.road_id, d.total, t.kind, t.type, t.id, since, until,
+                row_number() OVER (PARTITION BY t.kind, t.id ORDER BY d.road_id) - 1 AS part
+            FROM drawn d JOIN streetgen._opendrive_structures(model) t ON t.edge_id = d.edge_id AND d.before = 0,
+                LATERAL (SELECT total / (d.share_to - d.share_from) AS scale) l,
+                LATERAL (SELECT greatest(t.share_from - d.share_from, 0) * scale AS since,
+                    least(t.share_to - d.share_from, d.share_to - d.share_from) * scale AS until) s
+            WHERE until > since) t),
+    objects_text AS MATERIALIZED (
+        SELECT road_id, '<objects>' || string_agg(text, ''
+                ORDER BY array_position('{object,tunnel,bridge}', kind), id) || '</objects>' AS text
+        FROM (TABLE object_text UNION ALL TABLE structure_text) o GROUP BY road_id),
     -- Lanes whose signals show the same in each state have one controller, which has the id of the first.
     signal_group AS MATERIALIZED (
         SELECT *, min(id) OVER (PARTITION BY controller_id, greens) AS number
@@ -239,7 +263,7 @@ BEGIN
         '<link>', streetgen._opendrive_link('predecessor', joined_road[1], joined_end[1],
             CASE WHEN own_ends[1] THEN f.place_id END), streetgen._opendrive_link('successor', joined_road[2],
             joined_end[2], CASE WHEN own_ends[2] THEN t.place_id END), '</link>',
-        '<type s="0" type="unknown"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
+        '<type s="0" type="', a.road_type, '"><speed max="', streetgen._decimal(e.speed, 1), '" unit="km/h"/></type>',
         streetgen._opendrive_plan(d.s, d.x, d.y, heading, length, curvature, curvature_end, o.x, o.y, digits),
         '<elevationProfile>' || streetgen._opendrive_cubics('elevation', 's', h.s, h.a, h.b, h.c, h.d)
             || '</elevationProfile>',
@@ -250,11 +274,11 @@ BEGIN
         '</laneSection></lanes>', j.text, g.text, '<userData code="edge" value="', d.edge_id, '"/></road>')
     FROM origin o, side, drawn d JOIN across USING (road_id) JOIN written_edge e USING (edge_id)
         LEFT JOIN crossroads f ON f.node_id = e.from_node LEFT JOIN crossroads t ON t.node_id = e.to_node
-        LEFT JOIN (SELECT axis_id, name FROM axis) a USING (axis_id)
+        JOIN street a USING (edge_id)
         -- No line lies between two halves of a lane.
         LEFT JOIN line_between m ON (m.edge_id, m.lane_position) = (d.edge_id, CASE WHEN lefts = 0 THEN before
             WHEN positions[lefts] IS DISTINCT FROM positions[lefts + 1] THEN positions[lefts] END)
-        LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN object_text j ON j.road_id = d.road_id
+        LEFT JOIN raised h ON h.road_id = d.road_id LEFT JOIN objects_text j ON j.road_id = d.road_id
         LEFT JOIN signal_text g ON g.road_id = d.road_id
     UNION ALL
     SELECT 3, c.road_id, concat('<road length="', streetgen._decimal(total, 7), '" id="', c.road_id, '" junction="',
@@ -270,7 +294,7 @@ BEGIN
         '<center><lane id="0" type="none" level="false"/></center>',
         CASE WHEN right_hand THEN '<right>' || lane || '</right>' END, '</laneSection></lanes>', j.text,
         '<userData code="interconnection" value="', ways, '"/></road>')
-    FROM origin o, side, connecting c JOIN joined_node USING (node_id) LEFT JOIN object_text j USING (road_id)
+    FROM origin o, side, connecting c JOIN joined_node USING (node_id) LEFT JOIN objects_text j USING (road_id)
         LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
         LATERAL (SELECT CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
             CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
