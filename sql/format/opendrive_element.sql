@@ -62,6 +62,21 @@ BEGIN
             LEFT JOIN shoulder b ON (b.road_id, b.side) = (d.road_id, s.side),
             LATERAL (SELECT num_nonnulls(b.road_id) AS more) outer_lane,
             (SELECT k.raised FROM streetgen._mesh_layer() k WHERE k.layer = 'sidewalk') k),
+    -- The lane of a road at one end of it.
+    placed AS MATERIALIZED (
+        SELECT lane_id, road_id, edge_id, at_end, halves[i] AS half,
+            CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number
+        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false, 1), (true, 2)) v(at_end, n)
+        WHERE own_ends[n]),
+    line_ahead AS MATERIALIZED (
+        SELECT m.kind, m.along_axis, l.lane_id, p.road_id, p.number, coalesce(q.geom, m.geom) AS geom,
+            coalesce(r.geom, m.surface) AS surface
+        FROM marking m JOIN lane l USING (edge_id, lane_position)
+            JOIN placed p ON (p.lane_id, p.at_end) = (l.lane_id, m.along_axis)
+                AND coalesce(p.half = m.along_axis, true)
+            LEFT JOIN projected q ON (q.kind, q.id) = ('marking', m.marking_id)
+            LEFT JOIN projected r ON (r.kind, r.id) = ('marking surface', m.marking_id)
+        WHERE m.kind <> 'arrow'),
     road_of_edge AS MATERIALIZED (SELECT DISTINCT edge_id FROM drawn),
     -- An object of an edge that is no road here, and one that no axis places, goes to the nearest street.
     standing AS MATERIALIZED (
@@ -101,18 +116,26 @@ BEGIN
                 AND abs(p.aside) <= sqrt(o.aside ^ 2 + o.beyond ^ 2)
             ORDER BY abs(p.aside), c.road_id LIMIT 1) c ON true),
     grounded AS (
-        SELECT *, CASE
+        SELECT streetgen._file_id('object', street_object_id) AS id, replace(type, '_', ' ') AS name, kind, subtype,
+            angle, size, road_id, total, station, aside, direction, beyond, x, y, NULL::bigint AS lane, CASE
             WHEN ST_Dimension(geom) = 1 THEN ST_Buffer(geom, size / 2, 'endcap=flat join=mitre mitre_limit=2')
             WHEN drawn THEN surface
             -- What lies beside no road says by its corners where it is.
             WHEN abs(beyond) > 0.01 THEN ST_Buffer(geom, size / 2, 'quad_segs=2') END AS ground
-        FROM stationed),
+        FROM stationed
+        UNION ALL
+        SELECT streetgen._file_id('lane', lane_id, 2 + along_axis::integer), l.kind || ' line', 'roadMark',
+            'signalLines', NULL, NULL, road_id, d.total, p.station, p.aside, p.direction, p.beyond, ST_X(place),
+            ST_Y(place), number, ST_OrientedEnvelope(surface)
+        FROM line_ahead l JOIN drawn d USING (road_id), ST_LineInterpolatePoint(l.geom, 0.5) place,
+            streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(place),
+                ST_Y(place)) p
+        WHERE NOT ST_IsEmpty(surface)),
     object_text AS (
-        SELECT road_id, 'object' AS kind, street_object_id AS id,
+        SELECT road_id, 'object' AS kind, id,
             streetgen._opendrive_open(xmlelement(name object, xmlattributes(
                 -- CARLA takes a name that begins with speed_ for a speed limit.
-                streetgen._file_id('object', street_object_id) AS id,
-                streetgen._xml_text(replace(type, '_', ' ')) AS name, kind AS type, subtype,
+                id, streetgen._xml_text(name) AS name, kind AS type, subtype,
                 streetgen._opendrive_station(station, total) AS s, streetgen._decimal(aside, 4) AS t,
                 0 AS "zOffset", 'none' AS orientation, streetgen._decimal(CASE
                     WHEN outlined THEN -direction
@@ -124,11 +147,13 @@ BEGIN
             || CASE WHEN outlined THEN concat(CASE WHEN kind = 'crosswalk' THEN outline END, '<outlines>', outline,
                 '</outlines>') ELSE '' END
             || CASE WHEN kind = 'parkingSpace' THEN '<parkingSpace access="all"/>' ELSE '' END
-            || '</object>' AS text
+            || coalesce('<validity fromLane="' || lane || '" toLane="' || lane || '"/>', '') || '</object>' AS text
         FROM (SELECT convergence FROM origin) n, grounded,
             LATERAL (SELECT ST_GeometryType(ground) IS NOT DISTINCT FROM 'ST_Polygon' AS outlined) o,
-            LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x, y) END AS outline) c),
-    -- Lanes of the edge that are a road of their own lie on the same deck.
+            -- Corners count from the place at its station, at the end of the road where it lies beyond.
+            LATERAL (SELECT CASE WHEN outlined THEN streetgen._opendrive_outline(ground, x - beyond * cos(direction),
+                y - beyond * sin(direction)) END AS outline) c),
+    -- A deck has one element, also where lanes of its edge are a road of their own.
     structure_text AS (
         SELECT road_id, kind, id, '<' || kind || ' s="' || streetgen._opendrive_station(since, total) || '" length="'
             || streetgen._opendrive_station(until - since, total - since) || '" id="'
@@ -157,18 +182,33 @@ BEGIN
             || round(s.duration::numeric, 2), ', ' ORDER BY s.ordinality) AS text
         FROM streetgen._signal_controllers(model) c JOIN streetgen._signal_states(model) s USING (controller_id)
         GROUP BY controller_id),
-    -- The lane of a road at one end of it.
-    placed AS MATERIALIZED (
-        SELECT lane_id, road_id, edge_id, at_end, halves[i] AS half,
-            CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END AS number
-        FROM drawn, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), (VALUES (false, 1), (true, 2)) v(at_end, n)
-        WHERE own_ends[n]),
+    driven AS MATERIALIZED (
+        SELECT d.road_id, e.speed FROM drawn d JOIN written_edge e USING (edge_id) JOIN street t USING (edge_id)
+        WHERE t.road_type NOT IN ('pedestrian', 'bicycle')),
+    -- The speeds of the roads by which one comes to each end of a road.
+    speed_before AS MATERIALIZED (
+        SELECT road_id, at_end, min(speed) AS lowest, max(speed) AS highest
+        FROM (SELECT c.road_out AS road_id, c.out_end AS at_end, c.road_in AS other FROM connecting c
+            UNION ALL SELECT d.road_id, at_end, joined_road[n] FROM drawn d, (VALUES (false, 1), (true, 2)) v(at_end, n)
+            ) b JOIN (SELECT road_id AS other, speed FROM driven) o USING (other)
+        WHERE other <> road_id GROUP BY road_id, at_end),
+    -- The lanes by which one enters a road, where another speed begins.
+    new_speed AS (
+        SELECT p.road_id, NOT at_end AS along_axis, n.speed, min(p.lane_id) AS lane_id, min(p.number) AS first,
+            max(p.number) AS last
+        FROM placed p JOIN driven n USING (road_id) JOIN lane l USING (lane_id) LEFT JOIN speed_before b
+            USING (road_id, at_end)
+        WHERE l.kind NOT IN ('parking', 'cycle', 'closed')
+            AND (l.both_ways AND p.half IS NULL OR coalesce(p.half, l.along_axis) <> at_end)
+            AND (b.lowest, b.highest) IS DISTINCT FROM (n.speed, n.speed)
+        GROUP BY p.road_id, at_end, n.speed),
     -- A signal hangs above the end of its lane; a sign stands half a metre beside the lanes that it is for.
     sign AS MATERIALIZED (
         SELECT g.id, p.road_id, d.total, s.station, s.aside, g.along_axis, 5 AS raised, p.number AS first,
             p.number AS last,
             'yes' AS dynamic, 'OpenDRIVE' AS country, '1000001' AS type, 'signal' AS name, g.number AS controller,
-            CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id
+            CASE WHEN g.along_axis THEN e.to_node ELSE e.from_node END AS node_id, g.controller_id,
+            NULL::float8 AS speed
         FROM signal_group g JOIN placed p ON (p.lane_id, p.at_end) = (g.lane_id, g.along_axis)
                 AND coalesce(p.half = g.along_axis, true)
             JOIN written_edge e USING (edge_id) JOIN drawn d ON d.road_id = p.road_id,
@@ -179,27 +219,34 @@ BEGIN
             CASE WHEN m.along_axis = right_hand THEN
                     border[cardinality(border) - CASE WHEN m.along_axis THEN 0 ELSE stations - 1 END] - 0.5
                 ELSE border[CASE WHEN m.along_axis THEN stations ELSE 1 END] + 0.5 END,
-            m.along_axis, 2, m.first, m.last, 'no', 'DE', m.type, m.kind, NULL, NULL, NULL
-        FROM (SELECT p.road_id, m.along_axis, m.kind, CASE m.kind WHEN 'stop' THEN '206' ELSE '205' END AS type,
-                min(l.lane_id) AS lane_id, min(p.number) AS first, max(p.number) AS last,
-                (array_agg(coalesce(q.geom, m.geom) ORDER BY p.number))[1] AS geom
-            FROM marking m JOIN lane l USING (edge_id, lane_position)
-                JOIN placed p ON (p.lane_id, p.at_end) = (l.lane_id, m.along_axis)
-                    AND coalesce(p.half = m.along_axis, true)
-                LEFT JOIN projected q ON (q.kind, q.id) = ('marking', m.marking_id)
-            WHERE m.kind <> 'arrow' AND NOT EXISTS (SELECT FROM signal_group g
-                WHERE (g.lane_id, g.along_axis) = (l.lane_id, m.along_axis))
-            GROUP BY p.road_id, m.along_axis, m.kind) m JOIN drawn d USING (road_id) CROSS JOIN side,
+            m.along_axis, 2, m.first, m.last, 'no', 'DE', m.type, m.kind, NULL, NULL, NULL, NULL
+        FROM (SELECT road_id, along_axis, kind, CASE kind WHEN 'stop' THEN '206' ELSE '205' END AS type,
+                min(lane_id) AS lane_id, min(number) AS first, max(number) AS last,
+                (array_agg(geom ORDER BY number))[1] AS geom
+            FROM line_ahead l WHERE NOT EXISTS (SELECT FROM signal_group g
+                WHERE (g.lane_id, g.along_axis) = (l.lane_id, l.along_axis))
+            GROUP BY road_id, along_axis, kind) m JOIN drawn d USING (road_id) CROSS JOIN side,
             LATERAL (SELECT cardinality(station) AS stations, ST_LineInterpolatePoint(m.geom, 0.5) AS place) c,
             streetgen._chain_station(d.s, d.x, d.y, d.heading, d.length, d.curvature, d.curvature_end, ST_X(place),
-                ST_Y(place)) s),
+                ST_Y(place)) s
+        UNION ALL
+        SELECT streetgen._file_id('entry', n.lane_id, n.along_axis::integer), d.road_id, d.total,
+            CASE WHEN n.along_axis THEN 0 ELSE d.total END,
+            CASE WHEN n.along_axis = right_hand THEN
+                    border[cardinality(border) - CASE WHEN n.along_axis THEN stations - 1 ELSE 0 END] - 0.5
+                ELSE border[CASE WHEN n.along_axis THEN 1 ELSE stations END] + 0.5 END,
+            n.along_axis, 2, n.first, n.last, 'no', 'DE', '274', 'maximum speed', NULL, NULL, NULL, n.speed
+        FROM new_speed n JOIN drawn d USING (road_id) CROSS JOIN side,
+            LATERAL (SELECT cardinality(station) AS stations) c),
     signal_text AS MATERIALIZED (
         SELECT road_id, '<signals>' || string_agg('<signal s="' || streetgen._opendrive_station(station, total)
             || '" t="'
             || streetgen._decimal(aside, 4) || '" id="' || id || '" name="' || name || '" dynamic="' || dynamic
             || '" orientation="' || CASE WHEN along_axis THEN '+' ELSE '-' END || '" zOffset="' || raised
-            || '" country="' || country || '" type="' || type || '" subtype="-1"><validity fromLane="' || first
-            || '" toLane="' || last || '"/></signal>', '' ORDER BY id) || '</signals>' AS text
+            || '" country="' || country || '" type="' || type || '" subtype="' || coalesce(round(speed)
+                || '" value="' || streetgen._decimal(speed, 1) || '" unit="km/h', '-1')
+            || '"><validity fromLane="' || first || '" toLane="' || last || '"/></signal>', '' ORDER BY id)
+            || '</signals>' AS text
         FROM sign GROUP BY road_id),
     controller_line AS (
         SELECT 4 AS turn, controller AS id, '<controller id="' || controller || '" name="' || min(controller_id)

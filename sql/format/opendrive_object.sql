@@ -11,7 +11,7 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_object_kind() RETURNS TABLE(type
 COMMENT ON FUNCTION streetgen._opendrive_object_kind() IS
     'The type that objects have in OpenDRIVE, by their type or the nearest one above it that stands here.';
 
--- Corners count from the place of the object, along east and north.
+-- Corners count from a place, along east and north.
 CREATE OR REPLACE FUNCTION streetgen._opendrive_outline(ground geometry, x float8, y float8) RETURNS text
     LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog, public
     AS $$
@@ -20,7 +20,7 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_outline(ground geometry, x float
         || '" z="0" height="0"/>', '' ORDER BY p.path[1]) || '</outline>'
     FROM ST_ExteriorRing(ST_ForcePolygonCCW(ground)) ring, ST_DumpPoints(ring) p WHERE p.path[1] < ST_NPoints(ring) $$;
 COMMENT ON FUNCTION streetgen._opendrive_outline(geometry, float8, float8) IS
-    'The ground of an object (POLYGON) as an outline about its place x, y.';
+    'The ground of an object (POLYGON) as an outline about a place x, y.';
 
 CREATE OR REPLACE FUNCTION streetgen._opendrive_objects(model name)
     RETURNS TABLE(street_object_id bigint, type text, angle float8, geom geometry, edge_id bigint, kind text,

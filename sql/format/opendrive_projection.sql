@@ -76,6 +76,7 @@ BEGIN
             UNION ALL SELECT 'head', streetgen._file_id('lane', lane_id, along_axis::integer), h.geom
             FROM streetgen._signal_heads(model) h
             UNION ALL SELECT 'marking', marking_id, m.geom FROM marking m
+            UNION ALL SELECT 'marking surface', marking_id, m.surface FROM marking m WHERE m.kind <> 'arrow'
             UNION ALL SELECT 'course', edge_id, ST_SetSRID(streetgen._course_places(alignment), o.srid)
             FROM streetgen._export_origin(model, options) o, streetgen._opendrive_courses(model, options)
             UNION ALL SELECT 'object', street_object_id, o.geom FROM streetgen._opendrive_objects(model) o
@@ -91,5 +92,5 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._projected_geometries(name, jsonb) IS
     'The geometries that a file of OpenDRIVE is made of, by what they are of: edge, lane, its surface, '
-    'interconnection, movement, head, marking, course, object and its surface. They are there where coordinates count '
-    'on a projection of their own, and on that.';
+    'interconnection, movement, head, marking and its surface, course, object and its surface. They are there where '
+    'coordinates count on a projection of their own, and on that.';
