@@ -172,7 +172,8 @@ BEGIN
     node AS MATERIALIZED (
         SELECT number, json_strip_nulls(json_build_object('name', name, 'mesh', number, 'extras', extras)) AS node
         FROM mesh WHERE shape IS NULL
-        UNION ALL SELECT (SELECT count(*) FROM mesh WHERE shape IS NULL) + row_number() OVER () - 1,
+        UNION ALL SELECT (SELECT count(*) FROM mesh WHERE shape IS NULL)
+                + row_number() OVER (ORDER BY o.name, o.shape) - 1,
             json_build_object('name', streetgen._xml_text(o.name), 'mesh', m.number, 'translation', json_build_array(
                 round((ST_X(o.place) - x)::numeric, 3), round((ST_Z(o.place) - z)::numeric, 3),
                 round((y - ST_Y(o.place))::numeric, 3)), 'rotation', json_build_array(0,

@@ -18,7 +18,9 @@ CREATE OR REPLACE FUNCTION streetgen.export_option()
         'where coordinates are counted from: whole metres of the lower left corner or of the middle of what is '
         'written, or [x, y] or [x, y, z] in the SRID of the model; z is 0 unless given', -1e12, 1e12,
         '{corner,middle}'),
-    ('origin', '{dxf}', 'place', '[0, 0]', 'm', 'the same', -1e12, 1e12, '{corner,middle}'),
+    ('origin', '{dxf}', 'place', '[0, 0]', 'm',
+        'where coordinates are counted from: the origin of the SRID, or as in other formats', -1e12, 1e12,
+        '{corner,middle}'),
     ('precision', '{sumo}', 'integer', '2', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('precision', '{symuvia}', 'integer', '3', 'digits', 'digits of a coordinate behind the point', 2, 8, NULL),
     ('tolerance', '{sumo}', 'number', '0', 'm', 'how far a simplified line may leave that of the model; 0: all its '
