@@ -47,6 +47,12 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_lean(length float8, "from" float
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE
     RETURN (SELECT CASE WHEN lean_in = 0 AND lean_out = 0
             THEN streetgen._opendrive_step('laneOffset', 's', length, "from", "to")
+            WHEN lean_in = 0 THEN streetgen._opendrive_cubics('laneOffset', 's', ARRAY[0, length - over],
+                ARRAY["from", "to" - slope * over], ARRAY[slope, slope], ARRAY[0, -lean_out / over],
+                ARRAY[0, lean_out / over ^ 2])
+            WHEN lean_out = 0 THEN streetgen._opendrive_cubics('laneOffset', 's', ARRAY[0, over],
+                ARRAY["from", "from" + slope * over], ARRAY[slope + lean_in, slope], ARRAY[-2 * lean_in / over, 0],
+                ARRAY[lean_in / over ^ 2, 0])
             ELSE streetgen._opendrive_cubics('laneOffset', 's', ARRAY[0, over, length - over],
                 ARRAY["from", "from" + slope * over, "to" - slope * over], ARRAY[slope + lean_in, slope, slope],
                 ARRAY[-2 * lean_in / over, 0, -lean_out / over], ARRAY[lean_in / over ^ 2, 0, lean_out / over ^ 2]) END

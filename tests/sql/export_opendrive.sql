@@ -211,3 +211,5 @@ SELECT 'room lies between the lanes and the sidewalks at the kerbs', pg_temp.lan
 SELECT 'all lanes but sidewalks are as wide as the roadway', (SELECT sum(a::float8) FROM unnest(pg_temp.lanes_of(1, '[@type!="sidewalk"]/width/@a')) a) = 12;
 SELECT 'also where it narrows', abs((SELECT sum(a::float8) FROM unnest(pg_temp.lanes_of(2, '/width/@a')) a) - 12) < 1e-4 AND abs((SELECT sum(b::float8) FROM unnest(pg_temp.lanes_of(2, '/width/@b')) b) * 100 + 4) < 1e-4;
 SELECT 'lanes that fill it have none', pg_temp.lanes_of(3, '/@type') = '{driving,driving,sidewalk,sidewalk}';
+SELECT 'offsets that lean at one end have no record that says what the one before it says', regexp_count(streetgen._opendrive_lean(20, 1, 3, lean_in, lean_out), '<laneOffset') = n
+  FROM (VALUES (0, 0, 1), (0.1, 0, 2), (0, 0.1, 2), (0.1, -0.1, 3)) v(lean_in, lean_out, n);
