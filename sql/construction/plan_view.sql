@@ -35,10 +35,12 @@ CREATE OR REPLACE FUNCTION streetgen.path_view(path geometry, heading_from float
     RETURNS TABLE(s float8, x float8, y float8, heading float8, length float8, curvature float8)
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE COST 1000 ROWS 3
     SET search_path = pg_catalog, public
-    AS $$ SELECT u.* FROM streetgen._path_view(path::bytea,
-              -- What is no line has no ends, and is refused as a path.
-              ARRAY[coalesce(ST_X(ST_StartPoint(path)), 0), coalesce(ST_Y(ST_StartPoint(path)), 0), heading_from],
-              ARRAY[coalesce(ST_X(ST_EndPoint(path)), 0), coalesce(ST_Y(ST_EndPoint(path)), 0), heading_to],
+    AS $$ SELECT u.*
+        -- A path that is no line has no ends, and is refused.
+        FROM (SELECT CASE GeometryType(path) WHEN 'LINESTRING' THEN path END AS line) l,
+          streetgen._path_view(path::bytea,
+              ARRAY[coalesce(ST_X(ST_StartPoint(line)), 0), coalesce(ST_Y(ST_StartPoint(line)), 0), heading_from],
+              ARRAY[coalesce(ST_X(ST_EndPoint(line)), 0), coalesce(ST_Y(ST_EndPoint(line)), 0), heading_to],
               tolerance, lane_width) v,
           unnest(v.s, v.x, v.y, v.heading, v.length, v.curvature) u $$;
 COMMENT ON FUNCTION streetgen.path_view(geometry, float8, float8, float8, float8) IS
