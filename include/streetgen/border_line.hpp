@@ -7,7 +7,7 @@
 
 namespace streetgen {
 
-// What borders lie beside: a chain, and values at stations along it, straight between them.
+// The line that borders lie beside: a chain, and values at stations along it, straight between them.
 struct BorderCourse {
   std::vector<PlanPiece> chain;
   std::vector<double> stations;  // metres along the chain from 0 to its end, two at least

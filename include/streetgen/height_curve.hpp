@@ -10,8 +10,8 @@ struct HeightPiece {
   double s = 0, a = 0, b = 0, c = 0, d = 0;
 };
 
-// As few polynomials as pass each of the heights at increasing stations by `tolerance` metres at
-// most, with no break of grade.  Where heights would be left by more than that between two stations
+// The fewest polynomials that pass each of the heights at increasing stations by `tolerance` metres
+// at most, with no break of grade.  Where heights would be left by more than that between two stations
 // for a break to vanish, the break stays.  A parabola or a straight grade that is given by its
 // points is one piece.  Fewer than two stations: no piece.
 std::vector<HeightPiece> height_curve(const std::vector<double>& stations,

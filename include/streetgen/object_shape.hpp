@@ -1,4 +1,4 @@
-// What stands at streets, as shapes of few triangles.
+// Objects at streets as shapes of few triangles.
 #pragma once
 
 #include <string>

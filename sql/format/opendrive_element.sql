@@ -90,7 +90,7 @@ BEGIN
                 WHEN o.edge_id IS NULL OR options ->> 'junctions' = 'group'
                         OR o.edge_id IN (SELECT edge_id FROM written_edge) THEN (
                     SELECT e.edge_id FROM edge e WHERE ST_DWithin(e.geom, o.geom, 50)
-                        -- As a value it is looked up: as a join it is read for each object.
+                        -- A value is looked up; a join would read all for each object.
                         AND (e.edge_id IN (SELECT edge_id FROM road_of_edge)) IS TRUE
                     ORDER BY ST_Distance(e.geom, o.geom), e.edge_id LIMIT 1) END AS edge_id) n
             JOIN written_edge e ON e.edge_id = n.edge_id,

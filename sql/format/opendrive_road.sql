@@ -148,7 +148,7 @@ BEGIN
             AND place_id IN (SELECT n.place_id
                 FROM written_edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
                     JOIN joined_node n USING (node_id) GROUP BY n.place_id HAVING count(*) = 2)),
-    -- Where lanes meet in a junction, or go on beside their end, roads are cut back: a way of no length is none.
+    -- Roads are cut back where lanes meet in a junction, or go on beside their end: a way of no length is none.
     met AS MATERIALIZED (
         SELECT edge_id, at_end, greatest(0.05, 2 * max(length)) AS cut
         FROM way_end, LATERAL (VALUES (edge_in, in_end), (edge_out, out_end)) v(edge_id, at_end)

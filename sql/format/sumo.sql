@@ -185,7 +185,7 @@ BEGIN
     TABLE going_on
     UNION ALL SELECT 0, a.name, b.name, a.index, b.index, a.goes_to, NULL, NULL, NULL, NULL, NULL, NULL
     FROM placed a JOIN placed b USING (lane_id, along_axis) WHERE NOT a.ends AND a.until = b.since
-    -- Who finds no way on turns back, from lane to lane in the middle of the street.
+    -- Cars that find no way on turn back, from lane to lane in the middle of the street.
     UNION ALL SELECT * FROM (
         SELECT DISTINCT ON (a.name) 0::bigint, a.name, b.name, a.index, b.index, a.goes_to, NULL::text, NULL::geometry,
             NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean

@@ -7,15 +7,13 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_crossings(model name, options jsonb)
     AS $$
 #variable_conflict use_column
 DECLARE
-    inside bigint[];
-    rings bigint[];
+    inside constant bigint[] := streetgen._edges_within_junctions(model);
+    rings constant bigint[] := ARRAY(SELECT r.edge_id FROM streetgen._ring_edges(model) r);
 BEGIN
     PERFORM streetgen._use_model(model);
     IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    inside := streetgen._edges_within_junctions(model);
-    rings := ARRAY(SELECT r.edge_id FROM streetgen._ring_edges(model) r);
     RETURN QUERY WITH place AS MATERIALIZED (SELECT * FROM streetgen._places(model, options)),
     sumo_edge AS MATERIALIZED (SELECT * FROM streetgen._sumo_edges(model, options, false, false)),
     signalled AS MATERIALIZED (

@@ -20,13 +20,12 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_walks(model name, options jsonb, line
     AS $$
 #variable_conflict use_column
 DECLARE
-    inside bigint[];
+    inside constant bigint[] := streetgen._edges_within_junctions(model);
 BEGIN
     PERFORM streetgen._use_model(model);
     IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    inside := streetgen._edges_within_junctions(model);
     RETURN QUERY WITH sidewalk AS MATERIALIZED (SELECT * FROM streetgen._sidewalks_beside(model, options, lines)),
     -- Two who meet have room at the border of the roadway.
     bare AS (
@@ -56,13 +55,12 @@ CREATE OR REPLACE FUNCTION streetgen._sumo_refuges(model name, options jsonb)
     AS $$
 #variable_conflict use_column
 DECLARE
-    inside bigint[];
+    inside constant bigint[] := streetgen._edges_within_junctions(model);
 BEGIN
     PERFORM streetgen._use_model(model);
     IF 'sidewalk' <> ALL (streetgen._subjects(model)) THEN
         RETURN;
     END IF;
-    inside := streetgen._edges_within_junctions(model);
     RETURN QUERY WITH place AS MATERIALIZED (SELECT node_id, place_id FROM streetgen._places(model, options)),
     -- A crossing that begins or ends beside a median.
     half AS MATERIALIZED (
