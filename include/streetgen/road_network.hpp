@@ -52,11 +52,11 @@ struct NetworkWish {
 std::vector<TownLink> link_towns(const std::vector<Town>& towns, const NetworkWish& wish);
 
 // Links of one network that cross away from their ends: the place, and both links.
-struct LinkCrossing {
+struct TownLinkCrossing {
   Point point;
   std::size_t first = 0, second = 0;
 };
-std::vector<LinkCrossing> link_crossings(const std::vector<Town>& towns,
+std::vector<TownLinkCrossing> link_crossings(const std::vector<Town>& towns,
                                          const std::vector<TownLink>& links);
 
 // Towns whose importance falls with their rank (importance = largest / rank^exponent) at random

@@ -220,13 +220,13 @@ std::vector<TownLink> link_towns(const std::vector<Town>& towns, const NetworkWi
   return builder.take();
 }
 
-std::vector<LinkCrossing> link_crossings(const std::vector<Town>& towns,
+std::vector<TownLinkCrossing> link_crossings(const std::vector<Town>& towns,
                                          const std::vector<TownLink>& links) {
   std::vector<Box> boxes(links.size());
   for (std::size_t i = 0; i < links.size(); ++i)
     for (std::size_t end : {links[i].a, links[i].b}) boxes[i].add(planar(towns[end].point));
   const BoxIndex index(boxes);
-  std::vector<LinkCrossing> found;
+  std::vector<TownLinkCrossing> found;
   for (std::size_t i = 0; i < links.size(); ++i) {
     poll_cancel();
     for (const int near : index.near(boxes[i], 0)) {

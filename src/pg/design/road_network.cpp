@@ -97,14 +97,14 @@ STREETGEN_FUNCTION(streetgen_link_towns) {
 STREETGEN_FUNCTION(streetgen_link_crossings) {
   InitMaterializedSRF(fcinfo, 0);
   const NumberArray towns = take_numbers(fcinfo, 0), links = take_numbers(fcinfo, 1);
-  using Crossings = std::vector<LinkCrossing>;
+  using Crossings = std::vector<TownLinkCrossing>;
   Slot<Crossings>* slot = make_slot<Crossings>(CurrentMemoryContext);
   report(compute([&] {
     const std::vector<Town> read = towns_of(towns);
     slot->value = new Crossings(link_crossings(read, links_of(links, read)));
   }));
   auto* result = reinterpret_cast<ReturnSetInfo*>(fcinfo->resultinfo);
-  for (const LinkCrossing& c : *slot->value) {
+  for (const TownLinkCrossing& c : *slot->value) {
     Datum values[4] = {Float8GetDatum(c.point.x), Float8GetDatum(c.point.y),
                        Int32GetDatum(static_cast<int>(c.first)),
                        Int32GetDatum(static_cast<int>(c.second))};
