@@ -25,6 +25,7 @@ class NetworkMaker {
     aspects_.emplace_back();
     beside_.emplace_back();
     pieces_.emplace_back();
+    conflicts_.emplace_back();
     return static_cast<int>(links_.size()) - 1;
   }
   // The first movement of a lane is straight on.
@@ -47,7 +48,28 @@ class NetworkMaker {
     links_[movement].plan = plan;
     aspects_[movement] = aspects;
   }
+  // Green in a part of each cycle, then amber and red, by a plan of its own.
+  void green(int movement, float cycle, float from, float amber, float red) {
+    signal(movement, static_cast<int>(plans.size()),
+           {{from, Aspect::protected_green}, {amber, Aspect::amber}, {red, Aspect::red}});
+    if (from > 0) aspects_[movement].insert(aspects_[movement].begin(), {0, Aspect::red});
+    plans.push_back({movement, cycle, 0});
+  }
+  // Both need the ground of these stretches.  The first one goes first, or it is by arrival or by
+  // signal.
+  void conflict(int link, float from, float to, int other, float other_from, float other_to,
+                Precedence precedence = Precedence::goes_first) {
+    conflicts_[link].push_back({other, precedence, from, to, other_from, other_to});
+    if (precedence == Precedence::goes_first) precedence = Precedence::gives_way;
+    conflicts_[other].push_back({link, precedence, other_from, other_to, from, to});
+  }
   void beside(int link, const LinkBeside& row) { beside_[link].push_back(row); }
+  // From metres on two lanes lie beside each other, so far along each, the second one on the left.
+  void lanes_beside(int right, int left, float from, float to, bool right_may = true,
+                    bool left_may = true) {
+    beside(right, {left, true, right_may, false, from, to, from, to});
+    beside(left, {right, false, left_may, false, from, to, from, to});
+  }
   void piece(int link, const LinkPiece& row) { pieces_[link].push_back(row); }
   Link& link(int i) { return links_[i]; }
   const std::vector<int>& next(int i) const { return next_[i]; }
@@ -68,7 +90,7 @@ class NetworkMaker {
       add(made.beside, beside_[i]);
       add(made.aspects, aspects_[i]);
       made.heights.end_owner();
-      made.conflicts.end_owner();
+      add(made.conflicts, conflicts_[i]);
       made.crossings.end_owner();
     }
     return made;
@@ -86,6 +108,7 @@ class NetworkMaker {
   std::vector<std::vector<SignalAspect>> aspects_;
   std::vector<std::vector<LinkBeside>> beside_;
   std::vector<std::vector<LinkPiece>> pieces_;
+  std::vector<std::vector<LinkConflict>> conflicts_;
 };
 
 // Lanes with up to three movements each, many shorter than a car; some have signals, some lie on
