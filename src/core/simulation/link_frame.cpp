@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/link_course.hpp"
 #include "simulation/path_ahead.hpp"
 #include "streetgen/traffic.hpp"
 
@@ -17,17 +18,9 @@ int link_of(const TrafficNetwork& network, std::int64_t link_id) {
 
 namespace {
 
-// The last row that begins at or before a place, else the first one.
-template <class List>
-auto row_at(const List& rows, double metres) {
-  const auto after = std::upper_bound(rows.begin(), rows.end(), metres,
-                                      [](double m, const auto& row) { return m < row.metres; });
-  return after == rows.begin() ? after : after - 1;
-}
-
 void set_height(LinkFrame& frame, const RowsOf<LinkHeight>::List& heights, double metres) {
   if (heights.empty()) return;
-  const LinkHeight* from = row_at(heights, metres);
+  const LinkHeight* from = row_at(heights.begin(), heights.end(), metres);
   if (from + 1 == heights.end() && heights.size() > 1) --from;
   frame.height = from->height;
   if (from + 1 == heights.end()) return;
@@ -47,13 +40,12 @@ LinkFrame frame(const TrafficNetwork& network, const LinkPlace& place, double wh
   set_height(frame, network.heights.of(place.link), metres);
   const auto pieces = network.pieces.of(place.link);
   if (pieces.empty()) return frame;
-  const LinkPiece& piece = *row_at(pieces, metres);
-  const double along = metres - piece.metres, half_turn = piece.curvature * along / 2;
-  const double chord = piece.curvature == 0 ? along : 2 * std::sin(half_turn) / piece.curvature;
-  frame.x = piece.x + chord * std::cos(piece.heading + half_turn);
-  frame.y = piece.y + chord * std::sin(piece.heading + half_turn);
-  frame.heading = std::remainder(piece.heading + 2 * half_turn, 2 * M_PI);
-  frame.curvature = piece.curvature;
+  const LinkPiece& piece = *row_at(pieces.begin(), pieces.end(), metres);
+  const CoursePlace at = place_on(piece, metres - piece.metres);
+  frame.x = at.x;
+  frame.y = at.y;
+  frame.heading = std::remainder(at.heading, 2 * M_PI);
+  frame.curvature = at.curvature;
   frame.steering = std::atan(wheelbase * piece.curvature);
   return frame;
 }
