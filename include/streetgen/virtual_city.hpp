@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "streetgen/geometry.hpp"
+#include "streetgen/number_option.hpp"
 
 namespace streetgen {
 
@@ -49,24 +49,8 @@ struct CityOptions {
   double one_way_pairs = 0;
 };
 
-// One option by name, with its range and how many numbers it takes.
-struct CityOption {
-  const char* name;
-  std::variant<double CityOptions::*, std::vector<double> CityOptions::*> value;
-  const char* unit;
-  const char* description;
-  double low;
-  double high;
-  bool whole;
-  int fewest;
-  int most;
-};
+using CityOption = NumberOption<CityOptions>;
 const std::vector<CityOption>& city_options();
-
-// Error{invalid_input}, with a hint, for an unknown name, a value out of range, too few or many.
-void set_city_option(CityOptions& options, const std::string& name,
-                     const std::vector<double>& values);
-std::vector<double> city_option(const CityOptions& options, const CityOption& option);
 
 // The value of a list by level for a level.
 double at_level(const std::vector<double>& list, int level);

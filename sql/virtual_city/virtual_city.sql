@@ -3,10 +3,11 @@
 CREATE OR REPLACE FUNCTION streetgen._virtual_city(srid integer, x float8, y float8, extent_width float8,
     extent_height float8, seed bigint, option_names text[], option_values float8[])
     RETURNS TABLE(geom bytea, width float8, lane_count integer, importance integer, name text, direction text,
-        speed float8)
+        speed float8, kind text, bridge boolean, built_up boolean)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE ROWS 1500 COST 1000000 AS 'MODULE_PATHNAME', 'streetgen_virtual_city';
 COMMENT ON FUNCTION streetgen._virtual_city(integer, float8, float8, float8, float8, bigint, text[], float8[]) IS
-    'The axes of streetgen.virtual_city as EWKB; options as pairs of name and number, a list by repeating its name.';
+    'The axes of streetgen.virtual_city as EWKB, in the columns of _two_towns; options as pairs of name and number, a '
+    'list by repeating its name.';
 
 CREATE OR REPLACE FUNCTION streetgen._city_density(at_x float8, at_y float8, x float8, y float8, width float8,
     height float8, option_names text[], option_values float8[]) RETURNS float8
@@ -20,7 +21,7 @@ CREATE OR REPLACE FUNCTION streetgen.city_option()
 COMMENT ON FUNCTION streetgen.city_option() IS
     'The options of streetgen.virtual_city: default value (of a list, all its numbers), unit, meaning and range.';
 
-CREATE OR REPLACE FUNCTION streetgen._city_options(options jsonb, OUT names text[], OUT numbers float8[])
+CREATE OR REPLACE FUNCTION streetgen._city_options(options jsonb, list text, OUT names text[], OUT numbers float8[])
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
@@ -29,8 +30,8 @@ BEGIN
     IF jsonb_typeof(options) IS DISTINCT FROM 'object' THEN
         RAISE EXCEPTION 'the options are %, expected an object', coalesce(options::text, 'NULL')
             USING ERRCODE = '22023',
-            HINT = 'For example {"right_angles": 1}; {} takes the defaults. SELECT * FROM streetgen.city_option() '
-            'lists them.';
+            HINT = format('For example {"right_angles": 1}; {} takes the defaults. SELECT * FROM streetgen.%s() '
+            'lists them.', list);
     END IF;
     SELECT o.key, o.value INTO wrong FROM jsonb_each(options) o
         WHERE jsonb_typeof(o.value) NOT IN ('number', 'array')
@@ -41,14 +42,15 @@ BEGIN
     IF FOUND THEN
         RAISE EXCEPTION 'option "%" is %, expected a number or a list of numbers', wrong.key,
             left(wrong.value::text, 100) USING ERRCODE = '22023',
-            HINT = 'SELECT * FROM streetgen.city_option() lists the options with their ranges.';
+            HINT = format('SELECT * FROM streetgen.%s() lists the options with their ranges.', list);
     END IF;
     SELECT coalesce(array_agg(o.key ORDER BY o.key, v.i), '{}'),
         coalesce(array_agg(v.number::text::float8 ORDER BY o.key, v.i), '{}') INTO names, numbers
         FROM jsonb_each(options) o, jsonb_path_query(o.value, 'lax $[*][*]') WITH ORDINALITY v(number, i);
 END $$;
-COMMENT ON FUNCTION streetgen._city_options(jsonb) IS
-    'Options as pairs of name and number; raises 22023 for what is neither a number nor a list of numbers.';
+COMMENT ON FUNCTION streetgen._city_options(jsonb, text) IS
+    'Options as pairs of name and number; raises 22023 for what is neither a number nor a list of numbers. The hint '
+    'names the function that lists them.';
 
 CREATE OR REPLACE FUNCTION streetgen._check_city(srid integer, x float8, y float8, width float8, height float8,
     seed bigint) RETURNS void
@@ -71,7 +73,7 @@ DECLARE
     given record;
 BEGIN
     PERFORM streetgen._check_city(srid, x, y, width, height, seed);
-    given := streetgen._city_options(options);
+    given := streetgen._city_options(options, 'city_option');
     RETURN QUERY SELECT c.geom::geometry, c.width, c.lane_count, c.importance, c.name, c.direction, c.speed
         FROM streetgen._virtual_city(srid, x, y, width, height, seed, given.names, given.numbers) c;
 END $$;
@@ -87,7 +89,7 @@ CREATE OR REPLACE FUNCTION streetgen.city_density(at_x float8, at_y float8, x fl
     LANGUAGE plpgsql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    given record := streetgen._city_options(options);
+    given record := streetgen._city_options(options, 'city_option');
 BEGIN
     RETURN streetgen._city_density(at_x, at_y, x, y, width, height, given.names, given.numbers);
 END $$;

@@ -1,20 +1,10 @@
 #include <cmath>
+#include <string>
+#include <vector>
 
-#include "streetgen/error.hpp"
 #include "streetgen/virtual_city.hpp"
 
 namespace streetgen {
-
-namespace {
-
-std::string names() {
-  std::string list;
-  for (const CityOption& option : city_options())
-    list += (list.empty() ? "" : ", ") + std::string(option.name);
-  return list;
-}
-
-}  // namespace
 
 const std::vector<CityOption>& city_options() {
   using O = CityOptions;
@@ -88,39 +78,22 @@ const std::vector<CityOption>& city_options() {
   return options;
 }
 
-void set_city_option(CityOptions& options, const std::string& name,
-                     const std::vector<double>& values) {
-  for (const CityOption& option : city_options()) {
-    if (name != option.name) continue;
-    const std::string hint = "Expected " + std::string(option.whole ? "whole numbers" : "numbers") +
-                             " from " + text_of(option.low) + " to " + text_of(option.high) + ": " +
-                             option.description + ".";
-    const int count = static_cast<int>(values.size());
-    if (count < option.fewest || count > option.most)
+void check_option(const std::string& name, const std::string& description, const OptionRange& range,
+                  const std::vector<double>& values) {
+  const std::string hint = "Expected " + std::string(range.whole ? "whole numbers" : "numbers") +
+                           " from " + text_of(range.low) + " to " + text_of(range.high) + ": " +
+                           description + ".";
+  const int count = static_cast<int>(values.size());
+  if (count < range.fewest || count > range.most)
+    throw Error(ErrorKind::invalid_input,
+                "option \"" + name + "\" has " + std::to_string(count) + " numbers, expected " +
+                    std::to_string(range.fewest) +
+                    (range.most > range.fewest ? " to " + std::to_string(range.most) : ""),
+                hint);
+  for (const double value : values)
+    if (!(value >= range.low && value <= range.high) || (range.whole && value != std::floor(value)))
       throw Error(ErrorKind::invalid_input,
-                  "option \"" + name + "\" has " + std::to_string(count) + " numbers, expected " +
-                      std::to_string(option.fewest) +
-                      (option.most > option.fewest ? " to " + std::to_string(option.most) : ""),
-                  hint);
-    for (const double value : values)
-      if (!(value >= option.low && value <= option.high) ||
-          (option.whole && value != std::floor(value)))
-        throw Error(ErrorKind::invalid_input,
-                    "option \"" + name + "\" is " + text_of(value) + ", out of range", hint);
-    if (const auto* number = std::get_if<double CityOptions::*>(&option.value))
-      options.** number = values.front();
-    else
-      options.*std::get<std::vector<double> CityOptions::*>(option.value) = values;
-    return;
-  }
-  throw Error(ErrorKind::invalid_input, "unknown option \"" + name + "\"",
-              "The options are " + names() + ".");
-}
-
-std::vector<double> city_option(const CityOptions& options, const CityOption& option) {
-  if (const auto* number = std::get_if<double CityOptions::*>(&option.value))
-    return {options.**number};
-  return options.*std::get<std::vector<double> CityOptions::*>(option.value);
+                  "option \"" + name + "\" is " + text_of(value) + ", out of range", hint);
 }
 
 }  // namespace streetgen

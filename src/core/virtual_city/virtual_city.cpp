@@ -7,6 +7,7 @@
 #include "streetgen/error.hpp"
 #include "virtual_city/axes.hpp"
 #include "virtual_city/growth.hpp"
+#include "virtual_city/placement.hpp"
 #include "virtual_city/portable_math.hpp"
 #include "virtual_city/random.hpp"
 
@@ -51,11 +52,7 @@ void check(const CityExtent& extent, const CityOptions& options) {
   const double least = options.axes > 0 ? 1e-3 : shortest_side(options);
   check_side("width", extent.width, least);
   check_side("height", extent.height, least);
-  if (!(std::fabs(extent.x) <= 1e9 && std::fabs(extent.y) <= 1e9))
-    throw Error(ErrorKind::invalid_input,
-                "the lower left corner is " + text_of(extent.x) + ", " + text_of(extent.y) +
-                    ", expected metres up to 1e9",
-                "Give the corner in the coordinates of the SRID.");
+  check_corner(extent.x, extent.y);
   if (options.threshold[0] > options.threshold[1])
     throw Error(ErrorKind::invalid_input,
                 "option \"threshold\" goes from " + text_of(options.threshold[0]) + " to " +
@@ -159,9 +156,7 @@ std::vector<CityAxis> virtual_city(const CityExtent& extent, std::int64_t seed,
   const auto key = static_cast<std::uint64_t>(seed);
   std::vector<CityAxis> axes =
       options.axes > 0 ? Fit(extent, key, options).run() : drawn(extent, key, options);
-  const Point corner = portable::to_millimetre({extent.x, extent.y, 0});
-  for (CityAxis& axis : axes)
-    for (Point& p : axis.line) p = portable::to_millimetre(p + corner);
+  move_axes(axes, {}, {extent.x, extent.y, 0});
   return axes;
 }
 

@@ -141,16 +141,16 @@ TEST(VirtualCity, IsATopologicalNetworkWhateverTheOptions) {
       const std::string name = option.name;
       if (name == "axes" || random.chance(0.6)) continue;
       // Not so that there is no city, nor more of it than a test has time for.
-      const double low = name == "spacing_least" ? 60 : option.low;
+      const double low = name == "spacing_least" ? 60 : option.range.low;
       const double high =
-          std::min(option.high, name == "spacing_ratio" || name == "deviation" ? 1 : 400.0);
-      std::vector<double> values = city_option(options, option);
+          std::min(option.range.high, name == "spacing_ratio" || name == "deviation" ? 1 : 400.0);
+      std::vector<double> values = option.of(options);
       for (double& value : values) {
         value = low + (high - low) * random.uniform() * random.uniform();
-        if (option.whole) value = std::floor(value);
+        if (option.range.whole) value = std::floor(value);
       }
       std::sort(values.begin(), values.end());
-      set_city_option(options, name, values);
+      set_option(city_options(), options, name, values);
       given += name + " " + text_of(values[0]) + " ";
     }
     const Network n =
@@ -241,14 +241,14 @@ TEST(VirtualCity, PairsOneWayRoads) {
 TEST(CityOption, IsSetByName) {
   CityOptions options;
   for (const CityOption& option : city_options()) {
-    const std::vector<double> was = city_option(options, option);
-    EXPECT_NO_THROW(set_city_option(options, option.name, was)) << option.name;
-    std::vector<double> other(was.size(), option.high);
-    set_city_option(options, option.name, other);
-    EXPECT_EQ(city_option(options, option), other);
-    other.back() = std::nextafter(option.high, 1e300);
-    EXPECT_THROW(set_city_option(options, option.name, other), Error) << option.name;
-    EXPECT_THROW(set_city_option(options, option.name, {}), Error) << option.name;
+    const std::vector<double> was = option.of(options);
+    EXPECT_NO_THROW(set_option(city_options(), options, option.name, was)) << option.name;
+    std::vector<double> other(was.size(), option.range.high);
+    set_option(city_options(), options, option.name, other);
+    EXPECT_EQ(option.of(options), other);
+    other.back() = std::nextafter(option.range.high, 1e300);
+    EXPECT_THROW(set_option(city_options(), options, option.name, other), Error) << option.name;
+    EXPECT_THROW(set_option(city_options(), options, option.name, {}), Error) << option.name;
   }
 }
 
@@ -289,7 +289,7 @@ TEST(CityOption, EveryOneHasAnEffect) {
     CityOptions plain;
     if (std::string(option.name) == "roundabout_radius") plain.roundabouts = 1;
     CityOptions changed = plain;
-    set_city_option(changed, option.name, other.at(option.name));
+    set_option(city_options(), changed, option.name, other.at(option.name));
     EXPECT_NE(text(plain), text(changed)) << option.name;
   }
 }
