@@ -178,9 +178,13 @@ struct NeighbourPlace {
 };
 NeighbourPlace beside(const TrafficNetwork& network, const LinkPlace& place, bool left);
 
-// The place of the nearest link, no farther than `reach` metres; link -1: none.  Of links on the
-// same ground that counts which leads as `heading` says, where one is given, else that of the
-// smallest key; of links above each other the one whose height is nearest, where one is given.
+// The place of the nearest link, no farther than `reach` metres; link -1: none.  Where it lies on
+// the ground of several links, half their width to each side of their course, those count that are
+// no more than `storey` metres farther in height than the nearest one, where a height is given.  Of
+// these the nearest one counts, where a heading is given with `metres_a_radian` for what it leads
+// elsewhere; of equal ones within a micrometre that of the smallest key.  Refused (invalid_input):
+// numbers that are not finite, a reach below 0.
+constexpr double storey = 2, metres_a_radian = 3;
 struct LocatedPlace {
   LinkPlace place;
   double offset = 0;  // metres to the left of the link there

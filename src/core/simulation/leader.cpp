@@ -22,6 +22,20 @@ void require_rules(const LeaderRules& rules) {
 
 constexpr Leader nobody{Leader::Kind::moving, -1, infinite, infinite, 0};
 
+// The speed that is allowed `rest` metres after the start of a link of a ring without exit.
+double speed_on_ring(const TrafficNetwork& network, int link, double rest) {
+  double length = 0;
+  int at = link;
+  do {
+    length += network.links[at].length;
+    at = network.links[at].straight_on;
+  } while (at != link);
+  for (rest = std::fmod(rest, length); rest > network.links[at].length;
+       at = network.links[at].straight_on)
+    rest -= network.links[at].length;
+  return network.links[at].speed;
+}
+
 Leader stationary(double gap) { return {Leader::Kind::stationary, -1, gap, gap, 0}; }
 
 }  // namespace
@@ -105,9 +119,13 @@ Leader Traffic::leader_on_path(int car, const LeaderRules& rules) const {
       way_on = stop;
     if (way_on < leader.gap) leader = stationary(way_on);
     if (leader.gap <= rules.horizon) return leader;
-    if (end >= rules.horizon || path.round())
-      return {rules.stationary_end ? Leader::Kind::stationary : Leader::Kind::moving, -1,
-              rules.horizon, rules.horizon, rules.stationary_end ? 0 : link.speed};
+    if (end >= rules.horizon || path.round()) {
+      if (rules.stationary_end) return stationary(rules.horizon);
+      const double speed = end >= rules.horizon
+                               ? link.speed
+                               : speed_on_ring(*network_, path.link(), rules.horizon - start);
+      return {Leader::Kind::moving, -1, rules.horizon, rules.horizon, speed};
+    }
     require_link(*network_, next);
     path.go_on(next);
     start = end;
