@@ -270,10 +270,11 @@ class PathAhead;
 // Cars on a network, those of each link in their order.  A car that is longer than the part of its
 // link behind its front stands on the links that it came by, too: those that it was moved along,
 // then those before it on its route, then those that lead there straight on.  A car takes 56 bytes
-// and 16 for each link that its front has left; a link takes 12.
+// and 16 for each link that its front has left; a link takes 32.
 class Traffic {
  public:
-  // The network stays as it is and where it is.
+  // The network stays as it is and where it is.  Refused (invalid_input): a length that is not
+  // positive and finite, an index of a link that is none.
   explicit Traffic(const TrafficNetwork& network);
 
   const TrafficNetwork& network() const { return *network_; }
@@ -297,8 +298,8 @@ class Traffic {
   bool holds(int car) const;
 
   // The cars whose front is on a link: the foremost, and the next ones behind each.  -1: no more.
-  int foremost(int link) const { return queues_[link].foremost; }
-  int rearmost(int link) const { return queues_[link].rearmost; }
+  int foremost(int link) const { return on_links_[link].foremost; }
+  int rearmost(int link) const { return on_links_[link].rearmost; }
   int behind(int car) const { return cars_[car].behind; }
   int ahead(int car) const { return cars_[car].ahead; }
   // The nearest car of a link with its front at metres or beyond, and the nearest one before.
@@ -332,8 +333,13 @@ class Traffic {
     std::int32_t next_of_car;  // farther behind
     std::int32_t next_on_link;
   };
-  struct Queue {
+  // The cars of a link, and what a search for a leader asks of it, side by side.
+  struct OnLink {
+    double length;
+    float stop;
+    std::int32_t straight_on;
     std::int32_t foremost = -1, rearmost = -1, bodies = -1;
+    bool has_signal, both_ways;
   };
   static constexpr std::uint32_t off_route = (1U << 24) - 1;
 
@@ -364,7 +370,7 @@ class Traffic {
 
   const TrafficNetwork* network_;
   std::vector<Standing> cars_;
-  std::vector<Queue> queues_;  // of each link
+  std::vector<OnLink> on_links_;
   std::vector<Body> bodies_;
   std::vector<std::int32_t> came_by_;  // links behind a car that is moved, nearest first
   std::int32_t free_car_ = -1, free_body_ = -1;

@@ -80,8 +80,8 @@ void Traffic::stand(int car) {
     if (link < 0 || link == standing.link) return;
     for (int b = standing.bodies; b >= 0; b = bodies_[b].next_of_car)
       if (bodies_[b].link == link) return;
-    const int body = new_body({car, link, -1, queues_[link].bodies});
-    queues_[link].bodies = body;
+    const int body = new_body({car, link, -1, on_links_[link].bodies});
+    on_links_[link].bodies = body;
     (last_body < 0 ? standing.bodies : bodies_[last_body].next_of_car) = body;
     covered += network_->links[link].length;
     last_link = link;
@@ -102,7 +102,7 @@ int Traffic::new_body(const Body& body) {
 
 void Traffic::stand_up(int car) {
   for (int body = cars_[car].bodies; body >= 0;) {
-    std::int32_t* on_link = &queues_[bodies_[body].link].bodies;
+    std::int32_t* on_link = &on_links_[bodies_[body].link].bodies;
     while (*on_link != body) on_link = &bodies_[*on_link].next_on_link;
     *on_link = bodies_[body].next_on_link;
     const int next = bodies_[body].next_of_car;

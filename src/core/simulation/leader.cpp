@@ -49,7 +49,7 @@ Leader Traffic::nearest_on(int car, int link, double start, bool own_link) const
     return {Leader::Kind::car, front, distance, distance - cars_[front].length, cars_[front].speed};
   }
   Leader nearest = nobody;
-  for (int b = queues_[link].bodies; b >= 0; b = bodies_[b].next_on_link) {
+  for (int b = on_links_[link].bodies; b >= 0; b = bodies_[b].next_on_link) {
     const int other = bodies_[b].car;
     if (other == car) continue;
     const Standing& body = cars_[other];
@@ -66,12 +66,10 @@ Leader Traffic::nearest_on(int car, int link, double start, bool own_link) const
 // of the link where the front has left it.
 Leader Traffic::nearest_towards(int car, int link, double start, bool own_link) const {
   const int opposite = network_->links[link].opposite;
-  if (opposite < 0) return nobody;
-  const double length = network_->links[link].length;
-  const double length_towards = network_->links[opposite].length;
-  if (!own_link && queues_[opposite].bodies >= 0) {
+  const double length = on_links_[link].length, length_towards = on_links_[opposite].length;
+  if (!own_link && on_links_[opposite].bodies >= 0) {
     int first = -1;
-    for (int b = queues_[opposite].bodies; b >= 0; b = bodies_[b].next_on_link) {
+    for (int b = on_links_[opposite].bodies; b >= 0; b = bodies_[b].next_on_link) {
       const int other = bodies_[b].car;
       if (other != car && (first < 0 || std::tie(cars_[other].car_id, other) <
                                             std::tie(cars_[first].car_id, first)))
@@ -90,7 +88,7 @@ Leader Traffic::nearest_towards(int car, int link, double start, bool own_link) 
 // Whether a signal keeps a car from entering a link, before which it has `gap` metres left.
 bool Traffic::stopped_by_signal(double speed, int link, double gap,
                                 const LeaderRules& rules) const {
-  if (network_->aspects.of(link).empty() || gap < -stop_overshoot) return false;
+  if (!on_links_[link].has_signal || gap < -stop_overshoot) return false;
   switch (aspect_at(*network_, link, rules.time)) {
     case Aspect::red:
       return true;
@@ -106,27 +104,28 @@ Leader Traffic::leader_on_path(int car, const LeaderRules& rules) const {
   PathAhead path = path_of(standing);
   double start = -standing.metres;
   for (bool own_link = true;; own_link = false) {
-    const Link& link = network_->links[path.link()];
+    const OnLink& link = on_links_[path.link()];
     const double end = start + link.length;
     Leader leader = nearest_on(car, path.link(), start, own_link);
-    const Leader towards = nearest_towards(car, path.link(), start, own_link);
-    if (towards.gap < leader.gap) leader = towards;
-    const int next = path.next();
+    if (link.both_ways) {
+      const Leader towards = nearest_towards(car, path.link(), start, own_link);
+      if (towards.gap < leader.gap) leader = towards;
+    }
+    const int next = path.follows_route() ? path.next() : link.straight_on;
     const double stop = start + std::min<double>(link.stop, link.length);
     double way_on = next < 0 ? end : infinite;
-    if (next < 0 ? path.must_change() && stop >= -stop_overshoot
-                 : stopped_by_signal(standing.speed, next, stop, rules))
+    if (stop < leader.gap && (next < 0 ? path.must_change() && stop >= -stop_overshoot
+                                       : stopped_by_signal(standing.speed, next, stop, rules)))
       way_on = stop;
     if (way_on < leader.gap) leader = stationary(way_on);
     if (leader.gap <= rules.horizon) return leader;
     if (end >= rules.horizon || path.round()) {
       if (rules.stationary_end) return stationary(rules.horizon);
       const double speed = end >= rules.horizon
-                               ? link.speed
+                               ? network_->links[path.link()].speed
                                : speed_on_ring(*network_, path.link(), rules.horizon - start);
       return {Leader::Kind::moving, -1, rules.horizon, rules.horizon, speed};
     }
-    require_link(*network_, next);
     path.go_on(next);
     start = end;
   }
@@ -140,14 +139,31 @@ Leader Traffic::leader(int car, const LeaderRules& rules) const {
   return leader;
 }
 
+// Link by link, whose memory is asked for before it is needed: that of the next link, its rearmost
+// car, and the foremost of its own.
 std::vector<Leader> Traffic::leaders(const LeaderRules& rules) const {
   require_rules(rules);
   std::vector<Leader> leaders(cars_.size());
-  for (const Queue& queue : queues_) {
-    if (queue.foremost < 0) continue;
-    poll_cancel();
-    for (int car = queue.foremost; car >= 0; car = cars_[car].behind)
-      leaders[car] = leader(car, rules);
+  const auto links = static_cast<int>(on_links_.size());
+  const auto link_at = [&](int i) { return i < links ? &on_links_[i] : nullptr; };
+  for (int i = 0; i < links; ++i) {
+    if (i % 1024 == 0) poll_cancel();
+    if (const OnLink* far = link_at(i + 24)) {
+      if (far->foremost >= 0) {
+        __builtin_prefetch(&cars_[far->foremost]);
+        __builtin_prefetch(&leaders[far->foremost], 1);
+      }
+      if (far->straight_on >= 0) __builtin_prefetch(&on_links_[far->straight_on]);
+    }
+    if (const OnLink* near = link_at(i + 12); near && near->straight_on >= 0) {
+      const OnLink& next = on_links_[near->straight_on];
+      if (next.rearmost >= 0) __builtin_prefetch(&cars_[next.rearmost]);
+      if (next.straight_on >= 0) __builtin_prefetch(&on_links_[next.straight_on]);
+    }
+    for (int car = on_links_[i].foremost; car >= 0; car = cars_[car].behind) {
+      leaders[car] = leader_on_path(car, rules);
+      if (rules.merging != MergingLeader::none) see_merging(car, rules, leaders[car]);
+    }
   }
   return leaders;
 }

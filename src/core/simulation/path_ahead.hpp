@@ -23,6 +23,11 @@ class PathAhead {
 
   int link() const { return link_; }
 
+  // Whether the route tells what follows.
+  bool follows_route() const {
+    return on_route_ >= 0 && on_route_ + 1 < static_cast<int>(route_->size());
+  }
+
   // The link that follows; -1: the path ends.
   int next() const {
     if (!follows_route()) return network_.links[link_].straight_on;
@@ -52,10 +57,6 @@ class PathAhead {
   bool round() const { return round_; }
 
  private:
-  bool follows_route() const {
-    return on_route_ >= 0 && on_route_ + 1 < static_cast<int>(route_->size());
-  }
-
   const TrafficNetwork& network_;
   const std::vector<std::int32_t>* route_;
   int link_, on_route_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulation/path_ahead.hpp"
+#include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {
@@ -12,6 +13,23 @@ namespace {
 
 [[noreturn]] void refuse(std::int64_t car_id, const std::string& why) {
   throw Error(ErrorKind::invalid_input, "car " + std::to_string(car_id) + " " + why);
+}
+
+void require_link(const TrafficNetwork& network, int i, const Link& link) {
+  const auto refuse_link = [&](const std::string& why) {
+    throw Error(ErrorKind::invalid_input, "link " + std::to_string(link.link_id) + " " + why);
+  };
+  if (!(link.length > 0) || !std::isfinite(link.length))
+    refuse_link("is " + text_of(link.length) + " metres long");
+  const auto require = [&](std::int32_t other, const char* what) {
+    if (other >= network.size() || other < 0)
+      refuse_link(std::string(what) + " link " + std::to_string(other) + ", which is none of the " +
+                  std::to_string(network.size()));
+  };
+  if (link.straight_on >= 0) require(link.straight_on, "leads to");
+  if (link.opposite >= 0) require(link.opposite, "lies on");
+  for (const std::int32_t next : network.next.of(i)) require(next, "leads to");
+  for (const std::int32_t before : network.before.of(i)) require(before, "comes after");
 }
 
 void require_place(const TrafficNetwork& network, std::int64_t car_id, const LinkPlace& place) {
@@ -36,7 +54,21 @@ void require_route(std::int64_t car_id, int route, std::size_t routes) {
 
 }  // namespace
 
-Traffic::Traffic(const TrafficNetwork& network) : network_(&network), queues_(network.size()) {}
+Traffic::Traffic(const TrafficNetwork& network) : network_(&network) {
+  on_links_.reserve(network.size());
+  for (int i = 0; i < network.size(); ++i) {
+    if (i % 1024 == 0) poll_cancel();
+    const Link& link = network.links[i];
+    require_link(network, i, link);
+    OnLink on_link;
+    on_link.length = link.length;
+    on_link.stop = link.stop;
+    on_link.straight_on = link.straight_on;
+    on_link.has_signal = !network.aspects.of(i).empty();
+    on_link.both_ways = link.opposite >= 0;
+    on_links_.push_back(on_link);
+  }
+}
 
 int Traffic::add(const Car& car) {
   require_place(*network_, car.car_id, car.place);
@@ -60,7 +92,7 @@ int Traffic::add(const Car& car) {
     cars_[index] = standing;
   }
   ++count_;
-  enter(index, queues_[standing.link].rearmost);
+  enter(index, on_links_[standing.link].rearmost);
   came_by_.clear();
   stand(index);
   return index;
@@ -101,7 +133,7 @@ void Traffic::move(int car, const LinkPlace& to) {
     moved.link = to.link;
     moved.metres = to.metres;
     find_on_route(moved);
-    enter(car, queues_[to.link].rearmost);
+    enter(car, on_links_[to.link].rearmost);
   }
   stand_up(car);
   stand(car);
@@ -162,7 +194,7 @@ bool Traffic::goes_before(int car, int other) const {
 // Puts a car into the order of its link, looked for from a car of the link on.
 void Traffic::enter(int car, int near) {
   Standing& entered = cars_[car];
-  Queue& queue = queues_[entered.link];
+  OnLink& queue = on_links_[entered.link];
   int ahead = near, behind = near < 0 ? -1 : cars_[near].behind;
   while (ahead >= 0 && goes_before(car, ahead)) {
     behind = ahead;
@@ -180,7 +212,7 @@ void Traffic::enter(int car, int near) {
 
 void Traffic::leave(int car) {
   const Standing& left = cars_[car];
-  Queue& queue = queues_[left.link];
+  OnLink& queue = on_links_[left.link];
   (left.ahead < 0 ? queue.foremost : cars_[left.ahead].behind) = left.behind;
   (left.behind < 0 ? queue.rearmost : cars_[left.behind].ahead) = left.ahead;
 }
