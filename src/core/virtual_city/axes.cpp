@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "virtual_city/random.hpp"
+#include "support/random.hpp"
 
 namespace streetgen {
 

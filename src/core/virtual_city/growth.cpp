@@ -7,7 +7,7 @@
 #include "streetgen/error.hpp"
 #include "virtual_city/ground.hpp"
 #include "virtual_city/portable_math.hpp"
-#include "virtual_city/random.hpp"
+#include "support/random.hpp"
 
 namespace streetgen {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "streetgen/two_towns.hpp"
-#include "virtual_city/random.hpp"
+#include "support/random.hpp"
 
 namespace streetgen {
 

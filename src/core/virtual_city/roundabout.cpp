@@ -8,7 +8,7 @@
 #include "streetgen/cancel.hpp"
 #include "virtual_city/axes.hpp"
 #include "virtual_city/portable_math.hpp"
-#include "virtual_city/random.hpp"
+#include "support/random.hpp"
 
 namespace streetgen {
 

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "geometry/polyline.hpp"
+#include "support/random.hpp"
 #include "virtual_city/highway.hpp"
 #include "virtual_city/interchange.hpp"
 #include "virtual_city/placement.hpp"
 #include "virtual_city/portable_math.hpp"
-#include "virtual_city/random.hpp"
 
 namespace streetgen {
 

@@ -9,7 +9,7 @@
 #include "virtual_city/growth.hpp"
 #include "virtual_city/placement.hpp"
 #include "virtual_city/portable_math.hpp"
-#include "virtual_city/random.hpp"
+#include "support/random.hpp"
 
 namespace streetgen {
 

@@ -14,7 +14,7 @@
 #include "streetgen/error.hpp"
 #include "streetgen/network.hpp"
 #include "virtual_city/portable_math.hpp"
-#include "virtual_city/random.hpp"
+#include "support/random.hpp"
 
 namespace streetgen {
 namespace virtual_city_test {
