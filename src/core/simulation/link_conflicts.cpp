@@ -74,8 +74,9 @@ class MeetingPaths {
     if (!ground_[a].box().meets(ground_[b].box()) && !merging && !first_enters && !second_enters)
       return;
     SweptGround::Stretch of_first = ground_[a].within(ground_[b]);
-    SweptGround::Stretch of_second = ground_[b].within(ground_[a]);
-    if (of_first.to < 0 || of_second.to < 0) {
+    SweptGround::Stretch of_second;
+    if (of_first.to >= 0) of_second = ground_[b].within(ground_[a]);
+    if (of_first.to < 0) {
       if (!merging && !first_enters && !second_enters) return;
       // Courses that end beside each other, though in one lane.
       of_first = {first.length, first.length};

@@ -1,11 +1,10 @@
 // The ground that a usual car sweeps along a movement, step by step.
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "geometry/box.hpp"
-#include "geometry/box_hierarchy.hpp"
 #include "streetgen/link_conflict.hpp"
 
 namespace streetgen {
@@ -35,11 +34,16 @@ class SweptGround {
   Stretch within(const SweptGround& other) const;
 
  private:
-  bool meets(std::size_t step, const SweptGround& other) const;
+  static constexpr std::size_t run = 8;  // steps that have a box together
+
+  // The first step, or the last one, that overlaps another ground; none: the count of steps.
+  std::size_t outermost(const SweptGround& other, bool first) const;
+  bool meets(std::size_t step, const SweptGround& other,
+             const std::vector<std::size_t>& runs) const;
 
   double length_of_step_ = 0;
   std::vector<SweptStep> steps_;
-  BoxHierarchy boxes_;
+  std::vector<Box> boxes_, runs_;
   Box whole_;
 };
 
