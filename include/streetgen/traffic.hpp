@@ -36,7 +36,9 @@ struct RowsOf {
   std::vector<std::int32_t> starts{0};  // the first row of each owner, and the number of all rows
   std::vector<Row> rows;
 
+  // An owner beyond the last one has none.
   List of(int owner) const {
+    if (owner + 1 >= static_cast<int>(starts.size())) return {nullptr, nullptr};
     return {rows.data() + starts[owner], rows.data() + starts[owner + 1]};
   }
   // The rows of one owner are added together, and owners in their order.

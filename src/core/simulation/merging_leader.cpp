@@ -17,13 +17,15 @@ double time_of(double way, double speed) {
 
 }  // namespace
 
-// Looks at each link of the path that others lead to, as far as both see each other.
+// Looks at each link of the path that others lead to, as far as both see each other and the car is
+// not stopped before.
 void Traffic::see_merging(int car, const LeaderRules& rules, Leader& leader) const {
   PathAhead path = path_of(cars_[car]);
   double way = -cars_[car].metres;
   for (int next = path.next(); next >= 0 && !path.round(); next = path.next()) {
     way += network_->links[path.link()].length;
-    if (way > rules.merging_reach) return;
+    const bool stopped = leader.kind == Leader::Kind::stationary && way > leader.gap;
+    if (way > rules.merging_reach || stopped) return;
     for (const std::int32_t branch : network_->before.of(next))
       if (branch != path.link()) see_on_branch(car, branch, next, way, rules, leader);
     path.go_on(next);

@@ -93,6 +93,18 @@ TEST(SignalAspect, ComesAgainEachCycle) {
   }
 }
 
+TEST(RowsOf, AreNoneOfAnOwnerBeyondTheLast) {
+  RowsOf<int> rows;
+  EXPECT_TRUE(rows.of(0).empty());
+  rows.add(7);
+  rows.end_owner();
+  rows.end_owner();
+  EXPECT_EQ(rows.of(0).size(), 1);
+  EXPECT_EQ(rows.of(0)[0], 7);
+  EXPECT_TRUE(rows.of(1).empty());
+  EXPECT_TRUE(rows.of(2).empty());
+}
+
 TEST(LinkOf, FindsKeys) {
   NetworkMaker maker;
   for (int i = 0; i < 100; ++i) maker.lane(1);

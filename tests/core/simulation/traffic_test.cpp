@@ -196,7 +196,7 @@ TEST(Traffic, MeetsWhoComesTowards) {
 TEST(Traffic, SeesWhoMerges) {
   NetworkMaker maker;
   const int main = maker.lane(100), ramp = maker.lane(100), out = maker.lane(200);
-  maker.movement(main, out, 10);
+  const int on = maker.movement(main, out, 10);
   const int merging = maker.movement(ramp, out, 10);
   maker.plans = {{1, 60, 0}};
   const TrafficNetwork network = maker.network();
@@ -226,6 +226,15 @@ TEST(Traffic, SeesWhoMerges) {
   rules = {};
   rules.merging = MergingLeader::by_place;
   EXPECT_EQ(stopped.leader(0, rules).car, -1) << "red keeps it out";
+  maker.signal(merging, 0, {});
+  maker.signal(on, 0, {{0, Aspect::red}});
+  const TrafficNetwork waiting_network = maker.network();
+  Traffic waiting(waiting_network);
+  waiting.add(car_at(1, main, 80, 10));
+  waiting.add(car_at(2, ramp, 98, 5));
+  const Leader red = waiting.leader(0, rules);
+  EXPECT_EQ(red.kind, Leader::Kind::stationary) << "it stops before they meet";
+  EXPECT_DOUBLE_EQ(red.gap, 20);
 }
 
 TEST(Traffic, TwoThatMergeNeverWaitForEachOther) {
