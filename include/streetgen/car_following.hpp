@@ -8,7 +8,8 @@
 // A car is let into a movement that others cross while it waits before it: by its signal, by the
 // right of way, where the stretches that both need are free in time, and where it has room to stand
 // behind all of them.  Who was let in first goes first; others wait before the shared stretch.  So
-// nobody meets another there.  A lane for both directions is let to those of one direction.
+// nobody meets another there.  A lane for both directions is let to those of one direction.  Who
+// waited long turns elsewhere, if it has no route.  People who cross stop nobody.
 //
 // A step moves all cars from the state at its start: speeds change by the acceleration there, and
 // places by the mean of both speeds.  No car goes farther than what was free.  The same seed gives

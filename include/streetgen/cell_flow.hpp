@@ -40,6 +40,7 @@ struct CellRun;
 // Cars leave at a link without a next one, but where a lane beside goes on: there they change.  A
 // movement is closed at red and amber.  One that gives way, or yields by arrival, takes what flow
 // the others left in the step before; where movements meet in a lane, who goes first comes first.
+// A lane for both directions has cells of its own each way.  People who cross stop nobody.
 class CellFlow {
  public:
   // The network stays as it is and where it is.  Refused (invalid_input): a rule that is not

@@ -91,6 +91,7 @@ CellFlow::CellFlow(const TrafficNetwork& network, const FlowRules& rules)
   run_->rules = rules;
   make_cells(*run_);
   read_junctions(*run_);
+  find_joints(*run_);
   run_->changes = changes_of(*run_);
   run_->by_law([&](const auto& law) {
     for (const LinkCells& link : run_->links)

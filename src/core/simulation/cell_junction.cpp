@@ -35,9 +35,32 @@ void limit_movements(CellRun& run) {
   }
 }
 
+// Who comes from outside takes what room is left.
+void enter_flow(CellRun& run, int link, double room, double step) {
+  const double outside = run.entry[link] + run.waiting[link] / step;
+  const double entering = std::min(outside, room);
+  run.inflow[link].cars += entering;
+  run.inflow[link].eager += entering;
+  run.waiting[link] = std::max(0., (outside - entering) * step);
+  run.entered += entering * step;
+}
+
+template <class Law>
+void join(CellRun& run, const Law& law, double step) {
+  for (const CellJoint& j : run.joints) {
+    const int last = run.last_cell(j.from);
+    const LinkCells& to = run.links[j.to];
+    const double eagerness = law.eagerness(run.states, last);
+    const double room = law.taken(run.states, to.first, to, eagerness);
+    const double flow = std::min(law.sent(run.states, last, run.links[j.from]), room);
+    run.outflow[j.from] = run.inflow[j.to] = {flow, flow * eagerness};
+    if (run.entry[j.to] > 0 || run.waiting[j.to] > 0) enter_flow(run, j.to, room - flow, step);
+  }
+}
+
 template <class Law>
 void send(CellRun& run, const Law& law) {
-  for (int link = 0; link < run.network->size(); ++link)
+  for (const int link : run.senders)
     run.outflow[link].cars = law.sent(run.states, run.last_cell(link), run.links[link]);
 }
 
@@ -49,7 +72,7 @@ void take(CellRun& run, const Law& law, double step) {
     return run.outflow[m.from].cars * run.share[m.row];
   };
   const double often = 1 / step;
-  for (int link = 0; link < run.network->size(); ++link) {
+  for (const int link : run.takers) {
     const auto merges = run.merges.of(link);
     const double outside = run.entry[link] + run.waiting[link] * often;
     double all = outside, eager = outside;
@@ -70,10 +93,8 @@ void take(CellRun& run, const Law& law, double step) {
       for (int j = first; j < i; ++j) run.granted[merges[j].row] = part;
       room = std::max(0., room - rank * part);
     }
-    const double entering = std::min(outside, room);
-    run.inflow[link] = {entering, entering};
-    run.waiting[link] = std::max(0., (outside - entering) * step);
-    run.entered += entering * step;
+    run.inflow[link] = {};
+    if (outside > 0) enter_flow(run, link, room, step);
   }
 }
 
@@ -81,7 +102,7 @@ void take(CellRun& run, const Law& law, double step) {
 template <class Law>
 void go_on(CellRun& run, const Law& law, double step) {
   const RowsOf<std::int32_t>& next = run.network->next;
-  for (int link = 0; link < run.network->size(); ++link) {
+  for (const int link : run.senders) {
     CellFlux& out = run.outflow[link];
     const double eagerness = law.eagerness(run.states, run.last_cell(link));
     double part = run.leaves[link] || next.starts[link] < next.starts[link + 1] ? 1 : 0;
@@ -118,9 +139,28 @@ RowsOf<CellMerge> merges_of(const TrafficNetwork& network) {
   return merges;
 }
 
+void find_joints(CellRun& run) {
+  const TrafficNetwork& network = *run.network;
+  std::vector<char> special(network.size(), 0);
+  for (const int link : run.signalled) special[link] = 1;
+  for (const int link : run.yielding) special[link] = 1;
+  const auto joint = [&](int from, int to) {
+    return network.next.of(from).size() == 1 && network.before.of(to).size() == 1 && !special[to];
+  };
+  for (int link = 0; link < network.size(); ++link) {
+    const auto next = network.next.of(link), before = network.before.of(link);
+    if (!next.empty() && joint(link, next[0]))
+      run.joints.push_back({link, next[0]});
+    else
+      run.senders.push_back(link);
+    if (before.empty() || !joint(before[0], link)) run.takers.push_back(link);
+  }
+}
+
 void flow_between_links(CellRun& run, double step) {
   run.by_law([&](const auto& law) {
     limit_movements(run);
+    join(run, law, step);
     send(run, law);
     take(run, law, step);
     go_on(run, law, step);

@@ -23,15 +23,22 @@ struct CellMerge {
   std::int32_t after = 0;  // how many of the others go first
 };
 
+// A link and its only next one, which has no other before it, no signal and nobody to yield to.
+struct CellJoint {
+  std::int32_t from = -1, to = -1;
+};
+
 struct CellRun {
   const TrafficNetwork* network = nullptr;
   FlowRules rules;
   std::vector<LinkCells> links;
   CellStates states;
   std::vector<CellChange> changes;
-  RowsOf<CellMerge> merges;             // of each link, who goes first before the others
-  std::vector<std::int32_t> signalled;  // movements with a signal
-  std::vector<std::int32_t> yielding;   // movements that do not always go first
+  std::vector<CellJoint> joints;
+  std::vector<std::int32_t> senders, takers;  // links that end, or begin, at no joint
+  RowsOf<CellMerge> merges;                   // of each link, who goes first before the others
+  std::vector<std::int32_t> signalled;        // movements with a signal
+  std::vector<std::int32_t> yielding;         // movements that do not always go first
 
   // By row of TrafficNetwork::next.
   std::vector<double> share;    // of those that go on
@@ -56,6 +63,8 @@ struct CellRun {
 };
 
 RowsOf<CellMerge> merges_of(const TrafficNetwork& network);
+// Finds joints, and all other ends of links.
+void find_joints(CellRun& run);
 std::vector<CellChange> changes_of(const CellRun& run);
 
 // The flows between links of a step, from what cells hold.
