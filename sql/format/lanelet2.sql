@@ -32,7 +32,7 @@ CREATE OR REPLACE FUNCTION streetgen._lanelet2_elements(model name, options json
 BEGIN
     PERFORM streetgen._use_model(model);
     RETURN QUERY WITH origin AS MATERIALIZED (SELECT * FROM streetgen._export_origin(model, options)),
-    joined_node AS MATERIALIZED (SELECT * FROM streetgen._joined_nodes(model, options)),
+    place AS MATERIALIZED (SELECT node_id, place_id, kind FROM streetgen._places(model, options)),
     side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
     road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options)),
     drawn AS NOT MATERIALIZED (SELECT * FROM road WHERE NOT connecting),
@@ -140,15 +140,14 @@ BEGIN
         WHERE before IS DISTINCT FROM id GROUP BY line_id),
     -- Lanelets are told where to turn at nodes of three streets and more.
     crossroads AS MATERIALIZED (
-        SELECT place_id FROM (SELECT from_node AS node_id FROM edge UNION ALL SELECT to_node FROM edge) e
-            JOIN joined_node USING (node_id)
-        WHERE place_id IN (SELECT place_id FROM joined_node) GROUP BY place_id HAVING count(*) > 2),
+        SELECT place_id FROM edge, LATERAL (VALUES (from_node), (to_node)) e(node_id) JOIN place USING (node_id)
+        WHERE edge_id NOT IN (SELECT streetgen._edges_inside(options)) GROUP BY place_id HAVING count(*) > 2),
     turning AS MATERIALIZED (
         SELECT c.road_id, CASE coalesce(w.turn, CASE WHEN abs(angle) < pi() / 4 THEN 'through'
                 WHEN angle > 0 THEN 'left' ELSE 'right' END) WHEN 'through' THEN 'straight'
             WHEN 'right' THEN 'right' WHEN 'left' THEN 'left'
             ELSE CASE WHEN right_hand THEN 'left' ELSE 'right' END END AS turn_direction
-        FROM side, connecting c JOIN joined_node n USING (node_id) JOIN crossroads USING (place_id)
+        FROM side, connecting c JOIN place n USING (node_id) JOIN crossroads USING (place_id)
             LEFT JOIN streetgen._connecting_ways(model, options) w ON array_to_string(w.interconnections, ' ') = c.ways,
             LATERAL (SELECT sum(l * (a + b) / 2) AS angle FROM unnest(c.length, c.curvature, c.curvature_end)
                 u(l, a, b)) t),
@@ -166,11 +165,11 @@ BEGIN
     -- Traffic that comes over a line, painted or not, gives way to that which comes over none.
     obeying AS MATERIALIZED (
         SELECT w.id, n.place_id, p.id AS line_id, m.marking_id IS NOT NULL AS yields
-        FROM lanelet w JOIN joined_node n USING (node_id) JOIN lane l ON l.lane_id = w.lane_in
+        FROM lanelet w JOIN place n USING (node_id) JOIN lane l ON l.lane_id = w.lane_in
             LEFT JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis) = (l.edge_id, l.lane_position, w.along_in)
                 AND m.kind IN ('stop', 'yield')
             LEFT JOIN painted p ON (p.lane_id, p.along_axis, p.number) = (w.lane_in, w.along_in, 1)
-        WHERE n.place_id NOT IN (SELECT place_id FROM streetgen._places(model, options) WHERE kind = 'signals')),
+        WHERE n.kind IS DISTINCT FROM 'signals'),
     regulating AS MATERIALIZED (
         SELECT streetgen._file_id('node', place_id) AS id, array_agg(id ORDER BY id) AS lanelets,
             string_agg('<member type="relation" ref="' || id || '" role="'

@@ -18,7 +18,7 @@ BEGIN
             LATERAL (SELECT ST_Intersection(ST_ConvexHull(c.surface), ST_MakeLine(
                 ST_Translate(ST_Force2D(o.geom), -reach * sin(across), -reach * cos(across)),
                 ST_Translate(ST_Force2D(o.geom), reach * sin(across), reach * cos(across)))) AS line) l
-        WHERE edge_id IN (SELECT streetgen._written_edges(model, options))
+        WHERE edge_id IN (SELECT streetgen._edges_taken(model, options))
             AND ST_GeometryType(l.line) = 'ST_LineString';
         RETURN QUERY SELECT streetgen._file_id('edge', edge_id, 6 + at_start::integer), edge_id, along, line
         FROM streetgen._crossings_at_ends(model, options) c
@@ -29,8 +29,8 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._lanelet2_crosswalks(name, jsonb) IS
-    'The crossings of written edges, with their id in files, width along the edge and line from kerb to kerb: objects '
-    'of type crossing, and control points of junctions that are none.';
+    'The crossings of edges, also inside places, with their id in files, width along the edge and line from kerb to '
+    'kerb: objects of type crossing, and control points of junctions that are none.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanelet2_walks(model name, options jsonb)
     RETURNS TABLE(file_id bigint, subtype text, edge_id bigint, line geometry, number integer, nth integer,

@@ -12,8 +12,8 @@ BEGIN
     origin AS MATERIALIZED (SELECT * FROM streetgen._opendrive_origin(model, options)),
     projected AS MATERIALIZED (SELECT * FROM streetgen._projected_geometries(model, options)),
     side AS MATERIALIZED (SELECT value IS DISTINCT FROM 'left' AS right_hand FROM setting WHERE name = 'driving_side'),
-    joined_node AS MATERIALIZED (
-        SELECT node_id, streetgen._file_id('node', place_id) AS place_id FROM streetgen._joined_nodes(model, options)),
+    place AS MATERIALIZED (
+        SELECT node_id, streetgen._file_id('node', place_id) AS place_id FROM streetgen._places(model, options)),
     road AS MATERIALIZED (SELECT * FROM streetgen._opendrive_roads(model, options, true)),
     drawn AS NOT MATERIALIZED (SELECT * FROM road WHERE NOT connecting),
     connecting AS NOT MATERIALIZED (SELECT * FROM road WHERE connecting),
@@ -257,12 +257,12 @@ BEGIN
     junction_controller AS MATERIALIZED (
         SELECT place_id, string_agg('<controller id="' || controller || '" type="0"/>', '' ORDER BY controller)
             || string_agg(DISTINCT '<userData code="program" value="' || p.text || '"/>', '') AS text
-        FROM (SELECT DISTINCT place_id, controller, controller_id FROM sign JOIN joined_node USING (node_id)) n
+        FROM (SELECT DISTINCT place_id, controller, controller_id FROM sign JOIN place USING (node_id)) n
             JOIN program p USING (controller_id)
         GROUP BY place_id),
     crossroads AS MATERIALIZED (
-        SELECT node_id, place_id FROM joined_node
-        WHERE place_id IN (SELECT place_id FROM connecting JOIN joined_node n USING (node_id))),
+        SELECT node_id, place_id FROM place
+        WHERE place_id IN (SELECT place_id FROM connecting JOIN place n USING (node_id))),
     no_way_through AS MATERIALIZED (SELECT lane_id FROM streetgen._lanes_without_through(model)),
     lane_text AS (
         SELECT road_id, lefts, i, '<lane id="' || CASE WHEN i <= lefts THEN lefts - i + 1 ELSE lefts - i END
@@ -341,7 +341,7 @@ BEGIN
         '<center><lane id="0" type="none" level="false"/></center>',
         CASE WHEN right_hand THEN '<right>' || lane || '</right>' END, '</laneSection></lanes>', j.text,
         '<userData code="interconnection" value="', ways, '"/></road>')
-    FROM origin o, side, connecting c JOIN joined_node USING (node_id) LEFT JOIN objects_text j USING (road_id)
+    FROM origin o, side, connecting c JOIN place USING (node_id) LEFT JOIN objects_text j USING (road_id)
         LEFT JOIN raised a ON a.road_id = road_in LEFT JOIN raised b ON b.road_id = road_out,
         LATERAL (SELECT CASE WHEN right_hand THEN 'RHT' ELSE 'LHT' END AS rule,
             CASE WHEN right_hand THEN 0.5 ELSE -0.5 END AS half) w,
@@ -355,7 +355,7 @@ BEGIN
         || '" incomingRoad="' || road_in || '" connectingRoad="' || road_id || '" contactPoint="start"><laneLink from="'
         || number_in || '" to="' || CASE WHEN right_hand THEN -1 ELSE 1 END || '"/></connection>', ''
         ORDER BY road_id) || coalesce(min(c.text), '') || '</junction>'
-    FROM side, connecting JOIN joined_node USING (node_id) LEFT JOIN junction_controller c USING (place_id)
+    FROM side, connecting JOIN place USING (node_id) LEFT JOIN junction_controller c USING (place_id)
     GROUP BY place_id
     UNION ALL
     SELECT 6, roundabout_id, '<junctionGroup id="' || roundabout_id || '" type="roundabout">'

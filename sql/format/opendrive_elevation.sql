@@ -1,20 +1,5 @@
 -- OpenDRIVE: heights along roads.
 
-CREATE OR REPLACE FUNCTION streetgen._heights_along(model name)
-    RETURNS TABLE(edge_id bigint, geom geometry)
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    IF 'height' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT p.edge_id, p.geom FROM profile p;
-    ELSIF (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model) THEN
-        RETURN QUERY SELECT e.edge_id, e.geom FROM edge e;
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._heights_along(name) IS
-    'The heights of edges: of profiles where the model computes them, else of axes that have any.';
-
 CREATE OR REPLACE FUNCTION streetgen._height_curve(station float8[], height float8[], tolerance float8)
     RETURNS TABLE(s float8[], a float8[], b float8[], c float8[], d float8[])
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_height_curve';

@@ -72,7 +72,8 @@ BEGIN
             SELECT 'edge' AS kind, edge_id AS id, e.geom FROM edge e JOIN written_edge USING (edge_id)
             UNION ALL SELECT 'lane', lane_id, l.geom FROM lane l JOIN written_edge USING (edge_id)
             UNION ALL SELECT 'surface', lane_id, surface FROM lane JOIN written_edge USING (edge_id)
-            UNION ALL SELECT way_kind, way_id, w.geom FROM streetgen._connecting_ways(model, options) w
+            UNION ALL SELECT 'way', streetgen._file_id(way_kind, way_id, part), w.geom
+            FROM streetgen._connecting_ways(model, options) w
             UNION ALL SELECT 'head', streetgen._file_id('lane', lane_id, along_axis::integer), h.geom
             FROM streetgen._signal_heads(model) h
             UNION ALL SELECT 'marking', marking_id, m.geom FROM marking m
@@ -92,5 +93,5 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._projected_geometries(name, jsonb) IS
     'The geometries that a file of OpenDRIVE is made of, by what they are of: edge, lane, its surface, '
-    'interconnection, movement, head, marking and its surface, course, object and its surface. They are there where '
+    'way, head, marking and its surface, course, object and its surface. They are there where '
     'coordinates count on a projection of their own, and on that.';

@@ -14,55 +14,24 @@ CREATE OR REPLACE FUNCTION streetgen._opendrive_roads(model name, options jsonb,
 #variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH RECURSIVE written_edge AS MATERIALIZED (
+    RETURN QUERY WITH written_edge AS MATERIALIZED (
         SELECT * FROM edge WHERE edge_id IN (SELECT streetgen._written_edges(model, options))),
     origin AS MATERIALIZED (SELECT * FROM streetgen._opendrive_origin(model, options)),
     -- Geometries are here where coordinates count on a projection of their own.
     projected AS MATERIALIZED (SELECT * FROM streetgen._projected_geometries(model, options)),
     way AS MATERIALIZED (
-        SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic,
+        SELECT f.file_id, interconnections, lane_in, lane_out, along_in, along_out, traffic,
             coalesce(p.geom, w.geom) AS geom
         FROM streetgen._connecting_ways(model, options) w
-            LEFT JOIN projected p ON (p.kind, p.id) = (w.way_kind, w.way_id)),
+            CROSS JOIN LATERAL (SELECT streetgen._file_id(way_kind, way_id, part) AS file_id) f
+            LEFT JOIN projected p ON (p.kind, p.id) = ('way', f.file_id)),
     placed_lane AS MATERIALIZED (
         SELECT l.lane_id, l.edge_id, l.lane_position, l.along_axis, l.both_ways, l.kind, l.turn, l.width,
             l.start_abscissa, l.end_abscissa, coalesce(p.geom, l.geom) AS geom, coalesce(q.geom, l.surface) AS surface
         FROM lane l JOIN written_edge USING (edge_id)
             LEFT JOIN projected p ON (p.kind, p.id) = ('lane', l.lane_id)
             LEFT JOIN projected q ON (q.kind, q.id) = ('surface', l.lane_id)),
-    joined_node AS MATERIALIZED (SELECT * FROM streetgen._joined_nodes(model, options)),
-    -- The lanes of edges of crossed limits inside a junction.
-    inner_lane AS MATERIALIZED (
-        SELECT l.lane_id, l.geom
-        FROM written_edge e JOIN section s USING (edge_id) JOIN joined_node f ON f.node_id = e.from_node
-            JOIN joined_node t ON t.node_id = e.to_node JOIN placed_lane l USING (edge_id)
-        WHERE s.method = 'crossed_limits' AND f.place_id = t.place_id),
-    -- Ways over inner lanes, each lane once: the shortest one from lane to lane, where none leads straight to it.
-    -- Nobody turns back within two metres.
-    longer AS (
-        SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic, geom,
-            '{}'::bigint[] AS over
-        FROM way WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out IN (SELECT lane_id FROM inner_lane)
-        UNION ALL
-        SELECT least(r.way_kind, w.way_kind), CASE WHEN r.way_kind = w.way_kind THEN least(r.way_id, w.way_id)
-                WHEN r.way_kind < w.way_kind THEN r.way_id ELSE w.way_id END,
-            r.interconnections || w.interconnections, r.lane_in, w.lane_out, r.along_in, w.along_out,
-            coalesce(r.traffic, w.traffic), ST_MakeLine(ARRAY[
-            r.geom, CASE WHEN r.along_out THEN i.geom ELSE ST_Reverse(i.geom) END, w.geom]), over || i.lane_id
-        FROM longer r JOIN inner_lane i ON i.lane_id = r.lane_out
-            JOIN way w ON (w.lane_in, w.along_in) = (r.lane_out, r.along_out)
-        WHERE i.lane_id <> ALL (over)),
-    joined_way AS (
-        SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) way_kind, way_id, interconnections, lane_in,
-            lane_out, along_in, along_out, traffic, geom
-        FROM longer
-        WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND (lane_out <> lane_in OR ST_Length(geom) >= 2)
-        ORDER BY lane_in, along_in, lane_out, along_out, ST_Length(geom), interconnections),
-    junction_way AS NOT MATERIALIZED (
-        SELECT way_kind, way_id, interconnections, lane_in, lane_out, along_in, along_out, traffic, geom FROM way
-        WHERE lane_in NOT IN (SELECT lane_id FROM inner_lane) AND lane_out NOT IN (SELECT lane_id FROM inner_lane)
-        UNION ALL SELECT * FROM joined_way j WHERE NOT EXISTS (SELECT FROM way w
-            WHERE (w.lane_in, w.along_in, w.lane_out, w.along_out) = (j.lane_in, j.along_in, j.lane_out, j.along_out))),
+    place AS MATERIALIZED (SELECT node_id, place_id FROM streetgen._places(model, options)),
     course AS MATERIALIZED (
         SELECT c.edge_id, coalesce(streetgen._course_through(c.alignment, p.geom), c.alignment) AS alignment, c.reach
         FROM streetgen._opendrive_courses(model, options) c
@@ -76,8 +45,7 @@ BEGIN
         SELECT *, lag(on_right) OVER (PARTITION BY edge_id ORDER BY lane_position, part) AS was_right
         FROM (SELECT l.*, part, part = 2 OR part = 0 AND along_axis = right_hand AS on_right, right_hand
             FROM side, placed_lane l JOIN (VALUES (0), (1), (2)) v(part)
-                ON (part > 0) = (both_ways AND options ->> 'two_way_lanes' IS NOT DISTINCT FROM 'driving')
-            WHERE lane_id NOT IN (SELECT lane_id FROM inner_lane)) l),
+                ON (part > 0) = (both_ways AND options ->> 'two_way_lanes' IS NOT DISTINCT FROM 'driving')) l),
     road AS (
         SELECT edge_id, run, min(lane_position) - 1 AS before,
             count(*) FILTER (WHERE NOT on_right)::integer AS lefts,
@@ -119,18 +87,18 @@ BEGIN
         FROM whole, streetgen._few(lanes) WITH ORDINALITY u(lane_id, i), LATERAL (VALUES
             (false, share_from = 0, starts), (true, share_to = 1, ends)) v(at_end, at_node, places)),
     way_end AS MATERIALIZED (
-        SELECT k.way_kind, k.way_id, n.place_id, a.edge_id AS edge_in, a.run AS run_in, a.i AS i_in,
+        SELECT k.file_id, n.place_id, a.edge_id AS edge_in, a.run AS run_in, a.i AS i_in,
             a.at_end AS in_end, b.edge_id AS edge_out, b.run AS run_out, b.i AS i_out, b.at_end AS out_end,
             ST_Length(k.geom) AS length, k.traffic,
             joining AND a.at_node AND b.at_node AND sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2) < 0.005
                 AND abs(a.width - b.width) < 0.01
                 AND cos(a.heading - b.heading) * CASE WHEN a.at_end = b.at_end THEN -1 ELSE 1 END > 0.999999 AS meets
-        FROM junction_way k JOIN whole_end a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+        FROM way k JOIN whole_end a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
                 AND coalesce(a.half = k.along_in, true)
             JOIN whole_end b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
                 AND coalesce(b.half = k.along_out, true)
             JOIN written_edge e ON e.edge_id = a.edge_id
-            JOIN joined_node n ON n.node_id = CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END),
+            JOIN place n ON n.node_id = CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END),
     -- Two roads that meet lane to lane, where nobody waits or crosses, are joined without a junction.
     joint AS MATERIALIZED (
         SELECT place_id
@@ -147,7 +115,7 @@ BEGIN
             AND place_id NOT IN (SELECT streetgen._held_places(model, options))
             AND place_id IN (SELECT n.place_id
                 FROM written_edge e, LATERAL (VALUES (e.from_node), (e.to_node)) v(node_id)
-                    JOIN joined_node n USING (node_id) GROUP BY n.place_id HAVING count(*) = 2)),
+                    JOIN place n USING (node_id) GROUP BY n.place_id HAVING count(*) = 2)),
     -- Roads are cut back where lanes meet in a junction, or go on beside their end: a way of no length is none.
     met AS MATERIALIZED (
         SELECT edge_id, at_end, greatest(0.05, 2 * max(length)) AS cut
@@ -155,8 +123,8 @@ BEGIN
         WHERE length < 2 AND place_id NOT IN (TABLE joint) GROUP BY edge_id, at_end),
     -- CARLA does not tell the ends of a road apart that begins and ends at one junction: it is two, joined.
     looped AS (
-        SELECT e.edge_id FROM written_edge e JOIN joined_node f ON f.node_id = e.from_node
-            JOIN joined_node t ON t.node_id = e.to_node
+        SELECT e.edge_id FROM written_edge e JOIN place f ON f.node_id = e.from_node
+            JOIN place t ON t.node_id = e.to_node
         WHERE joining AND f.place_id = t.place_id AND f.place_id IN (SELECT place_id FROM way_end)),
     -- The halves meet within the longest piece of the chain, where no border bends: at no plain share of it.
     piece AS MATERIALIZED (
@@ -214,10 +182,8 @@ BEGIN
             LATERAL generate_series(1, cardinality(d.lanes)) i
         WHERE NOT (d.own_ends[1] AND d.own_ends[2]) GROUP BY d.road_id, d.own_ends, o.road_id),
     way_road AS MATERIALIZED (
-        SELECT streetgen._file_id(way_kind, way_id, (row_number() OVER (PARTITION BY way_kind, way_id
-                ORDER BY interconnections, a.road_id, b.road_id) - 1)::integer) AS road_id,
-            array_to_string(interconnections, ' ') AS ways, a.road_id AS road_in, b.road_id AS road_out,
-            a.number AS number_in, b.number AS number_out,
+        SELECT k.file_id AS road_id, array_to_string(interconnections, ' ') AS ways, a.road_id AS road_in,
+            b.road_id AS road_out, a.number AS number_in, b.number AS number_out,
             a.at_end AS in_end, b.at_end AS out_end, a.width AS width_in, b.width AS width_out, a.lean AS lean_in,
             b.lean AS lean_out,
             CASE WHEN k.along_in THEN e.to_node ELSE e.from_node END AS node_id, k.lane_in, e.speed,
@@ -227,13 +193,13 @@ BEGIN
             ARRAY[a.x, a.y, a.heading + CASE WHEN a.at_end THEN 0 ELSE pi() END] AS path_from,
             ARRAY[b.x, b.y, b.heading + CASE WHEN b.at_end THEN pi() ELSE 0 END] AS path_to,
             CASE WHEN short THEN 1 ELSE o.tolerance END AS path_tolerance
-        FROM origin o, junction_way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
+        FROM origin o, way k JOIN placed a ON (a.lane_id, a.at_end) = (k.lane_in, k.along_in)
                 AND coalesce(a.half = k.along_in, true)
             JOIN placed b ON (b.lane_id, b.at_end) = (k.lane_out, NOT k.along_out)
                 AND coalesce(b.half = k.along_out, true)
             JOIN written_edge e ON e.edge_id = a.edge_id,
             LATERAL (SELECT ST_Length(k.geom) < 2 AS short) w
-        WHERE (k.way_kind, k.way_id) NOT IN (SELECT way_kind, way_id FROM way_end WHERE place_id IN (TABLE joint)))
+        WHERE k.file_id NOT IN (SELECT file_id FROM way_end WHERE place_id IN (TABLE joint)))
     SELECT d.road_id, false, s, x, y, heading, length, curvature, curvature_end, total, edge_id, before::integer,
         lefts, d.lanes, types, positions, halves, share_from, share_to, station, border, NULL, NULL::bigint,
         NULL::bigint, NULL::bigint, NULL::bigint, NULL::boolean, NULL::boolean, NULL::float8, NULL::float8,

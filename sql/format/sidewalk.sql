@@ -114,10 +114,10 @@ BEGIN
                 ST_Force2D(e.geom)::bytea, greatest(least(share * length + aside * slope, length), 0), aside)
                 ::geometry AS place) o) l
     WHERE away <= (SELECT value::float8 FROM setting WHERE name = 'control_distance')
-        AND edge_id IN (SELECT streetgen._written_edges(model, options))
+        AND edge_id IN (SELECT streetgen._edges_taken(model, options))
     ORDER BY edge_id, at_start, turn, away;
 END $$;
 COMMENT ON FUNCTION streetgen._crossings_at_ends(name, jsonb) IS
     'Where people on foot cross an edge within setting control_distance of its start or its end, one at each: its '
     'node, its width along the edge, that of the roadway, and its line, from the right to the left of those who leave '
-    'the node. Objects of type crossing come before control points of junctions.';
+    'the node. Objects of type crossing come before control points of junctions. Edges inside places have them too.';

@@ -81,7 +81,7 @@ BEGIN
         RETURN;
     END IF;
     RETURN QUERY WITH signal_link AS MATERIALIZED (
-        SELECT w.*, v.way_id, v.turn, c.controller_id,
+        SELECT w.*, v.interconnections, v.turn, c.controller_id,
             row_number() OVER (PARTITION BY c.controller_id ORDER BY name_in COLLATE "C", index_in,
                 name_out COLLATE "C", index_out) - 1 AS number,
             -- Who is within the junction leaves it.
@@ -97,7 +97,7 @@ BEGIN
         SELECT k.controller_id, k.number, m.ordinality, bool_or(m.protected) AS protected
         FROM signal_link k JOIN streetgen._signal_movements(model) m ON m.controller_id = k.controller_id
             AND ((m.lane_in, m.lane_out, m.along_in, m.along_out) = (k.lane_in, k.lane_out, k.along_in, k.along_out)
-                OR options ->> 'junctions' = 'node' AND k.way_id = ANY (m.interconnections))
+                OR options ->> 'junctions' = 'node' AND k.interconnections <@ m.interconnections)
         WHERE NOT k.inside GROUP BY 1, 2, 3),
     -- No movement goes by each way of a junction of several nodes: others have green with their lane, else their edge.
     lent AS (

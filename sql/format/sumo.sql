@@ -50,19 +50,22 @@ BEGIN
             JOIN node n ON n.node_id IN (e.from_node, e.to_node) AND ST_DWithin(p.geom, n.geom,
                 (SELECT value::float8 FROM setting WHERE name = 'control_distance'))
         WHERE p.kind = 'mini_roundabout'),
+    place AS MATERIALIZED (SELECT * FROM streetgen._places(model, options)),
     sumo_node AS (
-        SELECT DISTINCT ON (place_id) 2 AS turn, place_id AS id, place_id::text AS name, n.geom, surface,
+        SELECT 2 AS turn, place_id AS id, place_id::text AS name, ST_Centroid(ST_Collect(n.geom)) AS geom,
+            CASE count(*) WHEN 1 THEN (array_agg(surface))[1]
+                ELSE streetgen._united_ground(array_agg(surface), 0, 0) END AS surface,
             CASE WHEN kind = 'signals' THEN 'traffic_light' WHEN kind = 'right_before_left' THEN kind
-                WHEN kind = 'roundabout' AND bool_or(m.node_id IS NOT NULL) OVER (PARTITION BY place_id)
-                    THEN 'left_before_right'
-                WHEN bool_or(stops) OVER (PARTITION BY place_id) THEN 'priority_stop' ELSE 'priority' END AS type,
+                WHEN kind = 'roundabout' AND bool_or(m.node_id IS NOT NULL) THEN 'left_before_right'
+                WHEN bool_or(stops) THEN 'priority_stop' ELSE 'priority' END AS type,
             CASE WHEN kind = 'signals' THEN junction_id END AS controller
-        FROM node n JOIN streetgen._places(model, options) USING (node_id)
+        FROM node n JOIN place USING (node_id)
         LEFT JOIN (SELECT node_id, bool_or(kind = 'stop') AS stops FROM marking
             WHERE edge_id IN (SELECT edge_id FROM written_edge) GROUP BY node_id) s USING (node_id)
         LEFT JOIN mini m USING (node_id)
-        WHERE node_id IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge)
-        ORDER BY place_id, node_id),
+        WHERE place_id IN (SELECT place_id FROM place
+            WHERE node_id IN (SELECT from_node FROM written_edge UNION SELECT to_node FROM written_edge))
+        GROUP BY place_id, kind, junction_id),
     every_node AS (
         SELECT * FROM sumo_node
         UNION ALL SELECT 3, lane_group_id, comes_from, ST_LineInterpolatePoint(geom, since), NULL, 'priority', NULL
@@ -154,6 +157,7 @@ BEGIN
         string_agg(s.name, ' ' ORDER BY ordinality) AS edges))::text
     FROM streetgen._ring_edges(model) r LEFT JOIN sumo_edge s ON s.edge_id = r.edge_id
         AND s.along_axis = r.along_axis AND s.lane_count > 0
+    WHERE r.edge_id NOT IN (SELECT streetgen._edges_inside(options))
     GROUP BY roundabout_id, face
     -- A part of a ring goes round nothing.
     HAVING count(DISTINCT comes_from) = count(*);
@@ -178,7 +182,9 @@ BEGIN
             streetgen._few(e.lanes) WITH ORDINALITY m(lane_id, i) JOIN lane l USING (lane_id)),
     going_on AS MATERIALIZED (
         SELECT k.way_id, a.name AS name_in, b.name AS name_out, a.index AS index_in, b.index AS index_out, a.goes_to,
-            k.traffic, k.geom, k.lane_in, k.lane_out, k.along_in, k.along_out
+            k.traffic, CASE WHEN k.lane_in <> k.lane_out THEN k.geom END, k.lane_in, k.lane_out, k.along_in,
+            k.along_out
+        -- netconvert draws the way from a lane back to it anew, since it ends where it began.
         FROM streetgen._connecting_ways(model, options) k
             JOIN placed a ON (a.lane_id, a.along_axis) = (k.lane_in, k.along_in) AND a.ends
             JOIN placed b ON (b.lane_id, b.along_axis) = (k.lane_out, k.along_out) AND b.begins)
@@ -196,8 +202,8 @@ BEGIN
         ORDER BY a.name, a.index DESC, b.index DESC) t;
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_going_on(name, jsonb) IS
-    'Which lane of an edge of SUMO goes on to which lane of another: by a way with its path and the lanes of the '
-    'model, or, with id 0, from part to part of one street, and back where a street ends or leads on for nobody.';
+    'Which lane of an edge of SUMO goes on to which lane of another: by a way with its path, but back to its lane, and '
+    'the lanes of the model, or, with id 0, from part to part of one street, and back where a street ends or leads on for nobody.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_connections(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)

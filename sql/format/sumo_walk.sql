@@ -69,7 +69,7 @@ BEGIN
             LATERAL (SELECT (beside_right = 'median') = at_start AS at_first, CASE WHEN (beside_right = 'median')
                 = at_start THEN ST_StartPoint(line) ELSE ST_EndPoint(line) END AS inner_end) i
         WHERE (beside_left = 'median') <> (beside_right = 'median')
-            AND edge_id <> ALL (inside)),
+            AND edge_id <> ALL (inside) AND edge_id NOT IN (SELECT streetgen._edges_inside(options))),
     facing AS (
         SELECT DISTINCT ON (least(a.place_id, b.place_id), greatest(a.place_id, b.place_id)) a.edge_id, a.at_start,
             a.place_id AS from_place, b.place_id AS to_place, least(a.along, b.along) AS width,

@@ -71,60 +71,65 @@ BEGIN
                 AND a.to_place NOT IN (SELECT place_id FROM place WHERE kind = 'signals')),
     -- In the order of traffic; the table runs counter-clockwise.
     ring_edge AS MATERIALIZED (
-        SELECT r.roundabout_id AS ring, r.centre, g.name, g.from_node, g.to_node, g.line, g.lane_count, g.lane_width,
+        SELECT r.roundabout_id AS ring, r.centre, g.name, g.from_node, from_place, to_place, g.line, g.lane_count,
+            g.lane_width,
             w.speed, keeps_right, CASE WHEN keeps_right THEN r.ordinality ELSE -r.ordinality END AS turn,
             count(*) OVER (PARTITION BY r.roundabout_id) AS edges
         FROM (SELECT value <> 'left' AS keeps_right FROM setting WHERE name = 'driving_side') s
             CROSS JOIN streetgen._ring_edges(model) r
             LEFT JOIN troncon g ON g.edge_id = r.edge_id AND g.along_axis = r.along_axis
-            LEFT JOIN written_edge w ON w.edge_id = r.edge_id),
+            LEFT JOIN written_edge w ON w.edge_id = r.edge_id
+        WHERE r.edge_id NOT IN (SELECT streetgen._edges_inside(options))),
     at_ring AS MATERIALIZED (
-        SELECT n.ring, t.name, t.edge_id, n.from_node AS node_id, n.turn, t.from_node = n.from_node AS leaves, n.centre,
-            n.keeps_right,
-            CASE WHEN t.from_node = n.from_node THEN ST_StartPoint(t.line) ELSE ST_EndPoint(t.line) END AS ends
-        FROM ring_edge n JOIN troncon t ON n.from_node IN (t.from_node, t.to_node)
+        SELECT n.ring, t.name, t.edge_id, n.from_place AS place_id, n.from_node, n.turn, leaves, n.centre,
+            n.keeps_right, CASE WHEN leaves THEN t.from_node ELSE t.to_node END AS node_id,
+            CASE WHEN leaves THEN ST_StartPoint(t.line) ELSE ST_EndPoint(t.line) END AS ends
+        FROM ring_edge n JOIN troncon t ON n.from_place IN (t.from_place, t.to_place),
+            LATERAL (SELECT t.from_place = n.from_place AS leaves) l
         WHERE NOT EXISTS (SELECT FROM ring_edge e WHERE e.ring = n.ring AND e.name = t.name)),
     -- One lane group for each edge; all else at its nodes are arms, and none of these is of another ring or has
     -- signals.
     whole_ring AS MATERIALIZED (
-        SELECT ring, min(from_node) AS place_id FROM ring_edge e GROUP BY ring, edges
-        HAVING count(DISTINCT name) = edges AND count(DISTINCT from_node) = edges AND count(DISTINCT to_node) = edges
-            AND NOT EXISTS (SELECT FROM ring_edge n JOIN place p ON p.node_id = n.from_node
-                WHERE n.ring = e.ring AND (p.place_id <> p.node_id OR p.kind = 'signals'))
+        SELECT ring, min(from_place) AS ring_place FROM ring_edge e GROUP BY ring, edges
+        HAVING count(DISTINCT name) = edges AND count(DISTINCT from_place) = edges
+            AND count(DISTINCT to_place) = edges
+            AND NOT EXISTS (SELECT FROM ring_edge n JOIN place p ON p.place_id = n.from_place
+                WHERE n.ring = e.ring AND p.kind = 'signals')
             AND EXISTS (SELECT FROM at_ring a WHERE a.ring = e.ring)
             AND NOT EXISTS (SELECT FROM at_ring a WHERE a.ring = e.ring AND (a.name IN (SELECT name FROM ring_edge)
                 OR NOT EXISTS (SELECT FROM streetgen._ring_arms(model) m WHERE (m.roundabout_id, m.edge_id, m.node_id)
                     = (a.ring, a.edge_id, a.node_id))))),
     -- Round the centre from each node on, as traffic meets them.
     ring_end AS MATERIALIZED (
-        SELECT ring, name, node_id, row_number() OVER (PARTITION BY ring ORDER BY a.turn,
+        SELECT ring, name, place_id, row_number() OVER (PARTITION BY ring ORDER BY a.turn,
             mod((degrees(ST_Azimuth(centre, n.geom) - ST_Azimuth(centre, ends))::numeric + 900) * CASE WHEN keeps_right
                 THEN 1 ELSE -1 END + 1800, 360), NOT leaves, name COLLATE "C") AS turn
-        FROM at_ring a JOIN whole_ring USING (ring) JOIN node n USING (node_id)),
+        FROM at_ring a JOIN whole_ring USING (ring) JOIN node n ON n.node_id = a.from_node),
     -- Edges between which there is no arm are one piece; the first one begins at an arm.
     ring_troncon AS MATERIALIZED (
         SELECT *, sum(begins) OVER (PARTITION BY ring ORDER BY step) AS piece
         FROM (SELECT *, mod(turn - min(turn) FILTER (WHERE begins = 1) OVER (PARTITION BY ring) + edges, edges) AS step
-            FROM (SELECT e.*, place_id, EXISTS (SELECT FROM ring_end a WHERE (a.ring, a.node_id)
-                    = (e.ring, e.from_node))::integer AS begins FROM ring_edge e JOIN whole_ring USING (ring)) e) e),
-    ring_node AS MATERIALIZED (SELECT from_node AS node_id, place_id FROM ring_troncon),
+            FROM (SELECT e.*, ring_place, EXISTS (SELECT FROM ring_end a WHERE (a.ring, a.place_id)
+                    = (e.ring, e.from_place))::integer AS begins FROM ring_edge e JOIN whole_ring USING (ring)) e) e),
+    ring_place AS MATERIALIZED (SELECT from_place AS place_id, ring_place FROM ring_troncon),
     -- From the lanes that come in, round the ring, to those that leave it; by movements that bar nobody.
     ring_movement AS MATERIALIZED (
         WITH RECURSIVE round AS (
-            SELECT r.place_id, s.name_in, s.lane_in, s.name_out, s.lane_out, s.sign FROM step s
-                JOIN ring_node r ON r.node_id = s.place_id
+            SELECT ring_place, s.name_in, s.lane_in, s.name_out, s.lane_out, s.sign
+            FROM step s JOIN ring_place USING (place_id)
             WHERE s.name_in NOT IN (SELECT name FROM ring_troncon) AND s.barred IS NULL
-            UNION SELECT r.place_id, r.name_in, r.lane_in, s.name_out, s.lane_out, r.sign
+            UNION SELECT r.ring_place, r.name_in, r.lane_in, s.name_out, s.lane_out, r.sign
             FROM round r JOIN ring_troncon t ON t.name = r.name_out
                 JOIN step s ON (s.name_in, s.lane_in) = (r.name_out, r.lane_out) AND s.barred IS NULL)
-        SELECT place_id,
+        SELECT ring_place AS place_id,
             row_number() OVER (ORDER BY name_in COLLATE "C", lane_in, name_out COLLATE "C", lane_out) AS way_id,
             name_in, lane_in, name_out, lane_out, NULL::geometry AS line, sign, NULL::text AS barred
         FROM round WHERE name_out NOT IN (SELECT name FROM ring_troncon)),
     ring_piece AS (
         SELECT ring, piece, (array_agg(name ORDER BY step))[1] AS name,
             ST_RemoveRepeatedPoints(ST_MakeLine(line ORDER BY step)) AS line,
-            (array_agg(from_node ORDER BY step))[1] AS from_node, (array_agg(to_node ORDER BY step DESC))[1] AS to_node
+            (array_agg(from_place ORDER BY step))[1] AS from_place,
+            (array_agg(to_place ORDER BY step DESC))[1] AS to_place
         FROM ring_troncon GROUP BY ring, piece),
     ring_inside AS (
         SELECT p.ring, xmlagg(xmlelement(name "TRONCON_INTERNE", xmlattributes(p.name AS id, a.name AS troncon_amont,
@@ -133,21 +138,22 @@ BEGIN
             streetgen._symuvia_place(ST_EndPoint(line), x, y, digits) AS extremite_aval),
             streetgen._symuvia_points(line, x, y, digits)::xml) ORDER BY p.piece) AS inside
         FROM origin, ring_piece p
-            JOIN (SELECT DISTINCT ON (ring, node_id) * FROM ring_end ORDER BY ring, node_id, turn DESC) a
-                ON (a.ring, a.node_id) = (p.ring, p.from_node)
-            JOIN (SELECT DISTINCT ON (ring, node_id) * FROM ring_end ORDER BY ring, node_id, turn) b
-                ON (b.ring, b.node_id) = (p.ring, p.to_node)
+            JOIN (SELECT DISTINCT ON (ring, place_id) * FROM ring_end ORDER BY ring, place_id, turn DESC) a
+                ON (a.ring, a.place_id) = (p.ring, p.from_place)
+            JOIN (SELECT DISTINCT ON (ring, place_id) * FROM ring_end ORDER BY ring, place_id, turn) b
+                ON (b.ring, b.place_id) = (p.ring, p.to_place)
         GROUP BY p.ring),
     ring_element AS (
         SELECT r.*, e.troncons, i.inside
-        FROM (SELECT ring, place_id, 'G_' || ring AS name, max(lane_count) AS lanes,
+        FROM (SELECT ring, ring_place AS place_id, 'G_' || ring AS name, max(lane_count) AS lanes,
                 avg(lane_width ORDER BY step) AS lane_width, min(speed) AS speed
-                FROM ring_troncon GROUP BY ring, place_id) r
+                FROM ring_troncon GROUP BY ring, ring_place) r
             JOIN (SELECT ring, string_agg(name, ' ' ORDER BY turn) AS troncons FROM ring_end GROUP BY ring) e
                 USING (ring)
             JOIN ring_inside i USING (ring)),
     movement AS MATERIALIZED (
-        SELECT * FROM step WHERE place_id NOT IN (SELECT node_id FROM ring_node) UNION ALL SELECT * FROM ring_movement),
+        SELECT * FROM step WHERE place_id NOT IN (SELECT place_id FROM ring_place)
+        UNION ALL SELECT * FROM ring_movement),
     -- Where traffic goes through: a ring is a giratoire; between two edges there is a repartiteur, among more a
     -- carrefour.
     connexion AS MATERIALIZED (
@@ -155,16 +161,17 @@ BEGIN
             CASE WHEN count(*) > 2 THEN 'carrefour' ELSE 'repartiteur' END AS kind
         FROM (SELECT from_node FROM written_edge UNION ALL SELECT to_node FROM written_edge) e(node_id)
             JOIN place USING (node_id)
-        WHERE place_id IN (SELECT place_id FROM movement) AND node_id NOT IN (SELECT node_id FROM ring_node)
+        WHERE place_id IN (SELECT place_id FROM movement) AND place_id NOT IN (SELECT place_id FROM ring_place)
         GROUP BY place_id
         UNION ALL SELECT place_id, name, 'giratoire' FROM ring_element),
     -- Where a troncon has no movement, traffic comes into the network or leaves it.
     ended AS MATERIALIZED (
         SELECT t.*, CASE WHEN i.name IS NULL THEN 'E_' || t.name ELSE a.name END AS amont,
             CASE WHEN o.name IS NULL THEN 'S_' || t.name ELSE b.name END AS aval
-        FROM troncon t LEFT JOIN ring_node f ON f.node_id = from_node LEFT JOIN ring_node l ON l.node_id = to_node
-        LEFT JOIN connexion a ON a.place_id = coalesce(f.place_id, from_place)
-        LEFT JOIN connexion b ON b.place_id = coalesce(l.place_id, to_place)
+        FROM troncon t LEFT JOIN ring_place f ON f.place_id = from_place
+        LEFT JOIN ring_place l ON l.place_id = to_place
+        LEFT JOIN connexion a ON a.place_id = coalesce(f.ring_place, from_place)
+        LEFT JOIN connexion b ON b.place_id = coalesce(l.ring_place, to_place)
         LEFT JOIN (SELECT DISTINCT name_out AS name FROM movement) i ON i.name = t.name
         LEFT JOIN (SELECT DISTINCT name_in AS name FROM movement) o ON o.name = t.name
         WHERE t.name NOT IN (SELECT name FROM ring_troncon)),
@@ -255,7 +262,7 @@ BEGIN
         FROM (SELECT place_id, name_in, lane_in, string_agg('<MOUVEMENT_SORTIE id_troncon_aval="' || name_out
                 || '" num_voie_aval="' || lane_out || '" taux_utilisation="' || round(1.0 / ways, 4)
                 || coalesce('" exclusion_types_vehicules="' || barred, '') || '"/>', ''
-                ORDER BY way_id) AS ways
+                ORDER BY way_id, name_out COLLATE "C", lane_out) AS ways
             FROM (SELECT *, count(*) OVER (PARTITION BY place_id, name_in, lane_in, name_out, barred) AS ways
                 FROM movement) m
             GROUP BY place_id, name_in, lane_in) m GROUP BY place_id),
@@ -268,7 +275,7 @@ BEGIN
         FROM (SELECT place_id, name_in, lane_in, max(sign) AS sign, string_agg('<MOUVEMENT id_troncon_aval="'
             || name_out
                 || '" num_voie_aval="' || lane_out || coalesce('">' || streetgen._symuvia_points(line, x, y, digits)
-                || '</MOUVEMENT>', '"/>'), '' ORDER BY way_id) AS ways
+                || '</MOUVEMENT>', '"/>'), '' ORDER BY way_id, name_out COLLATE "C", lane_out) AS ways
             FROM origin, movement JOIN connexion USING (place_id) WHERE connexion.kind = 'carrefour'
             GROUP BY place_id, name_in, lane_in) m GROUP BY place_id),
     connexion_line AS (

@@ -151,6 +151,9 @@ BEGIN
             USING ERRCODE = '55000',
             HINT = format('SELECT * FROM streetgen.switch_subject(%L, ''junction'', true) computes it.', model);
     END IF;
+    IF known ? 'junctions' THEN
+        known := known || streetgen._joined_places(model, known);
+    END IF;
     IF NOT EXISTS (SELECT FROM streetgen._written_edges(model, known)) THEN
         RAISE EXCEPTION 'model "%" has no street to write with options %', model, options USING ERRCODE = '22023',
             HINT = format('SELECT * FROM streetgen.generate(%L) computes the streets of a model; an extent is in its '
@@ -162,8 +165,9 @@ BEGIN
     RETURN known;
 END $$;
 COMMENT ON FUNCTION streetgen._begin_export(name, text, text, jsonb) IS
-    'What each writer does first: its options as streetgen._export_options gives them, and a warning that counts what '
-    'is stale, and others that count what the file leaves out, unless client_min_messages is error. A caller who may '
+    'What each writer does first: its options as streetgen._export_options gives them, with what '
+    'streetgen._joined_places adds, and a warning that counts what is stale, and others that count what the file '
+    'leaves out, unless client_min_messages is error. A caller who may '
     'not read the model: 42501; a model without the subject that the format needs: 55000; no edge that the '
     'options take: 22023.';
 

@@ -58,10 +58,11 @@ SELECT 'every option is one that its formats take', (SELECT bool_and(streetgen._
 SELECT 'without junctions their nodes cannot be one', test.state($$SELECT FROM streetgen.export_sumo('town', 'nodes', '{"junctions": "group"}')$$) = '55000' AND test.state($$SELECT FROM streetgen.export_sumo('town', 'nodes', '{"junctions": "all"}')$$) = '22023';
 DO $$ BEGIN
   PERFORM streetgen.create_model('wide', 2154, subjects => '{interconnection,junction}', driving_side => 'right');
-  INSERT INTO wide.axis (axis_id, geom, width, direction) VALUES
-    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 'direct'), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7, 'direct'),
-    (3, 'SRID=2154;LINESTRING(650200 6860010,650100 6860010)', 7, 'direct'), (4, 'SRID=2154;LINESTRING(650100 6860010,650000 6860010)', 7, 'direct'),
-    (5, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 7, 'both'), (6, 'SRID=2154;LINESTRING(650100 6860000,650100 6860010)', 7, 'both'), (7, 'SRID=2154;LINESTRING(650100 6860010,650100 6860100)', 7, 'both');
+  -- Corners of 4 m leave the street between both carriageways room.
+  INSERT INTO wide.axis (axis_id, geom, width, direction, radius) VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650100 6860000)', 7, 'direct', 4), (2, 'SRID=2154;LINESTRING(650100 6860000,650200 6860000)', 7, 'direct', 4),
+    (3, 'SRID=2154;LINESTRING(650200 6860030,650100 6860030)', 7, 'direct', 4), (4, 'SRID=2154;LINESTRING(650100 6860030,650000 6860030)', 7, 'direct', 4),
+    (5, 'SRID=2154;LINESTRING(650100 6859900,650100 6860000)', 7, 'both', 4), (6, 'SRID=2154;LINESTRING(650100 6860000,650100 6860030)', 7, 'both', 4), (7, 'SRID=2154;LINESTRING(650100 6860030,650100 6860100)', 7, 'both', 4);
 END $$;
 SELECT 'a junction of two nodes is one node', pg_temp.found('//node', pg_temp.file('wide', 'nodes', '{"junctions": "group"}')) = (SELECT count(*) - 1 FROM wide.node) AND (SELECT count(*) = 1 FROM wide.junction_edge);
 SELECT 'without the edge inside', pg_temp.found('//edge[@id="6" or @id="-6"]', pg_temp.file('wide', 'edges', '{"junctions": "group"}')) = 0 AND pg_temp.found('//edge[@id="6" or @id="-6"]', pg_temp.file('wide', 'edges')) = 2;

@@ -11,13 +11,15 @@ BEGIN
         WHERE s.method = 'crossed_limits' AND from_node IN (SELECT node_id FROM intersection)
             AND to_node IN (SELECT node_id FROM intersection)
     ), touching AS (
-        SELECT from_node, to_node FROM crossed UNION SELECT to_node, from_node FROM crossed
+        SELECT from_node AS node_id, array_agg(to_node) AS others
+        FROM (TABLE crossed UNION ALL SELECT to_node, from_node FROM crossed) c GROUP BY from_node
     ), joined AS (
-        SELECT node_id, node_id AS other FROM intersection
-        UNION SELECT j.node_id, t.to_node FROM joined j JOIN touching t ON t.from_node = j.other
+        SELECT node_id, node_id AS other FROM touching
+        UNION SELECT j.node_id, unnest(others) FROM joined j JOIN touching t ON t.node_id = j.other
     )
-    SELECT node_id, i.level, min(j.other) AS group_id FROM joined j JOIN intersection i USING (node_id)
-        GROUP BY node_id, i.level;
+    SELECT node_id, i.level, coalesce(j.group_id, node_id) AS group_id
+    FROM intersection i LEFT JOIN (SELECT node_id, min(other) AS group_id FROM joined GROUP BY node_id) j
+        USING (node_id);
     CREATE OR REPLACE VIEW roadway WITH (security_invoker = true) AS
     SELECT 2 * edge_id AS roadway_id, 'section' AS part, edge_id, NULL::bigint AS node_id, axis_id, name, kind,
         importance,
