@@ -203,7 +203,8 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._sumo_going_on(name, jsonb) IS
     'Which lane of an edge of SUMO goes on to which lane of another: by a way with its path, but back to its lane, and '
-    'the lanes of the model, or, with id 0, from part to part of one street, and back where a street ends or leads on for nobody.';
+    'the lanes of the model, or, with id 0, from part to part of one street, and back where a street ends or leads on '
+    'for nobody.';
 
 CREATE OR REPLACE FUNCTION streetgen._sumo_connections(model name, options jsonb)
     RETURNS TABLE(rank integer, ref bigint, markup text)
@@ -294,7 +295,8 @@ COMMENT ON FUNCTION streetgen.export_sumo(name, text, jsonb) IS
     'An edge is a lane group: edge_id along the axis, -edge_id against it; a loop is two, the second one '
     'ends in .end. '
     'Its lanes have the lines, widths and vehicle classes of the model, and lane 0 is at the kerb. A connection is an '
-    'interconnection that connects, with its path. An edge without a way on leads back to the other direction of its '
+    'interconnection that connects, with its path. Nodes between which limits cross are one node, and several '
+    'interconnections over it one connection. An edge without a way on leads back to the other direction of its '
     'street, or is parted from all that leave its node, since netconvert invents what is not said. '
     'With subject sidewalk, a sidewalk is lane 0 of its edge, or an edge '
     'edge_id.walk beside no lane of its direction, and so is a strip on the roadway where a street has none. Crossings '
