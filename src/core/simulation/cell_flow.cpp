@@ -68,7 +68,7 @@ void read_junctions(CellRun& run) {
   run.passed.assign(size, 0);
   for (int link = 0; link < size; ++link) {
     run.leaves[link] = leaves_at_end(*run.network, link);
-    if (!run.network->aspects.of(link).empty()) run.signalled.push_back(link);
+    if (!run.network->aspects.of(link).empty()) run.signalled.push_back({link});
     for (const LinkConflict& c : run.network->conflicts.of(link))
       if (c.precedence == Precedence::gives_way || c.precedence == Precedence::by_arrival) {
         run.yielding.push_back(link);

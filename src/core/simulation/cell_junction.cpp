@@ -1,5 +1,7 @@
 // Flows where links end: shares of turns, signals, who goes first, and who merges.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "simulation/cell_run.hpp"
 #include "simulation/link_end.hpp"
@@ -14,12 +16,27 @@ bool yields_to(const TrafficNetwork& network, int link, int other) {
   return false;
 }
 
+// What a signal shows, and until when.
+void look_at(CellRun& run, CellSignal& signal) {
+  const TrafficNetwork& network = *run.network;
+  const Aspect aspect = aspect_at(network, signal.link, run.time);
+  run.closed[signal.link] = aspect == Aspect::red || aspect == Aspect::amber;
+  const int number = network.links[signal.link].plan;
+  signal.until = std::numeric_limits<double>::infinity();
+  if (number < 0 || number >= static_cast<int>(network.plans.size())) return;
+  const SignalPlan& plan = network.plans[number];
+  double since = std::fmod(run.time - plan.start_offset, plan.cycle);
+  if (since < 0) since += plan.cycle;
+  double next = plan.cycle;
+  for (const SignalAspect& a : network.aspects.of(signal.link))
+    if (a.since > since) next = std::min<double>(next, a.since);
+  signal.until = run.time + (next - since);
+}
+
 // A signal closes a movement, and those that go first leave a movement less than its capacity.
 void limit_movements(CellRun& run) {
-  for (const int link : run.signalled) {
-    const Aspect aspect = aspect_at(*run.network, link, run.time);
-    run.closed[link] = aspect == Aspect::red || aspect == Aspect::amber;
-  }
+  for (CellSignal& signal : run.signalled)
+    if (run.time >= signal.until) look_at(run, signal);
   for (const int link : run.yielding) {
     const double most = run.links[link].capacity;
     double left = most;
@@ -142,7 +159,7 @@ RowsOf<CellMerge> merges_of(const TrafficNetwork& network) {
 void find_joints(CellRun& run) {
   const TrafficNetwork& network = *run.network;
   std::vector<char> special(network.size(), 0);
-  for (const int link : run.signalled) special[link] = 1;
+  for (const CellSignal& signal : run.signalled) special[signal.link] = 1;
   for (const int link : run.yielding) special[link] = 1;
   const auto joint = [&](int from, int to) {
     return network.next.of(from).size() == 1 && network.before.of(to).size() == 1 && !special[to];

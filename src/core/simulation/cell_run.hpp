@@ -28,6 +28,12 @@ struct CellJoint {
   std::int32_t from = -1, to = -1;
 };
 
+// The signal of a movement shows the same until a time.
+struct CellSignal {
+  std::int32_t link = -1;
+  double until = 0;
+};
+
 struct CellRun {
   const TrafficNetwork* network = nullptr;
   FlowRules rules;
@@ -37,7 +43,7 @@ struct CellRun {
   std::vector<CellJoint> joints;
   std::vector<std::int32_t> senders, takers;  // links that end, or begin, at no joint
   RowsOf<CellMerge> merges;                   // of each link, who goes first before the others
-  std::vector<std::int32_t> signalled;        // movements with a signal
+  std::vector<CellSignal> signalled;          // of movements
   std::vector<std::int32_t> yielding;         // movements that do not always go first
 
   // By row of TrafficNetwork::next.

@@ -57,7 +57,8 @@ class LinkChain {
     const Aspect aspect = aspect_at(*run_.network, movement, run_.time);
     // A signal behind a lane that is too short to wait there is passed after a cycle.
     const int plan = run_.link(movement).plan;
-    const bool obeys = parts.empty() || plan < 0 || driver_.asked < 0 ||
+    const bool obeys = parts.empty() || plan < 0 ||
+                       plan >= static_cast<int>(run_.network->plans.size()) || driver_.asked < 0 ||
                        run_.time - driver_.asked < run_.network->plans[plan].cycle;
     if (aspect == Aspect::red && obeys) return false;
     if (aspect == Aspect::amber && obeys &&
