@@ -166,12 +166,12 @@ BEGIN
                     FROM unnest(w.traffic) kind WHERE kind = ANY (r.traffic) IS NOT FALSE) END AS traffic) shared
             WHERE w.lane_in <> ALL (over) AND shared.traffic IS DISTINCT FROM '{}') w
         WHERE turn = 1),
-    -- The shortest one from lane to lane, of those for most traffic, where none leads straight to it. Nobody turns
-    -- back within two metres.
+    -- The shortest one from lane to lane, of those for most traffic, where none leads straight to it. A way back to its
+    -- lane ends where it began, and no file can draw it.
     joined AS (
         SELECT DISTINCT ON (lane_in, along_in, lane_out, along_out) *
         FROM longer l
-        WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND (lane_out <> lane_in OR length >= 2)
+        WHERE lane_out NOT IN (SELECT lane_id FROM inner_lane) AND lane_out <> lane_in
             AND NOT EXISTS (SELECT FROM interconnection w WHERE connecting AND (w.lane_in, w.lane_out, w.along_in,
                 w.along_out) = (l.lane_in, l.lane_out, l.along_in, l.along_out))
         ORDER BY lane_in, along_in, lane_out, along_out, cardinality(traffic) DESC NULLS FIRST, length,

@@ -87,8 +87,7 @@ BEGIN
             LEFT JOIN projected q ON (q.kind, q.id) = ('object surface', o.street_object_id)
             LEFT JOIN road_of_edge w ON w.edge_id = o.edge_id,
             LATERAL (SELECT CASE WHEN w.edge_id IS NOT NULL THEN w.edge_id
-                WHEN o.edge_id IS NULL OR options ->> 'junctions' = 'group'
-                        OR o.edge_id IN (SELECT edge_id FROM written_edge) THEN (
+                WHEN o.edge_id IS NULL OR o.edge_id IN (SELECT streetgen._edges_taken(model, options)) THEN (
                     SELECT e.edge_id FROM edge e WHERE ST_DWithin(e.geom, o.geom, 50)
                         -- A value is looked up; a join would read all for each object.
                         AND (e.edge_id IN (SELECT edge_id FROM road_of_edge)) IS TRUE
