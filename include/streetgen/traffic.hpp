@@ -54,6 +54,7 @@ constexpr std::uint8_t car = 1, bus = 2, carpool = 4, cycle = 8, all = 15;
 struct Link {
   std::int64_t link_id = 0;  // key of the view `link`
   double length = 0;         // positive
+  double stretch = 1;        // metres of its course a metre of its length
   float speed = 0;           // that is allowed
   float width = 0;           // of the lane; of a movement that of the lane it leads to
   float stop = 0;            // where a car waits that may not leave it, metres along the link
@@ -71,9 +72,9 @@ struct Link {
 };
 
 // A piece of the course of a link: a straight line, or an arc where it has a curvature.  It ends
-// where the next one begins, or with the link.
+// where the next one begins, or with the course.
 struct LinkPiece {
-  double metres = 0;  // along the link, where it begins
+  double metres = 0;  // along the course, where it begins
   double x = 0, y = 0, heading = 0;
   double curvature = 0;  // one by metres, positive to the left
 };
@@ -142,6 +143,7 @@ struct TrafficNetwork {
   RowsOf<LinkCrossing> crossings;
   RowsOf<SignalAspect> aspects;  // by since; none: the link has no signal
   std::vector<SignalPlan> plans;
+  std::vector<std::int64_t> nodes, junctions;  // their keys
 
   int size() const { return static_cast<int>(links.size()); }
 };

@@ -7,14 +7,14 @@ rule() { if eval "$2"; then echo "t $1"; else echo "f $1"; fi; }
 floors=(
   'support'
   'geometry'
-  'measure network road height overpass mesh object design simulation virtual_city osm fit forest'
+  'measure network road height overpass mesh object design virtual_city osm fit forest'
   'layout block roundabout'
   'ramp strip footway'
   'roadway sidewalk'
   'ownership lane'
   'kerb interconnection'
   'junction'
-  'signal'
+  'signal simulation'
   'pipeline'
 )
 

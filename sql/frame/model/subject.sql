@@ -95,7 +95,6 @@ CREATE OR REPLACE FUNCTION streetgen.switch_subject(model name, subject text, wa
 DECLARE
     computed text[];
     needing text;
-    part text;
     has_streets boolean;
     told boolean;
     before oid[];
@@ -132,13 +131,10 @@ BEGIN
                 split_part(needing, ', ', 1));
     END IF;
     -- The views of the model that read these tables go with them; anything of others stands in the way.
-    FOR part IN SELECT format('DROP VIEW %I.%I', model, v.name) FROM streetgen._edit_view(model, 0) v
-            WHERE v.subject = switch_subject.subject
-        UNION ALL SELECT format('DROP VIEW %I.%I', model, v.name) FROM streetgen._subject_view() v
-            WHERE v.subject = switch_subject.subject AND to_regclass(format('%I.%I', model, v.name)) IS NOT NULL
-    LOOP
-        EXECUTE part;
-    END LOOP;
+    EXECUTE (SELECT coalesce('DROP VIEW ' || string_agg(format('%I.%I', model, v.name), ', '), 'SELECT')
+        FROM (SELECT e.name FROM streetgen._edit_view(model, 0) e WHERE e.subject = switch_subject.subject
+            UNION SELECT w.name FROM streetgen._subject_view() w WHERE w.subject = switch_subject.subject) v
+        WHERE to_regclass(format('%I.%I', model, v.name)) IS NOT NULL);
     EXECUTE (SELECT 'DROP TABLE ' || string_agg(format('%I.%I', model, t.relation), ', ')
         FROM streetgen._computed_table() t WHERE t.subject = switch_subject.subject);
     PERFORM streetgen._make_dependents(model);

@@ -61,41 +61,13 @@ END $$;
 COMMENT ON FUNCTION streetgen._make_lane_adjacency_views(name) IS
     'Makes the views lane_extent, lane_adjacency and lane_interval of a model, again and again.';
 
-CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis geometry, lane geometry, widest float8, first float8,
-    last float8, OUT on_axis float8[], OUT on_lane float8[])
-    LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public
-    AS $$
-    -- About a vertex of the axis a lane inside has a point where one outside has an arc: both are one stretch there.
-    WITH size AS (SELECT ST_Length(axis) AS total, ST_Length(lane) AS lane_total),
-    vertex AS (
-        SELECT d.path[1] AS i, d.geom, ST_Distance(d.geom, lag(d.geom) OVER w) AS before,
-            ST_Distance(d.geom, lead(d.geom) OVER w) AS behind,
-            ST_Azimuth(d.geom, lead(d.geom) OVER w) - ST_Azimuth(lag(d.geom) OVER w, d.geom) AS turn
-        FROM ST_DumpPoints(axis) d WINDOW w AS (ORDER BY d.path[1])),
-    placed AS (SELECT *, sum(coalesce(before, 0)) OVER (ORDER BY i) AS abscissa FROM vertex),
-    corner AS (
-        SELECT abscissa, least(widest * abs(tan(turn / 2)), before / 2, behind / 2) AS half FROM placed
-        WHERE before > 0 AND behind > 0 AND abs(sin(turn)) > 1e-9),
-    breaks AS (
-        SELECT first AS at, 0::float8 AS measure
-        -- Lanes between limits that coincide have a length all the same.
-        UNION ALL SELECT CASE WHEN last - first > 1e-6 THEN last ELSE first + 1 END, lane_total FROM size
-        UNION ALL SELECT c.at, ST_LineLocatePoint(lane, ST_LineInterpolatePoint(axis, least(c.at / total, 1)))
-            * lane_total
-        FROM size, corner, LATERAL (VALUES (abscissa - half), (abscissa + half)) c(at)
-        WHERE c.at > first + 1e-6 AND c.at < last - 1e-6),
-    grown AS (SELECT at, max(measure) OVER (ORDER BY at, measure) AS measure FROM breaks),
-    -- Beside a bend a stub of a lane may lie off such a place: then it is one stretch.
-    stub AS (
-        SELECT coalesce(bool_or(measure - before < 1e-9), false) AS whole
-        FROM (SELECT measure, lag(measure) OVER (ORDER BY at, measure) AS before FROM grown) g)
-    SELECT array_agg(at ORDER BY at, measure), array_agg(measure ORDER BY at, measure)
-    FROM (SELECT g.*, min(at) OVER () AS least, max(at) OVER () AS most FROM grown g) g, stub
-    WHERE NOT whole OR at IN (least, most) $$;
-COMMENT ON FUNCTION streetgen._lane_measures(geometry, geometry, float8, float8, float8) IS
-    'Places along an axis and the same places along a lane of it, ascending, m: between two of them shares are equal. '
-    'widest: the largest offset of a lane from the axis, m, so that all lanes of an edge have the same places. first, '
-    'last: where the lane begins and ends along the axis, m.';
+CREATE OR REPLACE FUNCTION streetgen._lane_measures(axis bytea, lane bytea, widest float8, first float8, last float8)
+    RETURNS TABLE(on_axis float8[], on_lane float8[])
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 100 ROWS 1 AS 'MODULE_PATHNAME', 'streetgen_lane_measures';
+COMMENT ON FUNCTION streetgen._lane_measures(bytea, bytea, float8, float8, float8) IS
+    'Places along an axis and the same places along a lane of it (EWKB), ascending, m: between two of them shares are '
+    'equal. widest: the largest offset of a lane from the axis, m, so that all lanes of an edge have the same places. '
+    'first, last: where the lane begins and ends along the axis, m.';
 
 CREATE OR REPLACE FUNCTION streetgen._measure_at(places float8[], measures float8[], place float8) RETURNS float8
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
@@ -150,9 +122,10 @@ BEGIN
     ELSIF place.other IS NULL THEN
         RETURN;
     END IF;
-    here := streetgen._lane_measures(place.axis, place.line, place.widest, place.first, place.last);
-    there := streetgen._lane_measures(place.axis, place.other_line, place.widest, place.other_first,
-        place.other_last);
+    SELECT * FROM streetgen._lane_measures(place.axis::bytea, place.line::bytea, place.widest, place.first, place.last)
+        INTO here;
+    SELECT * FROM streetgen._lane_measures(place.axis::bytea, place.other_line::bytea, place.widest, place.other_first,
+        place.other_last) INTO there;
     RETURN QUERY SELECT place.other, streetgen._measure_at(there.on_axis, there.on_lane,
         streetgen._measure_at(here.on_lane, here.on_axis, place_on_lane));
 END $$;

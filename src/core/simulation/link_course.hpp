@@ -16,6 +16,8 @@ const Row* row_at(const Row* first, const Row* last, double metres) {
   return after == first ? after : after - 1;
 }
 
+inline double course_length(const Link& link) { return link.length * link.stretch; }
+
 struct CoursePlace {
   double x = 0, y = 0, heading = 0, curvature = 0;
 };

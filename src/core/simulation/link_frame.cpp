@@ -40,8 +40,9 @@ LinkFrame frame(const TrafficNetwork& network, const LinkPlace& place, double wh
   set_height(frame, network.heights.of(place.link), metres);
   const auto pieces = network.pieces.of(place.link);
   if (pieces.empty()) return frame;
-  const LinkPiece& piece = *row_at(pieces.begin(), pieces.end(), metres);
-  const CoursePlace at = place_on(piece, metres - piece.metres);
+  const double on_course = metres * network.links[place.link].stretch;
+  const LinkPiece& piece = *row_at(pieces.begin(), pieces.end(), on_course);
+  const CoursePlace at = place_on(piece, on_course - piece.metres);
   frame.x = at.x;
   frame.y = at.y;
   frame.heading = std::remainder(at.heading, 2 * M_PI);

@@ -85,7 +85,7 @@ LinkPlaces::LinkPlaces(const TrafficNetwork& network) {
     if (link % 1024 == 0) poll_cancel();
     const auto pieces = network.pieces.of(link);
     for (int i = 0; i < pieces.size(); ++i) {
-      const double end = i + 1 < pieces.size() ? pieces[i + 1].metres : network.links[link].length;
+      const double end = i + 1 < pieces.size() ? pieces[i + 1].metres : course_length(network.links[link]);
       const double length = end - pieces[i].metres;
       if (!std::isfinite(length) || length < 0) continue;
       const int count = std::max(1, static_cast<int>(std::ceil(length / longest_part)));
@@ -115,7 +115,7 @@ std::vector<LinkPlaces::Index::NearLink> LinkPlaces::Index::near(double x, doubl
     const double distance = std::hypot(x - at.x, y - at.y);
     if (distance > reach) continue;
     const double offset = (y - at.y) * std::cos(at.heading) - (x - at.x) * std::sin(at.heading);
-    const NearLink near{{{part.link, piece.metres + along}, offset}, distance, at.heading};
+    const NearLink near{{{part.link, (piece.metres + along) / network->links[part.link].stretch}, offset}, distance, at.heading};
     if (found.empty() || found.back().located.place.link != part.link)
       found.push_back(near);
     else if (distance < found.back().distance)

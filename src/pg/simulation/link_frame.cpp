@@ -1,0 +1,67 @@
+// streetgen._link_frame: how a car stands at a place of a link.
+#include <optional>
+#include <string>
+
+#include "frame/argument.hpp"
+#include "frame/border.hpp"
+#include "frame/composite_rows.hpp"
+#include "simulation/network_bytes.hpp"
+#include "streetgen/traffic.hpp"
+
+extern "C" {
+#include <access/htup_details.h>
+#include <funcapi.h>
+}
+
+namespace streetgen::pg {
+namespace {
+
+int known_link(const TrafficNetwork& network, std::int64_t key) {
+  const int link = link_of(network, key);
+  if (link < 0)
+    throw Error(ErrorKind::invalid_input, "there is no link " + std::to_string(key),
+                "View link of the model lists them.");
+  return link;
+}
+
+LinkPlace place_on(const TrafficNetwork& network, std::int64_t key, double metres) {
+  const int link = known_link(network, key);
+  const double length = network.links[link].length;
+  if (!(metres >= -1e-6 && metres <= length + 1e-6))
+    throw Error(ErrorKind::invalid_input,
+                "link " + std::to_string(key) + " has no place at " + streetgen::text_of(metres) + " m",
+                "It is " + streetgen::text_of(length) + " m long.");
+  return {link, metres};
+}
+
+}  // namespace
+}  // namespace streetgen::pg
+
+// x, y, height (NULL where none is known), heading, curvature, steering and grade.
+STREETGEN_FUNCTION(streetgen_link_frame) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::int64_t key = PG_GETARG_INT64(1);
+  const double metres = PG_GETARG_FLOAT8(2), wheelbase = PG_GETARG_FLOAT8(3);
+  TupleDesc type = nullptr;
+  get_call_result_type(fcinfo, nullptr, &type);
+  type = BlessTupleDesc(type);
+  LinkFrame place;
+  bool flat = false;
+  const Outcome outcome = compute([&] {
+    const TrafficNetwork network = read_network(bytes);
+    const LinkPlace at = place_on(network, key, metres);
+    place = frame(network, at, in_range(wheelbase, 0.1, 30, "wheelbase"));
+    flat = network.heights.of(at.link).empty();
+  });
+  report(outcome);
+  const double numbers[] = {place.x,         place.y,        place.height, place.heading,
+                            place.curvature, place.steering, place.grade};
+  constexpr int columns = 7;
+  Datum values[columns];
+  bool nulls[columns] = {false};
+  for (int i = 0; i < columns; ++i) values[i] = Float8GetDatum(numbers[i]);
+  nulls[2] = nulls[6] = flat;
+  return HeapTupleGetDatum(heap_form_tuple(type, values, nulls));
+}
