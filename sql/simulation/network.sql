@@ -8,8 +8,8 @@ COMMENT ON FUNCTION streetgen._traffic_network(streetgen.traffic_edge[], streetg
     streetgen.traffic_movement[], streetgen.traffic_beside[], streetgen.traffic_aspect[], streetgen.traffic_plan[],
     boolean) IS
     'The network of some links as one value, which functions of simulation take: smooth courses, heights, neighbours, '
-    'conflicts, and what signals show. left_hand: traffic keeps left. NULL for rows: none. A movement whose lanes are not there is left out; a lane without '
-    'length or edge, a link that stands twice: 22023.';
+    'conflicts, and what signals show. left_hand: traffic keeps left. NULL for rows: none. A movement whose lanes are '
+    'not there is left out; a lane without length or edge, a link that stands twice: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_near_links(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

@@ -38,3 +38,29 @@ FROM movement WHERE connecting
 SELECT interconnection_id, NULL::bigint AS junction_movement_id, lane_in, lane_out, along_in, along_out, traffic,
     NULL::bigint AS junction_id, geom
 FROM interconnection WHERE connecting
+
+--{car_place
+CREATE OR REPLACE VIEW car_place WITH (security_invoker = true) AS
+SELECT c.car_id, k.link_id, p.metres, ST_LineInterpolatePoint(k.geom, least(1, p.metres / nullif(k.length, 0))) AS geom
+FROM car c CROSS JOIN LATERAL (
+    -- Where a lane begins or ends within its edge, two may have one number.
+    SELECT l.lane_id, l.geom, e.geom AS axis, x.start_abscissa - e.start_abscissa AS first,
+        x.end_abscissa - e.start_abscissa AS last, c.abscissa - e.start_abscissa AS at, (
+            SELECT max(abs(w.axis_offset) + w.width) FROM lane w WHERE w.edge_id = e.edge_id) AS widest
+    FROM edge e JOIN lane l USING (edge_id) JOIN lane_extent x USING (lane_id)
+    WHERE e.axis_id = c.axis_id AND c.abscissa BETWEEN e.start_abscissa - 1e-6 AND e.end_abscissa + 1e-6
+        AND l.lane_position = c.lane_position AND (l.both_ways OR l.along_axis = c.along_axis)
+    ORDER BY c.abscissa BETWEEN x.start_abscissa AND x.end_abscissa DESC, e.start_abscissa DESC LIMIT 1) i
+LEFT JOIN LATERAL (
+    SELECT l.lane_id FROM edge e JOIN lane l USING (edge_id) JOIN link m ON m.lane_out = l.lane_id
+    WHERE e.axis_id = c.onto_axis AND l.lane_position = c.onto_position AND m.lane_in = i.lane_id
+        AND m.along_in = c.along_axis AND m.along_out = c.onto_along LIMIT 1) o ON c.onto_axis IS NOT NULL
+JOIN LATERAL (
+    SELECT * FROM link k WHERE c.onto_axis IS NULL AND k.lane_id = i.lane_id AND k.along_axis = c.along_axis
+    UNION ALL SELECT * FROM link k WHERE c.onto_axis IS NOT NULL AND k.lane_in = i.lane_id AND k.lane_out = o.lane_id
+        AND k.along_in = c.along_axis AND k.along_out = c.onto_along) k ON true
+CROSS JOIN LATERAL (
+    SELECT CASE WHEN c.onto_axis IS NOT NULL THEN least(c.beyond, k.length) WHEN c.along_axis THEN on_lane
+        ELSE k.length - on_lane END AS metres
+    FROM (SELECT streetgen._measure_at(m.on_axis, m.on_lane, i.at) AS on_lane FROM streetgen._lane_measures(
+            ST_Force2D(i.axis)::bytea, i.geom::bytea, i.widest, i.first, i.last) m) a) p

@@ -36,8 +36,10 @@ COMMENT ON COLUMN streetgen.traffic_movement.width IS 'm';
 COMMENT ON COLUMN streetgen.traffic_movement.traffic IS 'who alone may take it, by kinds of lanes; NULL: all';
 COMMENT ON COLUMN streetgen.traffic_movement.turn IS 'through, left, right or u_turn';
 COMMENT ON COLUMN streetgen.traffic_movement.rank IS 'of two movements the one of the smaller rank goes first';
-COMMENT ON COLUMN streetgen.traffic_movement.importance IS 'of two of equal rank the one of the smaller importance does';
-COMMENT ON COLUMN streetgen.traffic_movement.precedence IS 'of two that have green together the one of the smaller does';
+COMMENT ON COLUMN streetgen.traffic_movement.importance IS
+    'of two of equal rank the one of the smaller importance does';
+COMMENT ON COLUMN streetgen.traffic_movement.precedence IS
+    'of two that have green together the one of the smaller does';
 COMMENT ON COLUMN streetgen.traffic_movement.junction_id IS 'junction that it crosses; NULL: none';
 COMMENT ON COLUMN streetgen.traffic_movement.controller_id IS 'controller whose signal it obeys; NULL: none';
 COMMENT ON COLUMN streetgen.traffic_movement.geom IS 'its line (EWKB), in the direction of its traffic';
@@ -64,3 +66,14 @@ COMMENT ON TYPE streetgen.traffic_plan IS 'When the cycles of a controller begin
 COMMENT ON COLUMN streetgen.traffic_plan.controller_id IS 'the controller';
 COMMENT ON COLUMN streetgen.traffic_plan.cycle IS 'its length, seconds';
 COMMENT ON COLUMN streetgen.traffic_plan.start_offset IS 'when a cycle begins, seconds';
+
+CREATE TYPE streetgen.traffic_car AS (car_id bigint, link_id bigint, metres float8, speed float8, length float8,
+    width float8, kind text);
+COMMENT ON TYPE streetgen.traffic_car IS 'A car at the place of its front.';
+COMMENT ON COLUMN streetgen.traffic_car.car_id IS 'its key';
+COMMENT ON COLUMN streetgen.traffic_car.link_id IS 'the link that its front is on';
+COMMENT ON COLUMN streetgen.traffic_car.metres IS 'of its front, along the link';
+COMMENT ON COLUMN streetgen.traffic_car.speed IS 'km/h';
+COMMENT ON COLUMN streetgen.traffic_car.length IS 'm';
+COMMENT ON COLUMN streetgen.traffic_car.width IS 'm';
+COMMENT ON COLUMN streetgen.traffic_car.kind IS 'car, bus, carpool or cycle';

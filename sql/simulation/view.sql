@@ -44,11 +44,21 @@ BEGIN
         'the junction that a movement crosses, or that a lane leads to; NULL: none, or the model computes none';
     COMMENT ON COLUMN link.geom IS
         'its line, in the direction of its traffic; of lanes that touch a line of two equal points';
+    IF streetgen._has_traffic(model) THEN
+        EXECUTE streetgen._part('car_place');
+        COMMENT ON VIEW car_place IS 'Where the front of each car is; one whose lane is gone has no row';
+        COMMENT ON COLUMN car_place.car_id IS 'the car';
+        COMMENT ON COLUMN car_place.link_id IS 'the link';
+        COMMENT ON COLUMN car_place.metres IS 'along the link, in the direction of its traffic';
+        COMMENT ON COLUMN car_place.geom IS 'POINT on the line of the link';
+    END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_simulation_views(name) IS
-    'Makes the view link of a model with interconnections, again and again.';
+    'Makes the views of links of a model with interconnections, and that of cars where it has traffic, again and '
+    'again.';
 
 CREATE OR REPLACE FUNCTION streetgen._simulation_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 2 SET search_path = pg_catalog
-    AS $$ VALUES ('link'::name, 'interconnection'), ('link', 'junction') $$;
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
+    AS $$ SELECT view, subject FROM unnest('{car_place,link}'::name[]) view,
+        unnest('{interconnection,junction}'::text[]) subject $$;
 COMMENT ON FUNCTION streetgen._simulation_view() IS 'Views of the room, and the subjects whose tables they read.';

@@ -19,7 +19,7 @@ INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''a
     ('lane_count', 'integer', '2'), ('max_width_per_lane', 'float8', '5'), ('class_width', 'float8', '7'), ('lane_width', 'float8', '3.5'), ('width_default', 'float8', '6'), ('speed_by_importance', 'jsonb', '''{"3": 50}'''), ('speed_per_width', 'float8', '6'),
     ('radius_by_importance', 'text', '''{"3": 5}'''), ('kinds', 'text', '''general|cycle'''), ('list', 'text', '''general'''), ('cycle_lane_width', 'float8', '1.5'), ('parking_lane_width', 'float8', '2'), ('open', 'boolean', 'true'), ('listed', 'boolean', 'false'),
     ('stated', 'integer', '1'), ('against', 'integer', '1'), ('driving', 'integer', '2'), ('buses', 'text', '''|designated'''), ('bus', 'boolean', 'true'), ('driving_side', 'text', '''right'''), ('near_cycle', 'boolean', 'true'), ('far_cycle', 'boolean', 'false'),
-    ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'),
+    ('near_parking', 'boolean', 'false'), ('far_parking', 'boolean', 'false'), ('run', 'text', '''a'''), ('density', 'float8', '5'),
     ('stated_forward', 'integer', '0'), ('stated_backward', 'integer', '0'), ('narrow', 'boolean', 'true'), ('walked_along', 'boolean', 'true'), ('subject', 'text', '''lane'''), ('wanted', 'boolean', 'true'),
     ('road', 'geometry', '''LINESTRING(0 0,50 0)'''), ('metres', 'float8', '10'), ('road_id', 'bigint', '1'), ('point', 'geometry', '''POINT(10 1)'''), ('a', 'geometry', '''POINT(10 1)'''), ('b', 'geometry', '''POINT(20 1)'''),
     ('arms', 'streetgen.junction_arm[]', '''{}'''), ('lane', 'bigint', '1'), ('axis', 'bigint', '1'), ('side', 'text', '''left'''),

@@ -5,11 +5,12 @@
 CREATE ROLE rights_owner ROLE CURRENT_USER; CREATE ROLE rights_editor ROLE CURRENT_USER; CREATE ROLE rights_reader ROLE CURRENT_USER; CREATE ROLE rights_nobody ROLE CURRENT_USER;
 DO $$ BEGIN EXECUTE format('GRANT CREATE ON DATABASE %I TO rights_owner', current_database()); END $$;
 SET ROLE rights_owner;
-DO $$ BEGIN PERFORM streetgen.create_model('town', 2154, 3, subjects => '{all}', driving_side => 'right'), streetgen.create_design('town'); END $$;
+DO $$ BEGIN PERFORM streetgen.create_model('town', 2154, 3, subjects => '{all}', driving_side => 'right'), streetgen.create_design('town'), streetgen.create_traffic('town'); END $$;
 INSERT INTO town.axis (axis_id, geom, width, lane_count, importance, kind) SELECT n, ST_Force3D(ST_Translate(ST_GeomFromText(line, 2154), 650000, 6860000)), 7, 2, 2, 'residential' FROM (VALUES (1, 'LINESTRING(-80 0,0 0)'), (2, 'LINESTRING(0 0,80 0)'),
   (3, 'LINESTRING(0 -80,0 0)'), (4, 'LINESTRING(0 0,0 80)'), (6, 'LINESTRING(80 0,95 15)'), (7, 'LINESTRING(95 15,110 0)'), (8, 'LINESTRING(110 0,95 -15)'), (9, 'LINESTRING(95 -15,80 0)')) v(n, line);
 INSERT INTO town.control_point (kind, geom) VALUES ('signals', 'SRID=2154;POINT(650000 6860000)');
 INSERT INTO town.street_object (type, axis_id, abscissa, axis_offset) VALUES ('bench', 1, 20, 5);
+INSERT INTO town.car (axis_id, abscissa, lane_position, along_axis) VALUES (1, 20, 2, true);
 INSERT INTO town.placement_rule (type, every) VALUES ('lamp', 20), ('parking_bay', 30);
 INSERT INTO town.turn_restriction (from_axis, to_axis, kind, geom) VALUES (1, 4, 'no', 'SRID=2154;POINT(650000 6860000)');
 INSERT INTO town.design_node (name, kind, importance, geom, by_hand) VALUES ('A', 'city', 2000, 'SRID=2154;POINT(660500 6861000)', true);
@@ -73,7 +74,7 @@ RESET ROLE;
 REVOKE USAGE ON SCHEMA town FROM rights_nobody;
 SET ROLE rights_reader;
 CREATE TEMPORARY TABLE by_reader AS SELECT * FROM pg_temp.states();
-SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity check_model driving_side export_cityjson export_dxf export_gltf export_lanelet2 export_layer export_opendrive export_opensidewalks export_symuvia export_tiles hill_shade learn_classes progress road_mesh roundabout_candidates setting sheet subject summary svg walk_links' FROM by_reader WHERE state = 'none';
+SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity check_model driving_side export_cityjson export_dxf export_gltf export_lanelet2 export_layer export_opendrive export_opensidewalks export_symuvia export_tiles hill_shade leaders learn_classes link_conflicts progress road_mesh roundabout_candidates setting sheet simulate subject summary svg walk_links' FROM by_reader WHERE state = 'none';
 SELECT 'what computes or changes settings is for the owner', '{create_design,design,drop_design,drop_model,finish_clusters,generate,generate_cluster,import_osm,plan_clusters,set,switch_subject}' <@ array_agg(name) FROM by_reader WHERE state = '42501';
 GRANT SELECT ON by_reader TO rights_editor;
 SET ROLE rights_editor;

@@ -3,7 +3,7 @@
 -- Each statement of each function fits the tables and functions that it names, also where no test runs it.  Each SELECT is one truth: (name, holds).
 CREATE EXTENSION plpgsql_check;
 CREATE EXTENSION postgis_topology;
-SELECT streetgen.create_model('town', 2154, 3, ARRAY(SELECT subject FROM streetgen._subject())), streetgen.create_design('town') \g /dev/null
+SELECT streetgen.create_model('town', 2154, 3, ARRAY(SELECT subject FROM streetgen._subject())), streetgen.create_design('town'), streetgen.create_traffic('town') \g /dev/null
 CREATE FUNCTION test.broken(model name) RETURNS bigint LANGUAGE plpgsql AS $$
 BEGIN
     PERFORM streetgen._use_model(model);

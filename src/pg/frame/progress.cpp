@@ -14,7 +14,7 @@ namespace streetgen::pg {
 
 namespace {
 
-int axes_of_call = 0;
+char of_call[NAMEDATALEN] = "";
 double told_at = 0;  // seconds
 bool told = false;
 
@@ -45,15 +45,15 @@ void tell(const char* step, std::size_t done, std::size_t of) noexcept {
   told = true;
   char text[NAMEDATALEN];
   const int percent = of == 0 ? 0 : static_cast<int>(100 * done / of);
-  snprintf(text, sizeof text, "streets of %d axes: %s, %d %%", axes_of_call, step, percent);
+  snprintf(text, sizeof text, "%s: %s, %d %%", of_call, step, percent);
   pgstat_report_appname(text);
   notice(text);
 }
 
 }  // namespace
 
-void begin_progress(int axes) noexcept {
-  axes_of_call = axes;
+void begin_progress(const char* of) noexcept {
+  strlcpy(of_call, of, sizeof of_call);
   told_at = seconds();
   told = false;
   set_progress_listener(tell);

@@ -121,7 +121,9 @@ STREETGEN_FUNCTION(streetgen_streets) {
   StreetsCall call;
   take(fcinfo, &call);
   Slot<Kept>* slot = make_slot<Kept>(fcinfo->flinfo->fn_mcxt);
-  begin_progress(call.axes.count);
+  char of[NAMEDATALEN];
+  snprintf(of, sizeof of, "streets of %d axes", call.axes.count);
+  begin_progress(of);
   const Outcome outcome = compute([&] { slot->value = new Kept(compute_streets(call)); });
   end_progress();
   report(outcome);

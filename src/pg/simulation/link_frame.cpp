@@ -1,10 +1,9 @@
 // streetgen._link_frame: how a car stands at a place of a link.
-#include <optional>
-#include <string>
+#include <string_view>
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
-#include "frame/composite_rows.hpp"
+#include "simulation/car_rows.hpp"
 #include "simulation/network_bytes.hpp"
 #include "streetgen/traffic.hpp"
 
@@ -12,30 +11,6 @@ extern "C" {
 #include <access/htup_details.h>
 #include <funcapi.h>
 }
-
-namespace streetgen::pg {
-namespace {
-
-int known_link(const TrafficNetwork& network, std::int64_t key) {
-  const int link = link_of(network, key);
-  if (link < 0)
-    throw Error(ErrorKind::invalid_input, "there is no link " + std::to_string(key),
-                "View link of the model lists them.");
-  return link;
-}
-
-LinkPlace place_on(const TrafficNetwork& network, std::int64_t key, double metres) {
-  const int link = known_link(network, key);
-  const double length = network.links[link].length;
-  if (!(metres >= -1e-6 && metres <= length + 1e-6))
-    throw Error(ErrorKind::invalid_input,
-                "link " + std::to_string(key) + " has no place at " + streetgen::text_of(metres) + " m",
-                "It is " + streetgen::text_of(length) + " m long.");
-  return {link, metres};
-}
-
-}  // namespace
-}  // namespace streetgen::pg
 
 // x, y, height (NULL where none is known), heading, curvature, steering and grade.
 STREETGEN_FUNCTION(streetgen_link_frame) {
@@ -51,7 +26,7 @@ STREETGEN_FUNCTION(streetgen_link_frame) {
   bool flat = false;
   const Outcome outcome = compute([&] {
     const TrafficNetwork network = read_network(bytes);
-    const LinkPlace at = place_on(network, key, metres);
+    const LinkPlace at = known_place(network, key, metres);
     place = frame(network, at, in_range(wheelbase, 0.1, 30, "wheelbase"));
     flat = network.heights.of(at.link).empty();
   });

@@ -8,6 +8,7 @@
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
 #include "frame/composite_rows.hpp"
+#include "simulation/car_rows.hpp"
 #include "simulation/network_bytes.hpp"
 #include "value/lane_text.hpp"
 #include "value/wkb.hpp"
@@ -123,7 +124,6 @@ std::uint8_t traffic_of(const Column& column, int row, const std::string& name) 
 }
 
 constexpr double farthest = 1e7;  // metres
-constexpr double kmh = 1 / 3.6;   // metres a second
 
 std::vector<TrafficEdge> edges_of(const NetworkCall& call,
                                   std::unordered_map<std::int64_t, int>* numbers) {

@@ -1,0 +1,48 @@
+-- Movements that need the same ground, and who gives way.
+
+CREATE OR REPLACE FUNCTION streetgen._link_conflict_rows(network bytea)
+    RETURNS TABLE(link bigint, other bigint, precedence text, starts float8, ends float8, other_starts float8,
+        other_ends float8)
+    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_link_conflict_rows';
+COMMENT ON FUNCTION streetgen._link_conflict_rows(bytea) IS
+    'The conflicts of a network, as streetgen.link_conflicts has them.';
+
+CREATE OR REPLACE FUNCTION streetgen._links_of_junctions(model name, links bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_custom_plan
+    AS $$
+DECLARE
+    lanes bigint[];
+BEGIN
+    PERFORM streetgen._use_model(model);
+    lanes := streetgen._lanes_near_links(model, links);
+    RETURN ARRAY(SELECT k.link_id FROM link k WHERE k.kind = 'movement'
+        AND coalesce(k.junction_id, k.from_node) IN (SELECT coalesce(m.junction_id, m.from_node) FROM link m
+            WHERE m.kind = 'movement' AND m.lane_in = ANY (lanes) AND m.link_id = ANY (links)));
+END $$;
+COMMENT ON FUNCTION streetgen._links_of_junctions(name, bigint[]) IS
+    'All movements of the junctions, or nodes, that some movements cross.';
+
+CREATE OR REPLACE FUNCTION streetgen.link_conflicts(model name, links bigint[] DEFAULT NULL)
+    RETURNS TABLE(link bigint, other bigint, precedence text, starts float8, ends float8, other_starts float8,
+        other_ends float8)
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+BEGIN
+    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'interconnection');
+    RETURN QUERY SELECT c.* FROM streetgen._link_conflict_rows(streetgen._network_of_links(model,
+            streetgen._links_of_junctions(model, links))) c
+        WHERE links IS NULL OR c.link = ANY (links);
+END $$;
+COMMENT ON FUNCTION streetgen.link_conflicts(name, bigint[]) IS
+    'Movements of one junction that need the same ground, each pair twice: of some movements, or of all where links is '
+    'NULL. From starts to ends a car of usual size (5 by 1.8 m) stands on that ground: metres along link, from where '
+    'its front comes there to where its rear has left; that may lie beyond its end, where two merge. precedence, of '
+    'link: goes_first, gives_way, by_signal (they never have green together) or by_arrival (nobody has the right, or '
+    'rights would go round in a circle). With signals, who is protected goes before who is permitted, and of two '
+    'permitted ones as signal_movement.precedence says. Else signs decide, then the importance of streets; who turns '
+    'across gives way to who comes towards, and who comes from the left to who comes from the right. A model without '
+    'subject interconnection: 55000; an unknown model: 3F000; not a reader of the model: 42501. Wilkie, Sewall and '
+    'Lin, section 4.3.1.';

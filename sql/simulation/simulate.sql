@@ -1,0 +1,151 @@
+-- Traffic on the streets of a model, step by step.
+
+CREATE OR REPLACE FUNCTION streetgen._simulate(network bytea, cars streetgen.traffic_car[], entries bigint[],
+    flows float8[], turn_links bigint[], turn_next bigint[], turn_shares float8[], method text, duration float8,
+    step float8, output float8, seed bigint)
+    RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, length float8, speed float8,
+        density float8, x float8, y float8, height float8, heading float8)
+    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 100000 ROWS 10000 AS 'MODULE_PATHNAME', 'streetgen_simulate';
+COMMENT ON FUNCTION streetgen._simulate(bytea, streetgen.traffic_car[], bigint[], float8[], bigint[], bigint[],
+    float8[], text, float8, float8, float8, bigint) IS
+    'What streetgen.simulate gives, on a network: x and y of the front of a car or the middle of a cell, heading in '
+    'radians there, length of a cell. Cars enter at links by flows (an hour) and turn by shares.';
+
+CREATE OR REPLACE FUNCTION streetgen._known_keys(given jsonb, name text, known text[]) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    other constant text := (SELECT min(k) FROM jsonb_object_keys(given) k WHERE k <> ALL (known));
+BEGIN
+    IF other IS NOT NULL THEN
+        RAISE EXCEPTION '% has no "%"', name, other USING ERRCODE = '22023',
+            HINT = format('It may have %s.', array_to_string(known, ', '));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._known_keys(jsonb, text, text[]) IS
+    'Raises 22023 for a key of an object that is none of those known.';
+
+CREATE OR REPLACE FUNCTION streetgen._demand_entries(model name, demand jsonb)
+    RETURNS TABLE(link bigint, flow float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF demand ? 'entries' THEN
+        RETURN QUERY SELECT (e ->> 'link')::bigint, (e ->> 'flow')::float8
+            FROM jsonb_array_elements(demand -> 'entries') e;
+        RETURN;
+    END IF;
+    -- Traffic comes from outside where no movement leads to a lane.
+    RETURN QUERY SELECT k.link_id, coalesce((demand ->> 'flow')::float8,
+            a.flow / greatest(e.lanes_forward + e.lanes_backward + e.lanes_both, 1))
+        FROM link k JOIN lane l USING (lane_id) JOIN edge e USING (edge_id) JOIN axis a USING (axis_id)
+        WHERE k.kind = 'lane' AND k.traffic IS NULL AND l.kind = 'general' AND (demand ? 'flow' OR a.flow IS NOT NULL)
+            AND NOT EXISTS (SELECT FROM link m WHERE m.lane_out = k.lane_id AND m.along_out = k.along_axis)
+            AND EXISTS (SELECT FROM link m WHERE m.lane_in = k.lane_id AND m.along_in = k.along_axis)
+        ORDER BY k.link_id;
+END $$;
+COMMENT ON FUNCTION streetgen._demand_entries(name, jsonb) IS
+    'Where cars enter by a demand, and how many an hour: as entries says, else where lanes begin to which no movement '
+    'leads, as flow says for each, or as axis.flow says for the street.';
+
+CREATE OR REPLACE FUNCTION streetgen._demand_turns(model name, demand jsonb)
+    RETURNS TABLE(link bigint, next bigint, share float8)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF jsonb_typeof(demand -> 'turns') = 'array' THEN
+        RETURN QUERY SELECT (e ->> 'link')::bigint, (e ->> 'next')::bigint, (e ->> 'share')::float8
+            FROM jsonb_array_elements(demand -> 'turns') e;
+    ELSIF coalesce(demand ->> 'turns', 'even') = 'even' THEN
+        -- Nobody turns back who may go on, nor where only others may drive.
+        RETURN QUERY SELECT m.comes_from, m.link_id, 1::float8
+            FROM link m JOIN streetgen._movement_rights(model) r USING (lane_in, lane_out, along_in, along_out)
+            WHERE m.traffic IS NULL AND r.turn <> 'u_turn' ORDER BY 1, 2;
+    ELSIF demand ->> 'turns' <> 'straight' THEN
+        RAISE EXCEPTION 'turns is "%", expected even or straight', demand ->> 'turns' USING ERRCODE = '22023',
+            HINT = 'A list of objects with link, next and share says how cars turn.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._demand_turns(name, jsonb) IS
+    'How those on a link go on by a demand, in shares: as turns says, evenly over the movements of a lane, or straight '
+    'on.';
+
+CREATE OR REPLACE FUNCTION streetgen._simulate_demand(model name, method text, duration float8, step float8,
+    demand jsonb, seed bigint, options jsonb)
+    RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link_id bigint, metres float8, speed float8,
+        density float8, geom geometry)
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    AS $$
+#variable_conflict use_column
+DECLARE
+    own_srid integer;
+    entering record;
+    turning record;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._require_reader(model), streetgen._check_given('method', method, 'duration', duration::text,
+        'step', step::text, 'demand', demand::text, 'seed', seed::text, 'options', options::text),
+        streetgen._require_subject(model, 'interconnection'),
+        streetgen._known_keys(demand, 'demand', '{flow,entries,turns}'),
+        streetgen._known_keys(options, 'options', '{output}');
+    own_srid := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
+    SELECT coalesce(array_agg(e.link), '{}') AS links, coalesce(array_agg(e.flow), '{}') AS flows
+        FROM streetgen._demand_entries(model, demand) e INTO entering;
+    SELECT coalesce(array_agg(u.link), '{}') AS links, coalesce(array_agg(u.next), '{}') AS next,
+        coalesce(array_agg(u.share), '{}') AS shares FROM streetgen._demand_turns(model, demand) u INTO turning;
+    RETURN QUERY SELECT s.t, s.car_id, s.cell_id, s.link, s.metres, s.speed, s.density, CASE
+            WHEN s.car_id IS NULL THEN ST_LineSubstring(k.geom, greatest(0, (s.metres - s.length / 2) / k.length),
+                least(1, (s.metres + s.length / 2) / k.length))
+            WHEN s.height IS NULL THEN ST_SetSRID(ST_MakePoint(s.x, s.y), own_srid)
+            ELSE ST_SetSRID(ST_MakePoint(s.x, s.y, s.height), own_srid) END
+        FROM streetgen._simulate(streetgen._network_of_links(model), streetgen._cars_on_links(model),
+            entering.links, entering.flows, turning.links, turning.next, turning.shares, method, duration, step,
+            coalesce((options ->> 'output')::float8, 1), seed) s
+            LEFT JOIN (SELECT l.link_id, l.geom, nullif(l.length, 0) AS length FROM link l
+                WHERE method <> 'idm') k ON k.link_id = s.link;
+END $$;
+COMMENT ON FUNCTION streetgen._simulate_demand(name, text, float8, float8, jsonb, bigint, jsonb) IS
+    'What streetgen.simulate gives.';
+
+-- PL/pgSQL takes no name twice.
+CREATE OR REPLACE FUNCTION streetgen.simulate(model name, method text DEFAULT 'idm', duration float8 DEFAULT 600,
+    step float8 DEFAULT 0.1, demand jsonb DEFAULT '{}', seed bigint DEFAULT 1, options jsonb DEFAULT '{}')
+    RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, speed float8, density float8,
+        geom geometry)
+    LANGUAGE sql VOLATILE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog
+    AS $$ SELECT * FROM streetgen._simulate_demand($1, $2, $3, $4, $5, $6, $7) $$;
+COMMENT ON FUNCTION streetgen.simulate(name, text, float8, float8, jsonb, bigint, jsonb) IS
+    'Traffic on the streets of a model. method idm: cars that follow each other, obey signals and rights of way and '
+    'change lanes; lwr or arz: a flow through cells of some 10 m. duration and step: seconds; a step of cars is at '
+    'most 1 s, one of a flow as the error says. The cars of table car stand on the streets at the start. demand: flow '
+    '(cars an hour on each lane that begins where no movement leads; without it as axis.flow says), or entries (a list '
+    'of link and flow); turns (even, straight, or a list of link, next and share). options: output (seconds between '
+    'the states that are given, 1). Rows: at t, seconds, each car with its front on a link, metres along it, geom a '
+    'POINT; or each cell by its middle, density in cars a kilometre, geom a LINESTRING. speed: km/h. The same seed '
+    'gives the same rows. Nothing is locked. NaN, a duration or step out of range, an unknown word: 22023; NULL: '
+    '22004; a model without subject interconnection: 55000; an unknown model: 3F000; not a reader: 42501. Wilkie, '
+    'Sewall and Lin, section 3; Treiber, Hennecke and Helbing 2000; Aw and Rascle 2000.';
+
+CREATE OR REPLACE FUNCTION streetgen.keep_simulation(model name, run text, method text DEFAULT 'idm',
+    duration float8 DEFAULT 600, step float8 DEFAULT 0.1, demand jsonb DEFAULT '{}', seed bigint DEFAULT 1,
+    options jsonb DEFAULT '{}') RETURNS bigint
+    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    kept bigint;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    PERFORM streetgen._require_owner(model), streetgen._check_given('run', run), streetgen._require_traffic(model);
+    DELETE FROM simulated s WHERE s.run = keep_simulation.run;
+    INSERT INTO simulated (run, t, car_id, link_id, metres, speed, density, geom)
+        SELECT keep_simulation.run, s.t, s.car_id, s.link_id, s.metres, s.speed, s.density, s.geom
+        FROM streetgen._simulate_demand(model, method, duration, step, demand, seed, options) s;
+    GET DIAGNOSTICS kept = ROW_COUNT;
+    RETURN kept;
+END $$;
+COMMENT ON FUNCTION streetgen.keep_simulation(name, text, text, float8, float8, jsonb, bigint, jsonb) IS
+    'Writes the rows of streetgen.simulate into table simulated as a run of that name, in place of an older one, and '
+    'gives how many these are. A GIS draws them by their time. A model without traffic: 55000; not the owner of the '
+    'model: 42501; else as simulate.';

@@ -1,0 +1,74 @@
+#include "simulation/car_rows.hpp"
+
+#include <algorithm>
+#include <string>
+#include <unordered_set>
+
+#include "frame/argument.hpp"
+
+extern "C" {
+#include <catalog/pg_type.h>
+}
+
+namespace streetgen::pg {
+
+CarRows take_cars(FunctionCallInfo fcinfo, int argument) {
+  const Rows cars = rows(fcinfo, argument, "cars");
+  return {cars.count,
+          column(cars, "car_id", INT8OID),
+          column(cars, "link_id", INT8OID),
+          column(cars, "metres", FLOAT8OID),
+          column(cars, "speed", FLOAT8OID),
+          column(cars, "length", FLOAT8OID),
+          column(cars, "width", FLOAT8OID),
+          column(cars, "kind", TEXTOID)};
+}
+
+int known_link(const TrafficNetwork& network, std::int64_t key) {
+  const int link = link_of(network, key);
+  if (link < 0)
+    throw Error(ErrorKind::invalid_input, "there is no link " + std::to_string(key),
+                "View link of the model lists them.");
+  return link;
+}
+
+LinkPlace known_place(const TrafficNetwork& network, std::int64_t key, double metres) {
+  const int link = known_link(network, key);
+  const double length = network.links[link].length;
+  if (!(metres >= -1e-6 && metres <= length + 1e-6))
+    throw Error(
+        ErrorKind::invalid_input,
+        "link " + std::to_string(key) + " has no place at " + streetgen::text_of(metres) + " m",
+        "It is " + streetgen::text_of(length) + " m long.");
+  return {link, std::clamp(metres, 0.0, length)};
+}
+
+std::vector<Car> read_cars(const CarRows& rows, const TrafficNetwork& network) {
+  std::vector<Car> cars;
+  std::unordered_set<std::int64_t> seen;
+  for (int i = 0; i < rows.count; ++i) {
+    Car car;
+    car.car_id = DatumGetInt64(rows.car_id.values[i]);
+    const std::string of_car = " of car " + std::to_string(car.car_id);
+    if (!seen.insert(car.car_id).second)
+      throw Error(ErrorKind::invalid_input,
+                  "car " + std::to_string(car.car_id) + " stands more than once in the list");
+    const auto measure = [&](const Column& column, double low, double high, const char* name) {
+      return in_range(DatumGetFloat8(column.values[i]), low, high, name + of_car);
+    };
+    car.place = known_place(network, DatumGetInt64(rows.link_id.values[i]),
+                            finite(DatumGetFloat8(rows.metres.values[i]), "the place" + of_car));
+    car.speed = measure(rows.speed, 0, 500, "the speed") * kmh;
+    car.length = static_cast<float>(measure(rows.length, 0.5, longest_car, "the length"));
+    car.width = static_cast<float>(measure(rows.width, 0.3, 5, "the width"));
+    car.kind = word_of<std::uint8_t>(text_of(rows.kind.values[i]), "the kind" + of_car,
+                                     {{"car", traffic::car},
+                                      {"bus", traffic::bus},
+                                      {"carpool", traffic::carpool},
+                                      {"cycle", traffic::cycle}});
+    cars.push_back(car);
+  }
+  return cars;
+}
+
+}  // namespace streetgen::pg

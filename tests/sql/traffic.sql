@@ -1,0 +1,74 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Traffic: who gives way, cars and their leaders, and simulations of them.  (name, holds)
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, subjects => '{junction,signal}', driving_side => 'right');
+  INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, speed) OVERRIDING SYSTEM VALUE VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 14, 4, 'both', 2, 50), (2, 'SRID=2154;LINESTRING(650200 6860000,650400 6860000)', 14, 4, 'both', 2, 50),
+    (3, 'SRID=2154;LINESTRING(650200 6859800,650200 6860000)', 7, 2, 'both', 4, 50), (4, 'SRID=2154;LINESTRING(650200 6860000,650200 6860200)', 7, 2, 'both', 4, 50),
+    (5, 'SRID=2154;LINESTRING(650400 6860000,650550 6860000)', 14, 4, 'both', 2, 50), (6, 'SRID=2154;LINESTRING(650400 6860000,650400 6860150)', 6, 2, 'both', 5, 30);
+  INSERT INTO town.control_point (kind, geom) VALUES ('signals', 'SRID=2154;POINT(650200 6860000)');
+  PERFORM streetgen.generate('town', wait => true);
+  PERFORM streetgen.create_traffic('town');
+END $$;
+
+-- Who gives way.
+CREATE TEMPORARY TABLE conflict AS SELECT * FROM streetgen.link_conflicts('town');
+SELECT 'each pair stands twice, and both say the same' AS name, count(*) > 20 AND bool_and(EXISTS (SELECT FROM conflict o WHERE (o.link, o.other, o.starts, o.other_ends) = (c.other, c.link, c.other_starts, c.ends)
+    AND o.precedence = CASE c.precedence WHEN 'goes_first' THEN 'gives_way' WHEN 'gives_way' THEN 'goes_first' ELSE c.precedence END)) AS holds FROM conflict c;
+SELECT 'paths that cross need the same ground', NOT EXISTS (SELECT FROM town.conflict c JOIN town.link a ON a.interconnection_id = c.interconnection_a JOIN town.link b ON b.interconnection_id = c.interconnection_b
+    WHERE NOT EXISTS (SELECT FROM conflict f WHERE (f.link, f.other) = (a.link_id, b.link_id)));
+SELECT 'and the ground is about the place where they cross', bool_and(ST_LineLocatePoint(a.geom, c.geom) * a.length BETWEEN f.starts - 1 AND f.ends + 1) FROM town.conflict c JOIN town.link a ON a.interconnection_id = c.interconnection_a
+    JOIN town.link b ON b.interconnection_id = c.interconnection_b JOIN conflict f ON (f.link, f.other) = (a.link_id, b.link_id) WHERE c.kind = 'crossing' AND GeometryType(c.geom) = 'POINT';
+SELECT 'who comes by the side street gives way to who is on the main one', count(*) > 0 AND bool_and(c.precedence = 'gives_way') FROM conflict c JOIN town.link m ON m.link_id = c.link JOIN town.link o ON o.link_id = c.other
+    JOIN town.lane l ON l.lane_id = m.lane_in JOIN town.edge e USING (edge_id) JOIN town.lane l2 ON l2.lane_id = o.lane_in JOIN town.edge e2 ON e2.edge_id = l2.edge_id WHERE e.axis_id = 6 AND e2.axis_id <> 6;
+SELECT 'crossing streets of a signal have no green together', count(*) > 0 AND bool_and(c.precedence = 'by_signal') FROM conflict c JOIN town.movement m ON 4 * m.interconnections[1] + 2 = c.link JOIN town.movement o ON 4 * o.interconnections[1] + 2 = c.other
+    JOIN town.lane l ON l.lane_id = m.lane_in JOIN town.edge e USING (edge_id) JOIN town.lane l2 ON l2.lane_id = o.lane_in JOIN town.edge e2 ON e2.edge_id = l2.edge_id WHERE e.axis_id IN (1, 2) AND e2.axis_id IN (3, 4) AND m.turn = 'through' AND o.turn = 'through';
+SELECT 'of some movements the same rows come', count(*) = 4 FROM (SELECT link, count(*) AS n FROM conflict GROUP BY link ORDER BY link LIMIT 4) c, LATERAL (SELECT count(*) AS m FROM streetgen.link_conflicts('town', ARRAY[c.link])) p WHERE p.m = c.n;
+
+-- Cars on links.
+INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, speed) VALUES (1, 1, 40, 4, true, 50), (2, 1, 90, 4, true, 30), (3, 1, 60, 3, true, 50), (4, 2, 100, 1, false, 20);
+SELECT 'a car is on the link of its lane, at its place', bool_and(ST_Distance(p.geom, v.geom) < 2.8 AND ST_DWithin(k.geom, p.geom, 0.01)) AND count(*) = 4 FROM town.car_place p JOIN town.car USING (car_id) JOIN town.axis USING (axis_id)
+    JOIN town.link k USING (link_id) CROSS JOIN LATERAL (SELECT ST_OffsetCurve(axis.geom, CASE lane_position WHEN 4 THEN -5.25 WHEN 3 THEN -1.75 ELSE 5.25 END) AS line) o, LATERAL (SELECT ST_LineInterpolatePoint(o.line, abscissa / 200) AS geom) v;
+CREATE TEMPORARY TABLE leader AS SELECT * FROM streetgen.leaders('town');
+SELECT 'the next one on the lane leads', (SELECT (leader, virtual IS NULL, abs(distance - 50) < 1e-3, abs(gap - 45) < 1e-3, speed) = (2, true, true, true, 30) FROM leader WHERE car_id = 1);
+SELECT 'before a signal none leads but what it shows', (SELECT leader IS NULL AND virtual IS NOT NULL FROM leader WHERE car_id = 3);
+SELECT 'at red a car stands there', bool_or(virtual = 'stationary' AND gap < 140) AND bool_or(gap > 400) FROM generate_series(0, 110, 5) s, streetgen.leaders('town', at => s) WHERE car_id = 3;
+INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, onto_axis, onto_position, onto_along, beyond) SELECT 5, 1, 195, 4, true, 2, 4, true, 3;
+SELECT 'a car on its way across is on the movement', (SELECT (kind, metres) = ('movement', 3) AND k.lane_in = (SELECT link.lane_id FROM town.car_place JOIN town.link USING (link_id) WHERE car_id = 1) FROM town.car_place JOIN town.link k USING (link_id) WHERE car_id = 5);
+SELECT 'and leads who comes after, at green', bool_or(leader = 5 AND gap BETWEEN 90 AND 115) FROM generate_series(0, 110, 5) s, streetgen.leaders('town', at => s) WHERE car_id = 2;
+SELECT 'a path goes straight on', count(*) >= 3 AND bool_and(k.kind = CASE p.ordinality % 2 WHEN 1 THEN 'lane' ELSE 'movement' END) AND bool_and(a.axis_id IN (1, 2, 5)) FROM streetgen.free_path('town', (SELECT link_id FROM town.car_place WHERE car_id = 1), 40, 500) p
+    JOIN town.link k USING (link_id) LEFT JOIN town.lane l USING (lane_id) LEFT JOIN town.edge a USING (edge_id);
+SELECT 'a car on a lane that is not there has no place', test.state($q$INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (9, 1, 50, 9, true)$q$) = 'none' AND NOT EXISTS (SELECT FROM town.car_place WHERE car_id = 9);
+DELETE FROM town.car WHERE car_id = 9;
+SELECT 'half of a way onto a lane is refused', test.state($q$INSERT INTO town.car (axis_id, abscissa, lane_position, along_axis, onto_axis) VALUES (1, 50, 4, true, 2)$q$) = '23514';
+UPDATE town.axis SET width = 13.6 WHERE axis_id = 1;
+SELECT 'an edit leaves cars where they are', (SELECT abs(ST_X(geom) - 650040) < 0.01 FROM town.car_place WHERE car_id = 1);
+SELECT 'cars are placed as densely as asked', streetgen.place_cars('town', 20) BETWEEN 50 AND 80 AND (SELECT count(*) FROM town.car) = (SELECT count(*) FROM town.car_place);
+CREATE TEMPORARY TABLE placed AS SELECT axis_id, abscissa, lane_position FROM town.car;
+SELECT 'the same seed places the same cars, another one others', streetgen.place_cars('town', 20) > 0 AND NOT EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed)
+    AND streetgen.place_cars('town', 20, 7) > 0;
+SELECT 'they differ', EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed);
+SELECT 'more than fit are refused', test.state($q$SELECT streetgen.place_cars('town', 200)$q$) = '22023';
+
+-- Simulations.
+DO $$ BEGIN PERFORM streetgen.place_cars('town', 5); END $$;
+CREATE TEMPORARY TABLE driven AS SELECT * FROM streetgen.simulate('town', 'idm', 90, 0.1, '{"flow": 300}', options => '{"output": 0.5}');
+SELECT 'cars come in and drive', count(DISTINCT car_id) > 25 AND max(t) = 90 AND count(DISTINCT t) = 181 AND bool_and(speed BETWEEN 0 AND 51) AND max(speed) > 40 FROM driven;
+SELECT 'nobody stands on another one', NOT EXISTS (SELECT FROM (SELECT metres - lead(metres) OVER (PARTITION BY t, link ORDER BY metres DESC) AS apart FROM driven) d WHERE apart < 5 - 1e-6);
+SELECT 'nobody jumps', NOT EXISTS (SELECT FROM (SELECT ST_Distance(geom, lead(geom) OVER (PARTITION BY car_id ORDER BY t)) AS far FROM driven) d WHERE far > 51 / 3.6 * 0.5 + 3.6);
+SELECT 'the same seed gives the same rows', NOT EXISTS (TABLE driven EXCEPT SELECT * FROM streetgen.simulate('town', 'idm', 90, 0.1, '{"flow": 300}', options => '{"output": 0.5}'));
+SELECT 'a flow through cells keeps its cars', abs(sum(density * ST_Length(geom)) FILTER (WHERE t = 0) / 1000 - (SELECT count(*) FROM town.car_place)) < 0.6 AND count(DISTINCT t) = 11 AND bool_and(car_id IS NULL AND density BETWEEN 0 AND 143)
+  FROM streetgen.simulate('town', 'lwr', 10, 0.1, '{}');
+SELECT 'so does arz', count(*) > 0 AND bool_and(density BETWEEN 0 AND 143 AND speed BETWEEN 0 AND 51) FROM streetgen.simulate('town', 'arz', 10, 0.1, '{"flow": 300}');
+SELECT 'a step of cells that is too long is told with the greatest one', test.said($q$SELECT count(*) FROM streetgen.simulate('town', 'lwr', 10, 60)$q$) ~ 'step';
+SELECT 'another method is refused', test.state($q$SELECT count(*) FROM streetgen.simulate('town', 'magic')$q$) = '22023';
+SELECT 'so is a demand with a word that nobody knows', test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '{"flows": 3}')$q$) = 'demand has no "flows"';
+SELECT 'so are entries at no link', test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '{"entries": [{"link": 77777, "flow": 3}]}')$q$) = 'there is no link 77777';
+SELECT 'and NaN', test.state($q$SELECT count(*) FROM streetgen.simulate('town', duration => 'NaN')$q$) = '22023' AND test.state($q$SELECT count(*) FROM streetgen.simulate('town', step => 3600)$q$) = '22023';
+CREATE TEMPORARY TABLE kept AS SELECT streetgen.keep_simulation('town', 'a', 'idm', 5) AS rows;
+SELECT 'a run is kept by its name', rows > 0 AND rows = (SELECT count(*) FROM town.simulated WHERE run = 'a' AND car_id IS NOT NULL) FROM kept;
+UPDATE kept SET rows = streetgen.keep_simulation('town', 'a', 'lwr', 5, 0.1);
+SELECT 'and a new one replaces it', rows > 0 AND rows = (SELECT count(*) FROM town.simulated WHERE car_id IS NULL) AND rows = (SELECT count(*) FROM town.simulated) FROM kept;
+SELECT 'tables of traffic go as they came', test.state($q$SELECT streetgen.create_traffic('town')$q$) = '55000' AND test.state($q$SELECT streetgen.drop_traffic('town')$q$) = 'none' AND to_regclass('town.car') IS NULL
+    AND test.state($q$SELECT * FROM streetgen.leaders('town')$q$) = '55000';
