@@ -30,6 +30,9 @@ SELECT 'a part of the network has the same courses', bool_and(length(streetgen._
     AND NOT bool_or(EXISTS (SELECT FROM streetgen._link_pieces(streetgen._network_of_links('town', ARRAY[l.link_id])) p WHERE p.link_id = l.link_id AND NOT EXISTS (
       SELECT FROM piece w WHERE w.link_id = p.link_id AND w.starts = p.starts AND abs(w.x - p.x) + abs(w.y - p.y) + abs(w.heading - p.heading) < 1e-9))) FROM (SELECT link_id FROM town.link ORDER BY md5(link_id::text) LIMIT 12) l;
 
+CREATE TEMPORARY TABLE stored AS SELECT streetgen._network_of_links('town') AS bytes;
+SELECT 'a network that a table holds is the same', NOT EXISTS (SELECT p.* FROM stored, streetgen._link_pieces(bytes) p EXCEPT SELECT link_id, starts, ends, x, y, heading, curvature FROM piece) FROM stored WHERE pg_column_size(bytes) > 2000;
+
 -- A car on it.
 SELECT 'a car stands on the line of its link', bool_and(ST_Distance(p.geom, ST_LineInterpolatePoint(l.geom, share)) < 0.3 AND ST_SRID(p.geom) = 2154)
   FROM town.link l, (VALUES (0), (0.3), (0.5), (1)) s(share), streetgen.link_at('town', link_id, length * share) p WHERE kind = 'lane';

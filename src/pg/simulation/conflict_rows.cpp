@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "simulation/network_bytes.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/traffic.hpp"
@@ -46,7 +47,7 @@ STREETGEN_FUNCTION(streetgen_link_conflict_rows) {
   using namespace streetgen;
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, 0);
-  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::string_view bytes = take_bytes(fcinfo, 0);
   auto* slot = make_slot<std::vector<ConflictRow>>(CurrentMemoryContext);
   report(compute(
       [&] { slot->value = new std::vector<ConflictRow>(conflicts_of(read_network(bytes))); }));

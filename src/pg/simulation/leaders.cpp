@@ -6,6 +6,7 @@
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "simulation/car_rows.hpp"
 #include "simulation/network_bytes.hpp"
 #include "streetgen/traffic.hpp"
@@ -66,21 +67,22 @@ STREETGEN_FUNCTION(streetgen_leaders) {
   using namespace streetgen;
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, 0);
-  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::string_view bytes = take_bytes(fcinfo, 0);
   const CarRows cars = take_cars(fcinfo, 1);
   const double at = PG_GETARG_FLOAT8(2), horizon = PG_GETARG_FLOAT8(3);
-  const Datum merging = PG_GETARG_DATUM(4), ahead = PG_GETARG_DATUM(5);
+  const char* merging = text_to_cstring(PG_GETARG_TEXT_PP(4));
+  const char* ahead = text_to_cstring(PG_GETARG_TEXT_PP(5));
   auto* slot = make_slot<std::vector<LeaderRow>>(CurrentMemoryContext);
   report(compute([&] {
     const TrafficNetwork network = read_network(bytes);
     LeaderRules rules;
     rules.time = finite(at, "at");
     rules.horizon = in_range(horizon, 0, farthest_horizon, "horizon");
-    rules.merging = word_of<MergingLeader>(text_of(merging), "merging_leader",
+    rules.merging = word_of<MergingLeader>(merging, "merging_leader",
                                            {{"none", MergingLeader::none},
                                             {"by_place", MergingLeader::by_place},
                                             {"by_time", MergingLeader::by_time}});
-    rules.stationary_end = word_of<bool>(text_of(ahead), "virtual_car",
+    rules.stationary_end = word_of<bool>(ahead, "virtual_car",
                                          {{"moving", false}, {"stationary", true}});
     slot->value =
         new std::vector<LeaderRow>(leaders_of(network, read_cars(cars, network), rules));
@@ -103,7 +105,7 @@ STREETGEN_FUNCTION(streetgen_free_path) {
   using namespace streetgen;
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, 0);
-  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::string_view bytes = take_bytes(fcinfo, 0);
   const std::int64_t key = PG_GETARG_INT64(1);
   const double metres = PG_GETARG_FLOAT8(2), horizon = PG_GETARG_FLOAT8(3);
   auto* slot = make_slot<std::vector<PathRow>>(CurrentMemoryContext);

@@ -3,6 +3,7 @@
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "simulation/car_rows.hpp"
 #include "simulation/network_bytes.hpp"
 #include "streetgen/traffic.hpp"
@@ -16,7 +17,7 @@ extern "C" {
 STREETGEN_FUNCTION(streetgen_link_frame) {
   using namespace streetgen;
   using namespace streetgen::pg;
-  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::string_view bytes = take_bytes(fcinfo, 0);
   const std::int64_t key = PG_GETARG_INT64(1);
   const double metres = PG_GETARG_FLOAT8(2), wheelbase = PG_GETARG_FLOAT8(3);
   TupleDesc type = nullptr;

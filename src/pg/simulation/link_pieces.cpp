@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "simulation/network_bytes.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/traffic.hpp"
@@ -36,7 +37,7 @@ std::vector<PieceRow> pieces_of(const TrafficNetwork& network) {
 STREETGEN_FUNCTION(streetgen_link_pieces) {
   using namespace streetgen;
   using namespace streetgen::pg;
-  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::string_view bytes = take_bytes(fcinfo, 0);
   InitMaterializedSRF(fcinfo, 0);
   auto* slot = make_slot<std::vector<PieceRow>>(CurrentMemoryContext);
   report(compute(

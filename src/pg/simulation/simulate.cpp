@@ -8,11 +8,16 @@
 
 #include "frame/argument.hpp"
 #include "frame/border.hpp"
+#include "frame/geometry_result.hpp"
 #include "frame/progress.hpp"
 #include "simulation/car_rows.hpp"
 #include "simulation/network_bytes.hpp"
 #include "value/given_rows.hpp"
 #include "value/value_array.hpp"
+
+extern "C" {
+#include <utils/builtins.h>
+}
 
 namespace streetgen::pg {
 namespace {
@@ -111,9 +116,9 @@ STREETGEN_FUNCTION(streetgen_simulate) {
   using namespace streetgen;
   using namespace streetgen::pg;
   InitMaterializedSRF(fcinfo, 0);
-  const std::string_view bytes = bytes_of(PG_GETARG_DATUM(0));
+  const std::string_view bytes = take_bytes(fcinfo, 0);
   const DemandCall call = take_demand(fcinfo);
-  const Datum method = PG_GETARG_DATUM(7);
+  const char* method = text_to_cstring(PG_GETARG_TEXT_PP(7));
   const double duration = PG_GETARG_FLOAT8(8), step = PG_GETARG_FLOAT8(9);
   const double output = PG_GETARG_FLOAT8(10);
   const std::int64_t seed = PG_GETARG_INT64(11);
@@ -123,7 +128,7 @@ STREETGEN_FUNCTION(streetgen_simulate) {
     const TrafficNetwork network = read_network(bytes);
     slot->value = new std::vector<StateRow>(
         rows_of(network, demand_of(call, network),
-                options_of(text_of(method), duration, step, output, seed)));
+                options_of(method, duration, step, output, seed)));
   });
   end_progress();
   report(outcome);
