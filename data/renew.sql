@@ -29,7 +29,9 @@ BEGIN
                 WHERE c.relnamespace = quote_ident(known.name)::regnamespace AND c.relkind = 'v' AND c.relname LIKE '%\_editing' AND f.proname LIKE '\_edit%') w
             -- Anything else by such a name stays: adoption tells of it.
             WHERE NOT EXISTS (SELECT FROM pg_class c WHERE relnamespace = quote_ident(known.name)::regnamespace AND relname = v
-                AND (relkind <> 'v' OR v = 'activity' AND pg_get_viewdef(c.oid) !~ 'edit_log_id\) AS activity_id')));
+                AND (relkind <> 'v' OR v = 'activity' AND pg_get_viewdef(c.oid) !~ 'edit_log_id\) AS activity_id'
+                    OR v = 'link' AND pg_get_viewdef(c.oid) !~ 'AS junction_movement_id'
+                    OR v = 'car_place' AND pg_get_viewdef(c.oid) !~ '_lane_measures')));
         -- The model's own functions that go with the extension, and the triggers that call them or it.
         FOR part IN
             WITH called AS (SELECT d.objid AS oid, d.deptype FROM pg_depend d JOIN pg_extension e ON e.oid = d.refobjid

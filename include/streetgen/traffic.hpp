@@ -110,13 +110,6 @@ struct LinkConflict {
   float other_from = 0, other_to = 0;
 };
 
-// People on foot cross a link.
-struct LinkCrossing {
-  std::int64_t control_point_id = 0;
-  float from = 0, to = 0;  // metres along the link
-  bool gives_way = false;  // whether cars give way to people
-};
-
 enum class Aspect : std::uint8_t { none, red, amber, permitted, protected_green };
 
 struct SignalPlan {
@@ -140,13 +133,18 @@ struct TrafficNetwork {
   RowsOf<LinkHeight> heights;  // none: the link is flat
   RowsOf<LinkBeside> beside;   // by from
   RowsOf<LinkConflict> conflicts;
-  RowsOf<LinkCrossing> crossings;
   RowsOf<SignalAspect> aspects;  // by since; none: the link has no signal
   std::vector<SignalPlan> plans;
   std::vector<std::int64_t> nodes, junctions;  // their keys
+  bool left_hand = false;                      // traffic keeps left
 
   int size() const { return static_cast<int>(links.size()); }
 };
+
+// Refuses (invalid_input) a network of which a list has not a part for each link, an index is none
+// of the network, a number is not finite, a length or cycle is not positive, or links do not go on
+// from lane to movement and to lane.
+void require_sound(const TrafficNetwork& network);
 
 struct LinkPlace {
   std::int32_t link = -1;

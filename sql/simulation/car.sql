@@ -35,7 +35,7 @@ CREATE OR REPLACE FUNCTION streetgen.leaders(model name, at float8 DEFAULT 0, ho
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('at', at::text, 'horizon', horizon::text),
-        streetgen._require_traffic(model);
+        streetgen._require_traffic(model), streetgen._require_subject(model, 'interconnection');
     RETURN QUERY SELECT l.* FROM streetgen._leaders(streetgen._network_of_links(model),
         streetgen._cars_on_links(model), at, horizon, streetgen._setting_text(model, 'merging_leader'),
         streetgen._setting_text(model, 'virtual_car')) l;
@@ -46,7 +46,7 @@ COMMENT ON FUNCTION streetgen.leaders(name, float8, float8) IS
     'of the car. speed: km/h, below 0 where it comes towards. A virtual car stands where nobody is before it: '
     'stationary at the end of a lane and at red, moving at the speed limit at horizon metres (setting virtual_car). '
     'Setting merging_leader tells whether who comes from another path into the same lane counts. A model without '
-    'traffic: 55000; NaN, a horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; an unknown model: 3F000; not a '
+    'traffic or subject interconnection: 55000; NaN, a horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; an unknown model: 3F000; not a '
     'reader of the model: 42501. Wilkie, Sewall and Lin, section 3.1.1.';
 
 CREATE OR REPLACE FUNCTION streetgen._free_path_of(model name, link bigint, place float8, horizon float8)
@@ -62,7 +62,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._free_path_of(name, bigint, float8, float8) IS 'What streetgen.free_path gives.';
 
--- PL/pgSQL takes no name twice.
+-- An argument and a column may have one name in LANGUAGE sql alone.
 CREATE OR REPLACE FUNCTION streetgen.free_path(model name, link bigint, metres float8 DEFAULT 0,
     horizon float8 DEFAULT 1000)
     RETURNS TABLE(ordinality integer, link_id bigint, starts float8)
@@ -83,32 +83,34 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('density', density::text, 'seed', seed::text),
-        streetgen._require_traffic(model);
+        streetgen._require_traffic(model), streetgen._require_subject(model, 'interconnection');
     IF NOT density BETWEEN 0 AND 140 THEN
         RAISE EXCEPTION 'density is %, expected 0 to 140 cars a kilometre', density USING ERRCODE = '22023',
             HINT = 'A standing car takes 7 m with the gap before it.';
     END IF;
+    -- Who places cars comes after who does now.
+    LOCK TABLE car IN SHARE ROW EXCLUSIVE MODE;
     DELETE FROM car;
     INSERT INTO car (axis_id, abscissa, lane_position, along_axis)
     SELECT e.axis_id, e.start_abscissa + streetgen._measure_at(m.on_lane, m.on_axis,
             CASE WHEN k.along_axis THEN p.metres ELSE k.length - p.metres END), l.lane_position, k.along_axis
     FROM link k JOIN lane l USING (lane_id) JOIN edge e USING (edge_id) JOIN lane_extent x USING (lane_id)
-        -- What a lane lacks for a whole car is a chance, which the seed throws.
-        CROSS JOIN LATERAL (SELECT floor(k.length * density / 1000
-            + (hashint8extended(k.link_id, seed) & 1048575) / 1048576.0) AS cars) n
+        -- A part of a car that is left over comes by a chance that the seed gives. Cars stand 7 m apart.
+        CROSS JOIN LATERAL (SELECT least(floor(k.length / 7), floor(k.length * density / 1000
+            + (hashint8extended(k.link_id, seed) & 1048575) / 1048576.0)) AS cars) n
         CROSS JOIN LATERAL generate_series(1, n.cars::integer) i
         CROSS JOIN LATERAL (SELECT k.length * (i - 0.5) / nullif(n.cars, 0) AS metres) p
         CROSS JOIN LATERAL streetgen._lane_measures(ST_Force2D(e.geom)::bytea, l.geom::bytea, (
             SELECT max(abs(w.axis_offset) + w.width) FROM lane w WHERE w.edge_id = e.edge_id),
             x.start_abscissa - e.start_abscissa, x.end_abscissa - e.start_abscissa) m
-    WHERE k.kind = 'lane' AND k.traffic IS NULL AND NOT l.both_ways AND k.length / nullif(n.cars, 0) >= 7
+    WHERE k.kind = 'lane' AND k.traffic IS NULL AND NOT l.both_ways
     ORDER BY k.link_id, i;
     GET DIAGNOSTICS placed = ROW_COUNT;
     RETURN placed;
 END $$;
 COMMENT ON FUNCTION streetgen.place_cars(name, float8, bigint) IS
     'Places standing cars on the lanes of a model in place of those in table car, as many a kilometre of lane as '
-    'density says, equally far from each other, and gives how many these are. What a lane lacks for a whole car the '
-    'seed throws: the same seed places the same cars. Lanes for both directions, and those that not all may drive on, '
-    'stay empty. A density that is not 0 to 140: 22023; NULL: 22004; a model without traffic: 55000; not the owner of '
-    'the model: 42501; an unknown model: 3F000.';
+    'density says, equally far from each other, and gives how many these are. A part of a car that is left over comes '
+    'by a chance: the same seed places the same cars. Lanes for both directions, and those that not all may drive on, '
+    'stay empty. A density that is not 0 to 140: 22023; NULL: 22004; a model without traffic or without subject '
+    'interconnection: 55000; not the owner of the model: 42501; an unknown model: 3F000.';

@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._link_conflict_rows(network bytea)
         other_ends float8)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_link_conflict_rows';
 COMMENT ON FUNCTION streetgen._link_conflict_rows(bytea) IS
-    'The conflicts of a network, as streetgen.link_conflicts has them.';
+    'The conflicts of a network, as streetgen.link_conflicts has them. Bytes that are no network: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._links_of_junctions(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -38,11 +38,11 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.link_conflicts(name, bigint[]) IS
     'Movements of one junction that need the same ground, each pair twice: of some movements, or of all where links is '
-    'NULL. From starts to ends a car of usual size (5 by 1.8 m) stands on that ground: metres along link, from where '
-    'its front comes there to where its rear has left; that may lie beyond its end, where two merge. precedence, of '
-    'link: goes_first, gives_way, by_signal (they never have green together) or by_arrival (nobody has the right, or '
-    'rights would go round in a circle). With signals, who is protected goes before who is permitted, and of two '
-    'permitted ones as signal_movement.precedence says. Else signs decide, then the importance of streets; who turns '
-    'across gives way to who comes towards, and who comes from the left to who comes from the right. A model without '
-    'subject interconnection: 55000; an unknown model: 3F000; not a reader of the model: 42501. Wilkie, Sewall and '
-    'Lin, section 4.3.1.';
+    'NULL; a link that is no movement has none. From starts to ends a car of usual size (5 by 1.8 m) stands on that '
+    'ground: metres along link, from where its front comes there to where its rear has left; that may lie beyond its '
+    'end, where two merge. precedence, of link: goes_first, gives_way, by_signal (they never have green together) or '
+    'by_arrival (nobody has the right, or rights would go round in a circle). With signals, who is protected goes '
+    'before who is permitted, and of two permitted ones as signal_movement.precedence says. Else signs decide, then '
+    'the importance of streets; who turns across gives way to who comes towards, and who comes from the left to who '
+    'comes from the right. A model without subject interconnection: 55000; an unknown model: 3F000; not a reader of '
+    'the model: 42501. Wilkie, Sewall and Lin, section 4.3.1.';

@@ -23,7 +23,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._link_at(name, bigint, float8, float8) IS 'What streetgen.link_at gives.';
 
--- PL/pgSQL takes no name twice.
+-- An argument and a column may have one name in LANGUAGE sql alone.
 CREATE OR REPLACE FUNCTION streetgen.link_at(model name, link bigint, metres float8, wheelbase float8 DEFAULT 2.7)
     RETURNS TABLE(geom geometry, heading float8, curvature float8, steering float8, grade float8)
     LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 1 SET search_path = pg_catalog

@@ -177,4 +177,4 @@ CREATE OR REPLACE FUNCTION streetgen._link_pieces(network bytea)
 COMMENT ON FUNCTION streetgen._link_pieces(bytea) IS
     'The courses of the links of a network: straight lines, and arcs where there is a curvature (1/m, positive to the '
     'left). Each piece begins at x and y in its heading (radians), and reaches from starts to ends, metres along the '
-    'course.';
+    'course. Bytes that are no network: 22023.';

@@ -5,7 +5,7 @@ CREATE OR REPLACE FUNCTION streetgen._simulate(network bytea, cars streetgen.tra
     step float8, output float8, seed bigint)
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, length float8, speed float8,
         density float8, x float8, y float8, height float8, heading float8)
-    LANGUAGE c VOLATILE STRICT PARALLEL UNSAFE COST 100000 ROWS 10000 AS 'MODULE_PATHNAME', 'streetgen_simulate';
+    LANGUAGE c STABLE STRICT PARALLEL UNSAFE COST 100000 ROWS 10000 AS 'MODULE_PATHNAME', 'streetgen_simulate';
 COMMENT ON FUNCTION streetgen._simulate(bytea, streetgen.traffic_car[], bigint[], float8[], bigint[], bigint[],
     float8[], text, float8, float8, float8, bigint) IS
     'What streetgen.simulate gives, on a network: x and y of the front of a car or the middle of a cell, heading in '
@@ -15,15 +15,20 @@ CREATE OR REPLACE FUNCTION streetgen._known_keys(given jsonb, name text, known t
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 DECLARE
-    other constant text := (SELECT min(k) FROM jsonb_object_keys(given) k WHERE k <> ALL (known));
+    other text;
 BEGIN
+    IF jsonb_typeof(given) <> 'object' THEN
+        RAISE EXCEPTION '% is a JSON %, expected an object', name, jsonb_typeof(given) USING ERRCODE = '22023',
+            HINT = format('It may have %s.', array_to_string(known, ', '));
+    END IF;
+    other := (SELECT min(k) FROM jsonb_object_keys(given) k WHERE k <> ALL (known));
     IF other IS NOT NULL THEN
         RAISE EXCEPTION '% has no "%"', name, other USING ERRCODE = '22023',
             HINT = format('It may have %s.', array_to_string(known, ', '));
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._known_keys(jsonb, text, text[]) IS
-    'Raises 22023 for a key of an object that is none of those known.';
+    'Raises 22023 for what is no object, and for a key that is none of those known.';
 
 CREATE OR REPLACE FUNCTION streetgen._demand_entries(model name, demand jsonb)
     RETURNS TABLE(link bigint, flow float8)
@@ -59,7 +64,7 @@ BEGIN
         RETURN QUERY SELECT (e ->> 'link')::bigint, (e ->> 'next')::bigint, (e ->> 'share')::float8
             FROM jsonb_array_elements(demand -> 'turns') e;
     ELSIF coalesce(demand ->> 'turns', 'even') = 'even' THEN
-        -- Nobody turns back who may go on, nor where only others may drive.
+        -- Who may go on does not turn back. Nobody drives where that is for others alone.
         RETURN QUERY SELECT m.comes_from, m.link_id, 1::float8
             FROM link m JOIN streetgen._movement_rights(model) r USING (lane_in, lane_out, along_in, along_out)
             WHERE m.traffic IS NULL AND r.turn <> 'u_turn' ORDER BY 1, 2;
@@ -76,7 +81,7 @@ CREATE OR REPLACE FUNCTION streetgen._simulate_demand(model name, method text, d
     demand jsonb, seed bigint, options jsonb)
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link_id bigint, metres float8, speed float8,
         density float8, geom geometry)
-    LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
@@ -96,6 +101,7 @@ BEGIN
     SELECT coalesce(array_agg(u.link), '{}') AS links, coalesce(array_agg(u.next), '{}') AS next,
         coalesce(array_agg(u.share), '{}') AS shares FROM streetgen._demand_turns(model, demand) u INTO turning;
     RETURN QUERY SELECT s.t, s.car_id, s.cell_id, s.link, s.metres, s.speed, s.density, CASE
+            WHEN s.car_id IS NULL AND k.length IS NULL THEN k.geom
             WHEN s.car_id IS NULL THEN ST_LineSubstring(k.geom, greatest(0, (s.metres - s.length / 2) / k.length),
                 least(1, (s.metres + s.length / 2) / k.length))
             WHEN s.height IS NULL THEN ST_SetSRID(ST_MakePoint(s.x, s.y), own_srid)
@@ -109,12 +115,12 @@ END $$;
 COMMENT ON FUNCTION streetgen._simulate_demand(name, text, float8, float8, jsonb, bigint, jsonb) IS
     'What streetgen.simulate gives.';
 
--- PL/pgSQL takes no name twice.
+-- An argument and a column may have one name in LANGUAGE sql alone.
 CREATE OR REPLACE FUNCTION streetgen.simulate(model name, method text DEFAULT 'idm', duration float8 DEFAULT 600,
     step float8 DEFAULT 0.1, demand jsonb DEFAULT '{}', seed bigint DEFAULT 1, options jsonb DEFAULT '{}')
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, speed float8, density float8,
         geom geometry)
-    LANGUAGE sql VOLATILE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog
+    LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog
     AS $$ SELECT * FROM streetgen._simulate_demand($1, $2, $3, $4, $5, $6, $7) $$;
 COMMENT ON FUNCTION streetgen.simulate(name, text, float8, float8, jsonb, bigint, jsonb) IS
     'Traffic on the streets of a model. method idm: cars that follow each other, obey signals and rights of way and '
@@ -138,9 +144,12 @@ DECLARE
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('run', run), streetgen._require_traffic(model);
+    -- One run of a name comes after the other.
+    LOCK TABLE simulated IN SHARE ROW EXCLUSIVE MODE;
     DELETE FROM simulated s WHERE s.run = keep_simulation.run;
     INSERT INTO simulated (run, t, car_id, link_id, metres, speed, density, geom)
-        SELECT keep_simulation.run, s.t, s.car_id, s.link_id, s.metres, s.speed, s.density, s.geom
+        SELECT keep_simulation.run, s.t, s.car_id, s.link_id, s.metres, s.speed, s.density,
+            ST_Force3D(s.geom)
         FROM streetgen._simulate_demand(model, method, duration, step, demand, seed, options) s;
     GET DIAGNOSTICS kept = ROW_COUNT;
     RETURN kept;

@@ -47,8 +47,9 @@ CREATE OR REPLACE FUNCTION streetgen.drop_traffic(model name) RETURNS void
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._require_traffic(model);
-    DROP VIEW IF EXISTS car_place;
-    DROP TABLE car, simulated;
+    EXECUTE 'DROP VIEW IF EXISTS ' || quote_ident(model) || '.car_place';
+    EXECUTE (SELECT 'DROP TABLE ' || string_agg(concat(quote_ident(model), '.', relation), ', ')
+        FROM streetgen.template WHERE room = 'simulation');
 END $$;
 COMMENT ON FUNCTION streetgen.drop_traffic(name) IS
     'Removes the tables of traffic with all in them. No traffic: 55000; something of others that builds on them: '

@@ -11,6 +11,8 @@ namespace streetgen {
 
 namespace {
 
+constexpr double most_steps = 1e9;
+
 [[noreturn]] void refuse_simulation(const std::string& message) {
   throw Error(ErrorKind::invalid_input, message);
 }
@@ -20,8 +22,23 @@ void check_options(const SimulationOptions& options) {
     refuse_simulation("duration " + text_of(options.duration) + " s is not above 0 and at most " +
                       text_of(longest_duration) + " s");
   if (!(options.step > 0)) refuse_simulation("step " + text_of(options.step) + " is not above 0");
+  if (!(options.duration / options.step <= most_steps))
+    refuse_simulation("step " + text_of(options.step) + " s is too short for a duration of " +
+                      text_of(options.duration) + " s");
   if (!(options.output >= 0))
     refuse_simulation("output " + text_of(options.output) + " is not 0 or more");
+}
+
+// A car may reach back onto the link behind its own.
+void require_apart(const Traffic& traffic) {
+  LeaderRules near;
+  near.horizon = longest_car;
+  const std::vector<Leader> leaders = traffic.leaders(near);
+  for (int i = 0; i < traffic.size(); ++i) {
+    if (!traffic.holds(i) || leaders[i].car < 0 || leaders[i].gap > -1e-6) continue;
+    refuse_simulation("cars " + std::to_string(traffic.car(i).car_id) + " and " +
+                      std::to_string(traffic.car(leaders[i].car).car_id) + " stand on each other");
+  }
 }
 
 // Each step, and the state where it is due.
@@ -39,7 +56,8 @@ void run_steps(const SimulationOptions& options, const Step& step, const State& 
     const double time = static_cast<double>(i) * options.step;
     if (!listener || (i < steps && time < due - options.step * 1e-6)) continue;
     listener(state(time));
-    while (options.output > 0 && due <= time + options.step * 1e-6) due += options.output;
+    if (options.output > 0)
+      due = options.output * (std::floor((time + options.step * 1e-6) / options.output) + 1);
   }
 }
 
@@ -51,6 +69,7 @@ SimulationResult simulate_cars(const TrafficNetwork& network, const SimulationDe
   cars.set_turns(demand.turns);
   cars.set_entries(demand.entries);
   for (const Car& car : demand.cars) cars.add(car);
+  require_apart(cars.traffic());
   SimulationState state;
   run_steps(
       options, [&] { cars.step(options.step); },

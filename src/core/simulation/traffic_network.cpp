@@ -34,6 +34,7 @@ class Builder {
   explicit Builder(const TrafficSource& source) : source_(source) {}
 
   TrafficNetwork build() {
+    network_.left_hand = source_.left_hand;
     order();
     join();
     bend_touching_ends();
@@ -138,6 +139,8 @@ class Builder {
           courses_[i] = movement_course(given(i).line, courses_[before_[i][0]],
                                         courses_[next_[i][0]], given(i).width);
         if (!courses_[i].empty()) continue;
+        if (!movement)
+          throw Error(ErrorKind::invalid_input, named(given(i)) + " turns back on itself");
         const auto& lane = courses_[before_[i][0]];
         courses_[i] = {{0, place_at(lane, length(lane)), least_length, 0, 0}};
       }
@@ -190,8 +193,10 @@ class Builder {
       link.speed = speed_of(i);
       link.width = one.width;
       link.stop = std::max(0.0, link.length - one.stop);
-      link.from_node = number_of(one.from_node, network_.nodes, nodes);
-      link.to_node = number_of(one.to_node, network_.nodes, nodes);
+      const std::int64_t from = one.movement ? given(before_[i][0]).to_node : one.from_node;
+      const std::int64_t to = one.movement ? given(next_[i][0]).from_node : one.to_node;
+      link.from_node = number_of(from, network_.nodes, nodes);
+      link.to_node = number_of(to, network_.nodes, nodes);
       if (one.junction != 0)
         link.junction = number_of(one.junction, network_.junctions, junctions);
       if (const auto plan = plans.find(one.controller); plan != plans.end())
@@ -245,12 +250,17 @@ class Builder {
     return lists;
   }
 
+  // The junction of a movement, else its node.
+  std::int64_t place_of(int link) const {
+    return given(link).junction != 0 ? given(link).junction : given(before_[link][0]).to_node;
+  }
+
   // A movement with what is known of its right of way.  States of a signal count by their times.
   ConflictMovement conflict_movement(int link) const {
     const TrafficLink& one = given(link);
     const TrafficLink &in = given(before_[link][0]), &out = given(next_[link][0]);
     ConflictMovement movement;
-    movement.junction = one.junction != 0 ? one.junction : in.to_node;
+    movement.junction = place_of(link);
     movement.lane_in = std::min(in.link_id, in.other_way != 0 ? in.other_way : in.link_id);
     movement.lane_out = std::min(out.link_id, out.other_way != 0 ? out.other_way : out.link_id);
     movement.along_in = in.along;
@@ -279,11 +289,12 @@ class Builder {
   std::vector<std::vector<LinkConflict>> conflicts() const {
     std::vector<int> links;
     std::vector<ConflictMovement> movements;
-    for (int i = 0; i < static_cast<int>(order_.size()); ++i) {
-      if (!given(i).movement) continue;
-      links.push_back(i);
-      movements.push_back(conflict_movement(i));
-    }
+    for (int i = 0; i < static_cast<int>(order_.size()); ++i)
+      if (given(i).movement) links.push_back(i);
+    // Keys of movements come and go with edits: those of one junction are not beside each other.
+    std::stable_sort(links.begin(), links.end(),
+                     [&](int a, int b) { return place_of(a) < place_of(b); });
+    for (const int link : links) movements.push_back(conflict_movement(link));
     std::vector<std::vector<LinkConflict>> lists(order_.size());
     const auto on_link = [&](int link, double metres) {
       return static_cast<float>(metres / network_.links[link].stretch);
@@ -326,7 +337,6 @@ class Builder {
       add_all(network_.beside, beside[i]);
       add_all(network_.aspects, given(i).aspects);
       add_all(network_.conflicts, meetings[i]);
-      network_.crossings.end_owner();
     }
   }
 

@@ -1,5 +1,6 @@
 #include "simulation/network_bytes.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <type_traits>
@@ -10,7 +11,9 @@
 namespace streetgen::pg {
 namespace {
 
-constexpr std::uint64_t mark = 0x316b726f7774656eULL;  // "network1"
+// "network1", and how rows lie: a build with others refuses them.
+constexpr std::uint64_t mark = 0x316b726f7774656eULL + sizeof(Link) + (sizeof(LinkPiece) << 8) +
+                               (sizeof(LinkBeside) << 16) + (sizeof(LinkConflict) << 24);
 
 // FNV-1a, eight bytes at a time.
 std::uint64_t checksum(std::string_view bytes) {
@@ -23,7 +26,7 @@ std::uint64_t checksum(std::string_view bytes) {
   return sum;
 }
 
-// Calls work with each array of a network, in their order.
+// Gives each array of a network to work, in their order.
 template <class Network, class Work>
 void each_array(Network& network, Work work) {
   work(network.links);
@@ -34,7 +37,6 @@ void each_array(Network& network, Work work) {
   lists(network.heights);
   lists(network.beside);
   lists(network.conflicts);
-  lists(network.crossings);
   lists(network.aspects);
   work(network.plans);
   work(network.nodes);
@@ -42,7 +44,7 @@ void each_array(Network& network, Work work) {
 }
 
 [[noreturn]] void refuse() {
-  throw Error(ErrorKind::invalid_input, "the network of links is none that this build made");
+  throw Error(ErrorKind::invalid_input, "bytes that are no network of links");
 }
 
 }  // namespace
@@ -58,6 +60,7 @@ std::string network_bytes(const TrafficNetwork& network) {
     append(&size, sizeof size);
     append(array.data(), size * sizeof array[0]);
   });
+  bytes += static_cast<char>(network.left_hand);
   const std::uint64_t head[] = {mark, checksum(bytes)};
   return std::string(reinterpret_cast<const char*>(head), sizeof head) + bytes;
 }
@@ -80,6 +83,9 @@ TrafficNetwork read_network(std::string_view bytes) {
     std::memcpy(static_cast<void*>(array.data()), bytes.data(), size * sizeof(Row));
     bytes.remove_prefix(size * sizeof(Row));
   });
+  if (bytes.size() != 1) refuse();
+  network.left_hand = bytes[0] != 0;
+  require_sound(network);
   return network;
 }
 

@@ -10,7 +10,8 @@ namespace streetgen::pg {
 
 std::string network_bytes(const TrafficNetwork& network);
 
-// Refuses bytes that network_bytes of this build did not write: Error{invalid_input}.
+// Refuses bytes that network_bytes did not write, and what is no sound network:
+// Error{invalid_input}.
 TrafficNetwork read_network(std::string_view bytes);
 
 }  // namespace streetgen::pg

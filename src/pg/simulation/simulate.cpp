@@ -75,8 +75,12 @@ struct StateRow {
   std::int32_t cell = -1;
   std::int64_t link_id;
   double metres, length, speed, density;
+  bool flat;  // no height is known there
   LinkFrame frame;
 };
+
+// More would take more memory than a server should give.
+constexpr std::size_t most_rows = 10000000;
 
 std::vector<StateRow> rows_of(const TrafficNetwork& network, const SimulationDemand& demand,
                               const SimulationOptions& options) {
@@ -87,10 +91,16 @@ std::vector<StateRow> rows_of(const TrafficNetwork& network, const SimulationDem
     row.cell = -1;
     row.link_id = network.links[place.link].link_id;
     row.metres = place.metres;
+    row.flat = network.heights.of(place.link).empty();
     row.frame = frame(network, place);
     return row;
   };
   simulate(network, demand, options, [&](const SimulationState& state) {
+    if (rows.size() + state.cars.size() + state.cells.size() > most_rows)
+      throw Error(ErrorKind::invalid_input,
+                  "more than " + std::to_string(most_rows) + " rows by " +
+                      streetgen::text_of(state.time) + " s",
+                  "Ask for a greater output, or for less at once.");
     for (const SimulatedCar& car : state.cars) {
       StateRow row = row_at(state.time, car.place);
       row.car_id = car.car_id;
@@ -134,7 +144,7 @@ STREETGEN_FUNCTION(streetgen_simulate) {
   report(outcome);
   put_rows(fcinfo, *slot->value, [](const StateRow& row, ReturnSetInfo* result) {
     constexpr double kilometre = 1000;
-    const bool car = row.car_id.has_value(), flat = row.frame.height == 0;
+    const bool car = row.car_id.has_value();
     Datum values[] = {Float8GetDatum(row.time),
                       Int64GetDatum(row.car_id.value_or(0)),
                       Int64GetDatum(row.cell + 1),
@@ -150,7 +160,7 @@ STREETGEN_FUNCTION(streetgen_simulate) {
     bool nulls[12] = {false};
     nulls[1] = !car;
     nulls[2] = nulls[5] = nulls[7] = car;
-    nulls[10] = flat;
+    nulls[10] = row.flat;
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
   PG_RETURN_NULL();

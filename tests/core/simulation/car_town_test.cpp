@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "made_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/car_following.hpp"
 
 namespace streetgen {
@@ -13,7 +14,7 @@ using simulation_test::Town;
 using simulation_test::TownMaker;
 
 TEST(CarTown, NobodyMeetsInRandomTowns) {
-  for (int seed = 1; seed <= 12; ++seed) {
+  for (int seed = 1; seed <= rounds(12); ++seed) {
     const Town town = TownMaker(seed, 2 + seed % 3, 2 + seed % 2).made();
     CarFollowing cars(town.network, {}, seed);
     cars.set_entries(town.entries);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "made_network.hpp"
+#include "rounds.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {
@@ -263,6 +264,8 @@ void keeps_mass(FlowModel model) {
   EXPECT_GT(flow.passed(town.auxiliary), 50);
   EXPECT_GT(flow.passed(town.merge), 20);
   flow.set_entries({});
+  // A short run of the tests does not wait until it is empty.
+  if (rounds(10) < 10) return;
   while (flow.mass() + flow.waiting() > 1e-3 && flow.time() < 6000) flow.step(0.1);
   EXPECT_LE(flow.mass() + flow.waiting(), 1e-3);
 }

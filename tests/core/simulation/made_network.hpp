@@ -91,7 +91,6 @@ class NetworkMaker {
       add(made.aspects, aspects_[i]);
       made.heights.end_owner();
       add(made.conflicts, conflicts_[i]);
-      made.crossings.end_owner();
     }
     return made;
   }

@@ -122,6 +122,53 @@ TEST(TrafficNetwork, LaneAgainstTheAxisSeesItsNeighbourTheOtherWayRound) {
   EXPECT_EQ(beside(network, {link_of(network, 5), 10}, false).place.link, -1);
 }
 
+// Two pairs of movements that merge, one at each of two junctions.
+TEST(TrafficNetwork, MovementsOfAJunctionConflictWhateverTheirKeys) {
+  TrafficSource source;
+  const auto street = [&](std::int64_t key, const Line& line, std::int64_t from, std::int64_t to) {
+    TrafficLink lane;
+    lane.link_id = key;
+    lane.line = line;
+    lane.width = 3.5;
+    lane.speed = 14;
+    lane.edge = static_cast<int>(source.edges.size());
+    lane.last = 40;
+    lane.from_node = from;
+    lane.to_node = to;
+    source.edges.push_back({line, false, 2});
+    source.links.push_back(lane);
+  };
+  const auto movement = [&](std::int64_t key, const Line& line, std::int64_t in, std::int64_t out,
+                            std::int64_t junction) {
+    TrafficLink link;
+    link.link_id = key;
+    link.movement = true;
+    link.line = line;
+    link.width = 3.5;
+    link.lane_in = in;
+    link.lane_out = out;
+    link.junction = junction;
+    source.links.push_back(link);
+  };
+  for (const int j : {0, 1}) {
+    const double x = 1000 * j;
+    const std::int64_t k = 100 * j;
+    street(k + 1, {{x - 60, 0}, {x - 20, 0}}, 0, 7 + j);
+    street(k + 5, {{x - 60, 40}, {x - 20, 15}}, 0, 7 + j);
+    street(k + 9, {{x + 20, 0}, {x + 60, 0}}, 7 + j, 0);
+    // The second movement of each junction has a key beyond the first one of the other.
+    movement(1002 + 4 * j, {{x - 20, 0}, {x + 20, 0}}, k + 1, k + 9, 7 + j);
+    movement(2002 + 4 * j, {{x - 20, 15}, {x, 3}, {x + 20, 0}}, k + 5, k + 9, 7 + j);
+  }
+  const TrafficNetwork network = traffic_network(source);
+  for (const std::int64_t key : {1002, 1006, 2002, 2006}) {
+    const auto conflicts = network.conflicts.of(link_of(network, key));
+    ASSERT_EQ(conflicts.size(), 1) << key;
+    EXPECT_EQ(network.links[conflicts[0].link].link_id % 1000, key % 1000);
+  }
+  EXPECT_NO_THROW(require_sound(network));
+}
+
 std::string refusal(const TrafficSource& source) {
   try {
     traffic_network(source);

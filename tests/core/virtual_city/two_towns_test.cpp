@@ -11,6 +11,7 @@
 
 #include "cities.hpp"
 #include "geometry/polyline.hpp"
+#include "rounds.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {
@@ -53,7 +54,7 @@ struct Case {
 template <class Hold>
 void for_all_towns(Hold hold) {
   std::int64_t seed = -3;
-  for (int turn = 0; turn < 3; ++turn)
+  for (int turn = 0; turn < rounds(3); ++turn)
     for (const TwoTownsOptions& options : country_kinds())
       for (const bool keeps_left : {false, true}) {
         seed = seed * 3 + 7;
