@@ -17,16 +17,26 @@ COMMENT ON FUNCTION streetgen._free_path(bytea, bigint, float8, float8) IS
 CREATE OR REPLACE FUNCTION streetgen._cars_on_links(model name) RETURNS streetgen.traffic_car[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    placed streetgen.traffic_car[];
+    nowhere bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
     IF NOT streetgen._has_traffic(model) THEN
         RETURN '{}';
     END IF;
-    RETURN ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind)::streetgen.traffic_car
+    placed := ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind)::streetgen.traffic_car
         FROM car c JOIN car_place p USING (car_id) ORDER BY c.car_id);
+    nowhere := (SELECT count(*) FROM car) - cardinality(placed);
+    IF nowhere > 0 THEN
+        RAISE WARNING '% cars of table car stand on no lane, and are left out', nowhere
+            USING HINT = 'View car_place has those that do.';
+    END IF;
+    RETURN placed;
 END $$;
 COMMENT ON FUNCTION streetgen._cars_on_links(name) IS
-    'The cars of a model that stand on a link; none of a model without traffic.';
+    'The cars of a model that stand on a link, with a warning of those that stand on none; none of a model without '
+    'traffic.';
 
 CREATE OR REPLACE FUNCTION streetgen.leaders(model name, at float8 DEFAULT 0, horizon float8 DEFAULT 1000)
     RETURNS TABLE(car_id bigint, leader bigint, virtual text, distance float8, gap float8, speed float8)
@@ -45,9 +55,10 @@ COMMENT ON FUNCTION streetgen.leaders(name, float8, float8) IS
     'seconds at. distance: metres from front to front along the path. gap: from the rear of the leader to the front '
     'of the car. speed: km/h, below 0 where it comes towards. A virtual car stands where nobody is before it: '
     'stationary at the end of a lane and at red, moving at the speed limit at horizon metres (setting virtual_car). '
-    'Setting merging_leader tells whether who comes from another path into the same lane counts. A model without '
-    'traffic or subject interconnection: 55000; NaN, a horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; an unknown model: 3F000; not a '
-    'reader of the model: 42501. Wilkie, Sewall and Lin, section 3.1.1.';
+    'Setting merging_leader tells whether who comes from another path into the same lane counts. A car '
+    'on no lane is warned of, and has no row. A model without traffic or subject interconnection: 55000; NaN, a '
+    'horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; an unknown model: 3F000; not a reader of the model: '
+    '42501. Wilkie, Sewall and Lin, section 3.1.1.';
 
 CREATE OR REPLACE FUNCTION streetgen._free_path_of(model name, link bigint, place float8, horizon float8)
     RETURNS TABLE(ordinality integer, link_id bigint, starts float8)

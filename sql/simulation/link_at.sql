@@ -33,6 +33,7 @@ COMMENT ON FUNCTION streetgen.link_at(name, bigint, float8, float8) IS
     'is the POINT, with a height where the model knows heights. heading: degrees counter-clockwise from east. '
     'curvature: 1/m, positive to the left. steering: the angle of the front wheels of a car with wheelbase metres '
     'between its axles, degrees, positive to the left. grade: metres of height a metre, positive uphill; NULL: heights '
-    'are unknown. The course is smooth where lanes and movements meet. An unknown link, a place off the link, NaN, a '
+    'are unknown. The course is smooth where lanes and movements meet. A car of streetgen.simulate or table car is at '
+    'the place of its front, not of its rear axle. An unknown link, a place off the link, NaN, a '
     'wheelbase out of 0.1 to 30 m: 22023; NULL: 22004; a model without subject interconnection: 55000; an unknown '
     'model: 3F000; not a reader of the model: 42501. Wilkie, Sewall and Lin, sections 3.1 and 6.4.';

@@ -30,13 +30,40 @@ END $$;
 COMMENT ON FUNCTION streetgen._known_keys(jsonb, text, text[]) IS
     'Raises 22023 for what is no object, and for a key that is none of those known.';
 
+CREATE OR REPLACE FUNCTION streetgen._require_numbers(list jsonb, name text, keys text[]) RETURNS void
+    LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    wrong record;
+BEGIN
+    IF jsonb_typeof(list) <> 'array' THEN
+        RAISE EXCEPTION '% is a JSON %, expected an array', name, jsonb_typeof(list) USING ERRCODE = '22023',
+            HINT = format('Each element has %s.', array_to_string(keys, ', '));
+    END IF;
+    SELECT e.ordinality, k AS key INTO wrong FROM jsonb_array_elements(list) WITH ORDINALITY e(value, ordinality),
+        unnest(keys) k WHERE jsonb_typeof(e.value -> k) IS DISTINCT FROM 'number' ORDER BY e.ordinality, k LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'element % of % has no number "%"', wrong.ordinality, name, wrong.key USING ERRCODE = '22023',
+            HINT = format('Each element has %s.', array_to_string(keys, ', '));
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_numbers(jsonb, text, text[]) IS
+    'Raises 22023 for what is no array, and for an element without a number of each of some keys.';
+
 CREATE OR REPLACE FUNCTION streetgen._demand_entries(model name, demand jsonb)
     RETURNS TABLE(link bigint, flow float8)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF demand ? 'entries' THEN
+    IF demand ?& '{flow,entries}' THEN
+        RAISE EXCEPTION 'demand has flow and entries' USING ERRCODE = '22023',
+            HINT = 'Entries name each lane, and flow holds for all that begin.';
+    ELSIF demand ? 'flow' AND jsonb_typeof(demand -> 'flow') <> 'number' THEN
+        RAISE EXCEPTION 'flow is "%", expected a number', demand ->> 'flow' USING ERRCODE = '22023',
+            HINT = 'It counts cars an hour.';
+    ELSIF demand ? 'entries' THEN
+        PERFORM streetgen._require_numbers(demand -> 'entries', 'entries', '{link,flow}');
         RETURN QUERY SELECT (e ->> 'link')::bigint, (e ->> 'flow')::float8
             FROM jsonb_array_elements(demand -> 'entries') e;
         RETURN;
@@ -61,6 +88,7 @@ CREATE OR REPLACE FUNCTION streetgen._demand_turns(model name, demand jsonb)
 BEGIN
     PERFORM streetgen._use_model(model);
     IF jsonb_typeof(demand -> 'turns') = 'array' THEN
+        PERFORM streetgen._require_numbers(demand -> 'turns', 'turns', '{link,next,share}');
         RETURN QUERY SELECT (e ->> 'link')::bigint, (e ->> 'next')::bigint, (e ->> 'share')::float8
             FROM jsonb_array_elements(demand -> 'turns') e;
     ELSIF coalesce(demand ->> 'turns', 'even') = 'even' THEN
@@ -127,7 +155,8 @@ COMMENT ON FUNCTION streetgen.simulate(name, text, float8, float8, jsonb, bigint
     'change lanes; lwr or arz: a flow through cells of some 10 m. duration and step: seconds; a step of cars is at '
     'most 1 s, one of a flow as the error says. The cars of table car stand on the streets at the start. demand: flow '
     '(cars an hour on each lane that begins where no movement leads; without it as axis.flow says), or entries (a list '
-    'of link and flow); turns (even, straight, or a list of link, next and share). options: output (seconds between '
+    'of link and flow); turns (even, straight, or a list of link, next and share: '
+    'those of a link share its cars among them, as one to the other). options: output (seconds between '
     'the states that are given, 1). Rows: at t, seconds, each car with its front on a link, metres along it, geom a '
     'POINT; or each cell by its middle, density in cars a kilometre, geom a LINESTRING. speed: km/h. The same seed '
     'gives the same rows. Nothing is locked. NaN, a duration or step out of range, an unknown word: 22023; NULL: '

@@ -39,7 +39,8 @@ SELECT 'a car on its way across is on the movement', (SELECT (kind, metres) = ('
 SELECT 'and leads who comes after, at green', bool_or(leader = 5 AND gap BETWEEN 90 AND 115) FROM generate_series(0, 110, 5) s, streetgen.leaders('town', at => s) WHERE car_id = 2;
 SELECT 'a path goes straight on', count(*) >= 3 AND bool_and(k.kind = CASE p.ordinality % 2 WHEN 1 THEN 'lane' ELSE 'movement' END) AND bool_and(a.axis_id IN (1, 2, 5)) FROM streetgen.free_path('town', (SELECT link_id FROM town.car_place WHERE car_id = 1), 40, 500) p
     JOIN town.link k USING (link_id) LEFT JOIN town.lane l USING (lane_id) LEFT JOIN town.edge a USING (edge_id);
-SELECT 'a car on a lane that is not there has no place', test.state($q$INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (9, 1, 50, 9, true)$q$) = 'none' AND NOT EXISTS (SELECT FROM town.car_place WHERE car_id = 9);
+SELECT 'a car on a lane that is not there has no place', test.state($q$INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (9, 1, 50, 9, true)$q$) = 'none' AND NOT EXISTS (SELECT FROM town.car_place WHERE car_id = 9)
+    AND NOT EXISTS (SELECT FROM streetgen.leaders('town') WHERE car_id = 9);
 DELETE FROM town.car WHERE car_id = 9;
 SELECT 'half of a way onto a lane is refused', test.state($q$INSERT INTO town.car (axis_id, abscissa, lane_position, along_axis, onto_axis) VALUES (1, 50, 4, true, 2)$q$) = '23514';
 UPDATE town.axis SET width = 13.6 WHERE axis_id = 1;
@@ -90,6 +91,9 @@ SELECT 'an output that is hardly above 0 gives each step', count(DISTINCT t) = 3
 RESET statement_timeout;
 SELECT 'a step too short for the duration is refused', test.said($q$SELECT count(*) FROM streetgen.simulate('town', 'idm', 10, 1e-300)$q$) = 'step 1e-300 s is too short for a duration of 10 s';
 SELECT 'a demand that is no object too', test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '[1]')$q$) = 'demand is a JSON array, expected an object';
+SELECT 'so are entries without numbers, a flow in words, and both at once', test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '{"entries": [{"link": 5}]}')$q$) = 'element 1 of entries has no number "flow"'
+    AND test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '{"entries": 1}')$q$) = 'entries is a JSON number, expected an array' AND test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '{"flow": "a"}')$q$) = 'flow is "a", expected a number'
+    AND test.said($q$SELECT count(*) FROM streetgen.simulate('town', demand => '{"flow": 1, "entries": []}')$q$) = 'demand has flow and entries';
 DELETE FROM town.car;
 INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, onto_axis, onto_position, onto_along, beyond) VALUES (1, 1, 195, 4, true, 2, 4, true, 1);
 INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (2, 1, 190, 4, true);
