@@ -62,7 +62,7 @@ struct MovementConflict {
 // the last rules first.  `left_hand`: traffic keeps left, and turns across oncoming to the right.
 //
 // Refused (invalid_input): a length or width that is not positive and finite, up to 10 km; a course
-// without a piece, or with a number that is not finite.
+// without a piece, or with a number that is not finite; movements of one junction that stand apart.
 std::vector<MovementConflict> link_conflicts(const std::vector<ConflictMovement>& movements,
                                              bool left_hand = false);
 

@@ -130,6 +130,7 @@ class LaneChoice {
       return -no_end;
     const int opposite = run_.link(link).opposite;
     if (opposite >= 0 || run_.link(driver_.at.link).opposite >= 0) return -no_end;
+    if (!run_.claims[link].empty()) return -no_end;  // who passes it could not wait there
     Driver there = driver_;
     there.at = target.at;
     there.metres = target.metres;

@@ -32,7 +32,8 @@ bool enter(CarRun& run, const TrafficEntry& entry) {
   car.route = entry.route;
   car.place = {entry.link, std::min<double>(link.length, car.length)};
   if (run.reserved[entry.link] > 0 || !nobody_comes(run, entry.link, free_before)) return false;
-  if (link.opposite >= 0 && others_on(run, link.opposite, -1)) return false;
+  if (link.opposite >= 0 ? others_on(run, link.opposite, -1) : !run.claims[entry.link].empty())
+    return false;
   Driver driver;
   driver.car_id = car.car_id;
   driver.at = {entry.link, 1, entry.route < 0 ? -1 : 0};

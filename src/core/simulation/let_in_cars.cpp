@@ -28,8 +28,12 @@ class LinkChain {
       if (movement < 0 || !may_enter(movement)) return false;
       add(movement);
       crossed_ = crossed_ || run_.crossed[movement];
+      passed_.clear();
       const Rest rest = find_rest();
-      if (rest == Rest::farther) continue;
+      if (rest == Rest::farther) {
+        parts.insert(parts.end(), passed_.begin(), passed_.end());
+        continue;
+      }
       no_room = rest == Rest::none;
       return !no_room;
     }
@@ -92,12 +96,22 @@ class LinkChain {
            arrival.seconds + c.other_from / run_.link(c.link).speed;
   }
 
-  // Whether a car stands on a link, or comes to it, that was let in no farther: who passes the link
+  // Whether a car that may have to wait on a link is there, or comes to it: who passes the link
   // would claim what is behind it, and wait for that car.
   bool rests_on(int link) const {
-    const int last = run_.cars.rearmost(link);
-    return run_.reserved[link] > 0 ||
-           (last >= 0 && run_.drivers[last].let_in <= run_.drivers[last].at.passed);
+    if (run_.reserved[link] > 0) return true;
+    for (int car = run_.cars.rearmost(link); car >= 0; car = run_.cars.ahead(car))
+      if (may_wait(run_.drivers[car])) return true;
+    return false;
+  }
+
+  // Metres of a link that the one takes yet who went last from it.
+  double tail_on(int link) const {
+    const LastLeft& last = run_.last_left[link];
+    if (last.car < 0 || last.car == request_.car) return 0;
+    const Driver& other = run_.drivers[last.car];
+    if (!other.here || other.car_id != last.car_id) return 0;
+    return std::clamp(run_.room_of(other) - (other.way - last.way), 0., run_.link(link).length);
   }
 
   // Goes on behind a movement to where the car can stand clear of others.
@@ -129,17 +143,22 @@ class LinkChain {
           return Rest::none;
       }
       at_ = next;
+      if (opposite < 0) passed_.push_back({to, to_start_});
       add(to);
       two_way = opposite >= 0;
-      somebody_rests = somebody_rests || rests_on(to);
+      const bool rested_on = rests_on(to);
+      somebody_rests = somebody_rests || rested_on;
       if (two_way) {
         room = taken = 0;
         target = -1;
         crossed_ = true;
       } else {
-        if (target < 0) target = to;
+        target = to;
         room += run_.link(to).length;
-        taken += run_.occupied[to] + run_.reserved[to];
+        taken += run_.occupied[to] + run_.reserved[to] + tail_on(to);
+        // Who stands there may want to go elsewhere, and no room behind is of use.
+        if (rested_on && room - taken < need && run_.network->next.of(to).size() > 1)
+          return Rest::none;
       }
     }
     return Rest::none;
@@ -151,10 +170,16 @@ class LinkChain {
   WayPlace at_;
   double to_start_ = 0;
   bool patient_;
-  bool crossed_ = false;  // others need the ground of a movement of the chain
+  bool crossed_ = false;      // others need the ground of a movement of the chain
+  std::vector<Part> passed_;  // links behind a movement
 };
 
 }  // namespace
+
+bool may_wait(const Driver& driver) {
+  return driver.let_in <= driver.at.passed || driver.at.passed == driver.let_in_from ||
+         driver.at.passed == driver.last_let_in_from;
+}
 
 bool others_on(const CarRun& run, int link, int car) {
   for (const GroundClaim& c : run.claims[link])
@@ -196,8 +221,9 @@ void let_in_cars(CarRun& run) {
       }
     } else {
       if (driver.asked < 0 && driver.speed < 1) driver.asked = run.time;
-      // Who waits for long turns elsewhere, so that no circle of full lanes stays.
-      if (driver.asked >= 0 &&
+      // Who waits for long turns elsewhere, so that no circle of full lanes stays.  Where it was
+      // let in it goes.
+      if (driver.asked >= 0 && driver.let_in <= driver.at.passed &&
           run.time - driver.asked > 6 * run.rules.patience * (1 + driver.turned))
         ++driver.turned;
     }
@@ -232,7 +258,7 @@ void drop_where(CarRun& run, int car, const Which& which) {
 
 void take_back(CarRun& run, int car) {
   Driver& driver = run.drivers[car];
-  if (driver.at.passed != driver.let_in_from && driver.at.passed != driver.last_let_in_from) return;
+  if (!may_wait(driver)) return;
   driver.let_in = driver.at.passed;
   drop_where(run, car, [&](const GroundClaim& c, int) { return c.start > driver.way; });
   give_up_room(run, driver);

@@ -7,6 +7,8 @@ namespace streetgen {
 
 // Lets in those who asked, one after the other: who waits longest, then who is nearest.
 void let_in_cars(CarRun& run);
+// Whether a driver may have to wait at the end of its link: it was let in no farther, or there.
+bool may_wait(const Driver& driver);
 // A driver who was let in waits again, unless it has begun to enter.
 void take_back(CarRun& run, int car);
 void give_up_all(CarRun& run, int car);

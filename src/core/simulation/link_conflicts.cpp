@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <unordered_set>
 
 #include "simulation/link_course.hpp"
 #include "simulation/swept_ground.hpp"
@@ -21,6 +22,7 @@ void check(const std::vector<ConflictMovement>& movements) {
   const auto refuse = [](std::size_t i, const std::string& why) {
     throw Error(ErrorKind::invalid_input, "movement " + std::to_string(i + 1) + " " + why);
   };
+  std::unordered_set<std::int64_t> junctions;
   for (std::size_t i = 0; i < movements.size(); ++i) {
     const ConflictMovement& m = movements[i];
     if (!(m.length > 0 && m.length <= longest_movement))
@@ -31,6 +33,9 @@ void check(const std::vector<ConflictMovement>& movements) {
     for (const LinkPiece& piece : m.course)
       for (const double number : {piece.metres, piece.x, piece.y, piece.heading, piece.curvature})
         if (!std::isfinite(number)) refuse(i, "has a course with " + text_of(number));
+    const bool begins = i == 0 || movements[i - 1].junction != m.junction;
+    if (begins && !junctions.insert(m.junction).second)
+      refuse(i, "stands apart from the others of junction " + std::to_string(m.junction));
   }
 }
 

@@ -140,6 +140,43 @@ TEST(CarFollowing, NobodyEntersWithoutRoomBehind) {
   }
 }
 
+// Who was let in waits 100 s for a car that stands in its way, and for a signal behind it that
+// stays red.  Then it goes where it was let in, and not by the other turn, where a car stands for
+// ever.
+TEST(CarFollowing, TurnsElsewhereOnlyWhereItWasNotLetIn) {
+  for (int seed = 1; seed <= 8; ++seed) {
+    NetworkMaker made;
+    const int in = made.lane(60, 14), close = made.lane(7.5, 14), away = made.lane(100, 14);
+    const int first = made.movement(in, close, 0.1), other = made.movement(in, away, 12);
+    const int last = made.lane(40, 14);
+    made.plans = {{1, 1000, 0}};
+    made.signal(made.movement(close, last, 10), 0, {{0, Aspect::red}});
+    int full[2], cross[2];
+    for (int i = 0; i < 2; ++i) {
+      full[i] = made.lane(6, 14);
+      cross[i] = made.movement(made.lane(60, 14), full[i], 10);
+      const int leaves = made.movement(full[i], last, 10);
+      made.signal(leaves, 0, {{0, Aspect::red}});
+      if (i == 0) made.signal(leaves, 0, {{0, Aspect::red}, {100, Aspect::protected_green}});
+    }
+    made.conflict(cross[0], 0, 9.5, first, 0, 0.1);
+    made.conflict(cross[1], 0, 9.5, other, 3, 12);
+    const TrafficNetwork network = made.network();
+    CarFollowing cars(network, {}, seed);
+    cars.set_turns({{in, first, 1}, {in, other, 1}});
+    for (int i = 0; i < 2; ++i) {
+      cars.add(car_at(full[i], 5.9, 0, 1 + i));
+      cars.add(car_at(cross[i], 9, 0, 3 + i));
+    }
+    cars.add(car_at(in, 30, 0, 5));
+    while (cars.time() < 300) {
+      cars.step(0.1);
+      expect_nobody_meets(cars.traffic(), cars.time());
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
 TEST(CarFollowing, EntersAtGreenAndAmberAlone) {
   NetworkMaker made;
   const int in = made.lane(400, 14), out = made.lane(300, 14);

@@ -356,6 +356,9 @@ TEST(LinkConflicts, RefuseMovementsThatCannotBe) {
   EXPECT_TRUE(refused([](ConflictMovement& m) { m.width = NAN; }));
   EXPECT_TRUE(refused([](ConflictMovement& m) { m.course.clear(); }));
   EXPECT_TRUE(refused([](ConflictMovement& m) { m.course[0].heading = INFINITY; }));
+  ConflictMovement elsewhere = straight(2, 90);
+  elsewhere.junction = 1;
+  EXPECT_THROW(link_conflicts({straight(1, 0), elsewhere, straight(3, 180)}), Error);
 }
 
 }  // namespace link_conflict_test

@@ -15,6 +15,14 @@
 namespace streetgen {
 namespace simulation_test {
 
+// How many of its streets are short, and how long these are; the cycle of its signals; cars a
+// second by each street from outside.
+struct TownStyle {
+  double short_share = 0.3, shortest = 0.5, longest_short = 9;
+  float cycle = 50;
+  double least_flow = 0.03, most_flow = 0.15;
+};
+
 // A town of streets that cross, with signals, lanes for both directions, lanes beside each other
 // and links shorter than a car.
 struct Town {
@@ -25,8 +33,8 @@ struct Town {
 
 class TownMaker {
  public:
-  TownMaker(std::uint64_t seed, int width, int height)
-      : random_(seed), width_(width), height_(height) {}
+  TownMaker(std::uint64_t seed, int width, int height, const TownStyle& style = {})
+      : random_(seed), width_(width), height_(height), style_(style) {}
 
   Town made() {
     arriving_.resize(nodes());
@@ -52,14 +60,16 @@ class TownMaker {
 
   // To a node, or out of the town.
   void street(int from, int to) {
-    const double length = to < 0 ? any(60, 150) : chance(0.3) ? any(0.5, 9) : any(20, 160);
+    const double length = to < 0                       ? any(60, 150)
+                          : chance(style_.short_share) ? any(style_.shortest, style_.longest_short)
+                                                       : any(20, 160);
     const float speed = static_cast<float>(any(8, 16));
     const auto lane = [&](int a, int b) {
       const int made = maker_.lane(length, speed);
       maker_.link(made).stop = static_cast<float>(length * (chance(0.5) ? 1 : 0.9));
       if (a >= 0) leaving_[a].push_back(made);
       if (b >= 0) arriving_[b].push_back(made);
-      if (a < 0) town_.entries.push_back({made, any(0.03, 0.15), -1});
+      if (a < 0) town_.entries.push_back({made, any(style_.least_flow, style_.most_flow), -1});
       return made;
     };
     const int there = lane(from, to), back = lane(to, from);
@@ -89,8 +99,8 @@ class TownMaker {
     const bool signals = chance(0.4);
     for (Way& way : ways)
       if (signals) {
-        const bool first = way.from % 2 == 0;
-        maker_.green(way.link, 50, first ? 0.F : 25.F, first ? 20.F : 45.F, first ? 23.F : 48.F);
+        const float half = style_.cycle / 2, from = way.from % 2 == 0 ? 0 : half;
+        maker_.green(way.link, style_.cycle, from, from + half - 5, from + half - 2);
       }
     for (std::size_t i = 0; i < ways.size(); ++i)
       for (std::size_t k = i + 1; k < ways.size(); ++k) {
@@ -116,6 +126,7 @@ class TownMaker {
 
   std::mt19937_64 random_;
   int width_, height_;
+  TownStyle style_;
   NetworkMaker maker_;
   Town town_;
   std::vector<std::vector<int>> arriving_, leaving_;
@@ -174,6 +185,25 @@ inline void expect_nobody_meets(const Traffic& traffic, double time) {
       for (const Standing& b : standing[opposite])
         ASSERT_EQ(a.car, b.car) << "lane " << link << " for both directions at " << time;
   }
+}
+
+// Cars that stand on ground which others need, though their front has come to the lane behind it:
+// those ahead of them take all its room.
+inline void expect_room_behind_junctions(const Traffic& traffic, double time) {
+  constexpr double room = 7.5, still = 0.05, creeping = 0.5;
+  const TrafficNetwork& network = traffic.network();
+  const auto standing = standing_on(traffic);
+  for (int link = 0; link < network.size(); ++link)
+    for (const LinkConflict& c : network.conflicts.of(link))
+      for (const Standing& s : standing[link]) {
+        const Car car = traffic.car(s.car);
+        if (car.place.link == link || s.front >= c.to - creeping || car.speed > still) continue;
+        int cars = 1;
+        for (int ahead = traffic.ahead(s.car); ahead >= 0; ahead = traffic.ahead(ahead)) ++cars;
+        ASSERT_FALSE(cars > 1 && cars * room > network.links[car.place.link].stop + creeping)
+            << "car " << car.car_id << " stands on movement " << link << " at " << time << ": link "
+            << car.place.link << " has " << cars << " cars";
+      }
 }
 
 }  // namespace simulation_test
