@@ -55,7 +55,8 @@ struct LaneChangeRules {
   double politeness = 0.3;   // what others lose counts by it
   double safe_braking = 4;   // nobody must brake harder behind who changes
   double threshold = 0.1;    // what a change must gain, metres a second squared
-  double keep_right = 0.1;   // the gain of the lane to the right; left-hand traffic: negative
+  double keep_to_side = 0.1;  // the gain of the lane to the side that traffic keeps to
+  double rest = 10;          // seconds from a change to the next one that need not be
   double change_back = 300;  // who leaves the lane of a route does so farther from its end
   double interval = 1;       // seconds between two looks beside
 };

@@ -154,6 +154,7 @@ class LaneChoice {
       others += after - follower.acceleration;
     }
     if (target.must) return own;
+    if (run_.time - driver_.changed < rules.rest) return -no_end;
     const int left_behind = run_.cars.behind(car_);
     if (left_behind >= 0) {
       const Driver& follower = run_.drivers[left_behind];
@@ -161,8 +162,9 @@ class LaneChoice {
       others += after - follower.acceleration;
     }
     const double here = acceleration_alone(run_, driver_, car_, run_.cars.ahead(car_));
+    const bool to_side = target.right != run_.network->left_hand;
     return own - here + rules.politeness * others +
-           (target.right ? rules.keep_right : -rules.keep_right);
+           (to_side ? rules.keep_to_side : -rules.keep_to_side);
   }
 
   void change(const Target& target) {
@@ -172,6 +174,7 @@ class LaneChoice {
     driver.at = target.at;
     driver.metres = target.metres;
     driver.asked = -1;
+    driver.changed = run_.time;
     run_.occupied[driver.at.link] += run_.room_of(driver);
     ++run_.passed[driver.at.link];
     run_.cars.move(car_, {driver.at.link, driver.metres});

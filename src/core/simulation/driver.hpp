@@ -34,6 +34,7 @@ struct Driver {
   double metres = 0, speed = 0, length = 0, acceleration = 0;
   double way = 0;     // metres driven
   double asked = -1;  // since when it waits to be let in; -1: it does not
+  double changed = -no_end;  // when it changed lanes
   std::int32_t route = -1;
   std::uint32_t let_in = 0;  // it may go on up to the link with so many before it
   // The lanes where it waited to be let in: at first, and at last.  There it may be stopped yet.

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include "made_town.hpp"
 #include "streetgen/error.hpp"
@@ -268,6 +271,59 @@ TEST(CarFollowing, TakesTheFreerLane) {
   }
   EXPECT_GT(cars.passed(beside), 0.2 * cars.passed(ahead));
   EXPECT_GT(cars.passed(ahead), 0.2 * cars.passed(beside));
+}
+
+TEST(CarFollowing, KeepsToTheSideOfItsTraffic) {
+  for (const bool left_hand : {false, true}) {
+    NetworkMaker made;
+    const int right = made.lane(800, 14), left = made.lane(800, 14), out = made.lane(100, 14),
+              out_left = made.lane(100, 14);
+    const int ahead = made.movement(right, out, 10, 14),
+              beside = made.movement(left, out_left, 10, 14);
+    made.lanes_beside(right, left, 0, 800);
+    TrafficNetwork network = made.network();
+    network.left_hand = left_hand;
+    CarFollowing cars(network, {});
+    cars.set_entries({{right, 0.15, -1}, {left, 0.15, -1}});
+    while (cars.time() < 900) cars.step(0.1);
+    const auto on_side = cars.passed(left_hand ? beside : ahead);
+    const auto on_other = cars.passed(left_hand ? ahead : beside);
+    EXPECT_GT(on_side, on_other) << left_hand;
+  }
+}
+
+TEST(CarFollowing, ChangesNoLaneTwiceAtOnce) {
+  NetworkMaker made;
+  const int right = made.lane(800, 14), left = made.lane(800, 14), out = made.lane(100, 14),
+            out_left = made.lane(100, 14);
+  const int ahead = made.movement(right, out, 10, 14),
+            beside = made.movement(left, out_left, 10, 14);
+  made.lanes_beside(right, left, 0, 800);
+  made.green(ahead, 60, 0, 20, 23);
+  made.green(beside, 60, 30, 50, 53);
+  const TrafficNetwork network = made.network();
+  CarFollowing cars(network, {});
+  cars.set_entries({{right, 0.4, -1}});
+  std::map<int, std::pair<int, double>> since;  // the lane of each car, and when it came there
+  int changes = 0;
+  while (cars.time() < 600) {
+    cars.step(0.1);
+    for (const int lane : {right, left})
+      for (int c = cars.traffic().foremost(lane); c >= 0; c = cars.traffic().behind(c)) {
+        const auto [known, fresh] = since.emplace(c, std::pair(lane, -100.));
+        if (fresh || known->second.first == lane) continue;
+        EXPECT_GE(cars.time() - known->second.second, LaneChangeRules().rest - 0.2);
+        known->second = {lane, cars.time()};
+        ++changes;
+      }
+    for (auto it = since.begin(); it != since.end();) {
+      const bool gone = !cars.traffic().holds(it->first) ||
+                        (cars.traffic().car(it->first).place.link != right &&
+                         cars.traffic().car(it->first).place.link != left);
+      it = gone ? since.erase(it) : std::next(it);
+    }
+  }
+  EXPECT_GT(changes, 20);
 }
 
 TEST(CarFollowing, ChangesLanesForItsRoute) {
