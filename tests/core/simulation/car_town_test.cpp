@@ -46,7 +46,7 @@ TEST(CarTown, NobodyStandsInTheWayForWantOfRoom) {
   style.cycle = 90;
   style.least_flow = 0.1;
   style.most_flow = 0.4;
-  for (int seed = 1; seed <= 12; ++seed) {
+  for (int seed = 11; seed > 11 - rounds(11); --seed) {
     const Town town = TownMaker(seed, 3 + seed % 3, 3 + seed % 2, style).made();
     CarFollowing cars(town.network, {}, seed);
     cars.set_entries(town.entries);
