@@ -15,7 +15,7 @@ write_sumo() {
   [ "$(run_sql -At -c "SELECT value FROM streetgen.setting($(quoted "$model")) WHERE name = 'driving_side'")" != left ] || side=(--lefthand)
   # Nothing is to be made up: no turning back, no other origin, no bends made rounder.
   SUMO_HOME=${SUMO_HOME:-/usr/share/sumo} netconvert --node-files "$name.nod.xml" --edge-files "$name.edg.xml" --connection-files "$name.con.xml" \
-    --type-files "$name.typ.xml" --tllogic-files "$name.tll.xml" --output-file "$name.made.xml" --no-turnarounds --walkingareas --offset.disable-normalization --geometry.min-radius 0 \
+    --type-files "$name.typ.xml" --tllogic-files "$name.tll.xml" --output-file "$name.made.xml" --no-turnarounds --walkingareas --offset.disable-normalization --geometry.min-radius 0 --tls.ignore-internal-junction-jam \
     ${side[@]+"${side[@]}"} >"$log" 2>&1 ||
     fail "netconvert made no network of $(basename "$1"): $(grep -m 1 '^Error' "$log" || tail -n 1 "$log"); $log says more"
   python3 -B "$root/data/sumo/finish.py" "$name" "$name.made.xml" >"$1" 2>"$log" ||
