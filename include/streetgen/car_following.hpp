@@ -5,9 +5,10 @@
 // what is ahead.  The law is the Intelligent Driver Model (Treiber, Hennecke and Helbing 2000), or
 // one of yours.  Lane changes are by MOBIL (Kesting, Treiber and Helbing 2007).
 //
-// A car is let into a movement that others cross while it waits before it: by its signal, by the
-// right of way, where the stretches that both need are free in time, and where it has room to stand
-// behind all of them.  Who was let in first goes first; others wait before the shared stretch.  So
+// A car waits before a movement that others cross until it is let in.  It is by its signal and by
+// the right of way, where the stretches that both need are free in time, and where it has room to
+// stand behind all of them.  A red behind a lane that is too short to wait on is passed by who has
+// waited for a cycle.  Who was let in first goes first; others wait before the shared stretch.  So
 // nobody meets another there.  A lane for both directions is let to those of one direction.  Who
 // waited long turns elsewhere, if it has no route.  People who cross stop nobody.
 //
@@ -52,13 +53,13 @@ double idm_acceleration(const DriverModel& driver, const Following& following);
 double idm_equilibrium_gap(const DriverModel& driver, double speed, double desired_speed);
 
 struct LaneChangeRules {
-  double politeness = 0.3;   // what others lose counts by it
-  double safe_braking = 4;   // nobody must brake harder behind who changes
-  double threshold = 0.1;    // what a change must gain, metres a second squared
+  double politeness = 0.3;    // what others lose counts by it
+  double safe_braking = 4;    // nobody must brake harder behind who changes
+  double threshold = 0.1;     // what a change must gain, metres a second squared
   double keep_to_side = 0.1;  // the gain of the lane to the side that traffic keeps to
-  double rest = 10;          // seconds from a change to the next one that need not be
-  double change_back = 300;  // who leaves the lane of a route does so farther from its end
-  double interval = 1;       // seconds between two looks beside
+  double rest = 10;           // seconds from a change to the next one that need not be
+  double change_back = 300;   // who leaves the lane of a route does so farther from its end
+  double interval = 1;        // seconds between two looks beside
 };
 
 struct DrivingRules {

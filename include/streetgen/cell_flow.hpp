@@ -3,8 +3,8 @@
 //
 // `lwr` (Lighthill, Whitham, Richards) has a triangular diagram: cars drive at the speed of their
 // link until a jam comes back at `wave_speed`.  `arz` (Aw, Rascle, Zhang) also carries how eager
-// drivers are: at density r, of the jam density, they drive at link speed * (eagerness - sqrt(r)),
-// which is the speed of Sewall's exponent 1/2; 1 is in equilibrium.
+// drivers are.  At density r, of the jam density, they drive at link speed * (eagerness - sqrt(r)),
+// which is the speed of Sewall's exponent 1/2.  An eagerness of 1 is in equilibrium.
 //
 // The flow across a border of cells is Godunov's, the smaller one of what the cell before sends
 // and the cell behind takes (Daganzo).  Densities of `lwr` at a border are its limited downwind

@@ -20,8 +20,8 @@ struct LaneMeasures {
 LaneMeasures lane_measures(const Line& axis, const Line& lane, double widest, double first,
                            double last);
 
-// What belongs to a place between others, by equal shares: before the first one and behind the last
-// one what belongs to these.
+// The measure of a place between others, by equal shares.  A place before the first one has the
+// measure of the first, and one behind the last that of the last.
 double measure_at(const std::vector<double>& places, const std::vector<double>& measures,
                   double place);
 

@@ -40,8 +40,8 @@ struct MovementConflict {
   int first = 0, second = 0;  // indices, ascending
   ConflictKind kind = ConflictKind::crossing;
   Precedence precedence = Precedence::by_arrival;  // of the first
-  // Where a car stands on ground that the other one needs, metres along each: from where its front
-  // comes there, 0 or more, to where its rear has left, up to a car's length beyond the end.  Who
+  // The stretch of each on which a car stands on ground that the other one needs, metres along it.
+  // Its front comes there at 0 or more, and its rear leaves up to a car's length beyond the end.  Who
   // merge, and who enters the lane of an opposing one, need it up to the end; from there on each is
   // the leader of who follows.
   double first_from = 0, first_to = 0;

@@ -52,7 +52,7 @@ struct SimulationState {
   std::vector<SimulatedCell> cells;  // of lwr and arz
 };
 
-// What came of it.  Flows count parts of cars.
+// The cars that entered and left.  Flows count parts of cars.
 struct SimulationResult {
   double entered = 0, left = 0;
   double waiting = 0;          // found no room to enter until the end
@@ -65,8 +65,9 @@ using SimulationListener = std::function<void(const SimulationState&)>;
 
 // The same seed gives the same bytes on each machine.  Tells its progress, and asks for a cancel in
 // each step.  Refused (invalid_input): a duration that is not positive or beyond
-// `longest_duration`, an output below 0, more cars than a link has room for, and what CarFollowing
-// and CellFlow refuse: a step of a flow that is too long names the greatest one.
+// `longest_duration`, a step too short for it, an output below 0, more cars than a link has room
+// for, and cars on each other.  So is what CarFollowing and CellFlow refuse: a step of a flow that
+// is too long names the greatest one.
 constexpr double longest_duration = 1e7;
 SimulationResult simulate(const TrafficNetwork& network, const SimulationDemand& demand,
                           const SimulationOptions& options, const SimulationListener& listener);

@@ -46,7 +46,7 @@ struct RowsOf {
   void end_owner() { starts.push_back(static_cast<std::int32_t>(rows.size())); }
 };
 
-// Who may drive on a link, as bits.
+// Kinds of traffic, as bits.
 namespace traffic {
 constexpr std::uint8_t car = 1, bus = 2, carpool = 4, cycle = 8, all = 15;
 }
@@ -93,19 +93,19 @@ struct LinkBeside {
   float other_from = 0, other_to = 0;
 };
 
-// What holds between two movements that both need some ground.
+// The right of one movement against another one that needs some of its ground.
 enum class Precedence : std::uint8_t {
   goes_first,  // the other one gives way
   gives_way,
-  by_arrival,  // who comes first goes first: both may be let in by nobody's right
+  by_arrival,  // neither has the right: who comes first goes first
   by_signal,   // they never have green together
 };
 
 struct LinkConflict {
   std::int32_t link = -1;  // the other movement
   Precedence precedence = Precedence::by_arrival;
-  // Where a car of usual width stands on ground that both need, metres along this link: from where
-  // its front comes there to where its rear has left.
+  // A car of usual width stands on ground that both need between these, metres along this link.
+  // Its front comes there at the first, and its rear leaves at the second.
   float from = 0, to = 0;
   float other_from = 0, other_to = 0;
 };
@@ -180,11 +180,11 @@ struct NeighbourPlace {
 };
 NeighbourPlace beside(const TrafficNetwork& network, const LinkPlace& place, bool left);
 
-// The place of the nearest link, no farther than `reach` metres; link -1: none.  Where it lies on
-// the ground of several links, half their width to each side of their course, those count that are
-// no more than `storey` metres farther in height than the nearest one, where a height is given.  Of
-// these the nearest one counts, where a heading is given with `metres_a_radian` for what it leads
-// elsewhere; of equal ones within a micrometre that of the smallest key.  Refused (invalid_input):
+// The place of the nearest link, no farther than `reach` metres; link -1: none.  A link has ground
+// half its width to each side of its course.  Where a point lies on the ground of several links and
+// a height is given, links count up to `storey` metres farther in height than the nearest one.  A
+// heading that is given makes a link `metres_a_radian` farther for each radian that it leads
+// elsewhere.  Of links that are equally near within a micrometre that of the smallest key counts.  Refused (invalid_input):
 // numbers that are not finite, a reach below 0.
 constexpr double storey = 2, metres_a_radian = 3;
 struct LocatedPlace {

@@ -14,7 +14,7 @@ namespace streetgen {
 struct TrafficEdge {
   Line line;               // with heights where `has_heights`
   bool has_heights = false;
-  double widest = 0;       // largest distance of a border of its lanes from the line, metres
+  double widest = 0;       // no lane lies farther from the line, metres
 };
 
 // A lane in one direction, or a movement.

@@ -42,8 +42,8 @@ struct TownAxis : CityAxis {
 
 // The highway leads from west to east through the whole extent, of which x and y are the lower
 // left corner.  Its first interchange is that of Weston, the second that of Easton; the seed says
-// on which side each town lies.  An interchange is a diamond: the road of the town crosses the
-// highway by a bridge, and meets at each end of it a ramp that comes off the highway and one that
+// on which side each town lies.  An interchange is a diamond.  The road of the town crosses the
+// highway by a bridge.  It meets at each end of it a ramp that comes off the highway and one that
 // leads on.  A country road runs along either side, and roads that join the two pass over the
 // highway.  Where traffic keeps left all is mirrored from north to south.
 //

@@ -111,8 +111,7 @@ BEGIN
             + (hashint8extended(k.link_id, seed) & 1048575) / 1048576.0)) AS cars) n
         CROSS JOIN LATERAL generate_series(1, n.cars::integer) i
         CROSS JOIN LATERAL (SELECT k.length * (i - 0.5) / nullif(n.cars, 0) AS metres) p
-        CROSS JOIN LATERAL streetgen._lane_measures(ST_Force2D(e.geom)::bytea, l.geom::bytea, (
-            SELECT max(abs(w.axis_offset) + w.width) FROM lane w WHERE w.edge_id = e.edge_id),
+        CROSS JOIN LATERAL streetgen._lane_measures(ST_Force2D(e.geom)::bytea, l.geom::bytea, x.widest,
             x.start_abscissa - e.start_abscissa, x.end_abscissa - e.start_abscissa) m
     WHERE k.kind = 'lane' AND k.traffic IS NULL AND NOT l.both_ways
     ORDER BY k.link_id, i;

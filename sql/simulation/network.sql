@@ -119,7 +119,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     lanes := streetgen._lanes_near_links(model, links);
     RETURN (WITH lane_link AS MATERIALIZED (
-        SELECT k.*, l.edge_id, l.lane_position, l.axis_offset, CASE WHEN l.both_ways THEN k.link_id # 1 END AS other_way
+        SELECT k.*, l.edge_id, l.lane_position, CASE WHEN l.both_ways THEN k.link_id # 1 END AS other_way
         FROM link k JOIN lane l USING (lane_id)
         WHERE lanes IS NULL OR k.lane_id = ANY (lanes)),
     movement_link AS MATERIALIZED (
@@ -131,13 +131,14 @@ BEGIN
         SELECT k.link_id, r.turn, r.rank, r.importance, r.precedence FROM movement_link k
             JOIN streetgen._movement_rights(model) r USING (lane_in, lane_out, along_in, along_out)),
     signalled AS (SELECT DISTINCT a.link_id, a.controller_id FROM aspect a),
+    extent AS MATERIALIZED (
+        SELECT x.lane_id, x.edge_id, x.widest, x.start_abscissa - e.start_abscissa AS starts,
+            x.end_abscissa - e.start_abscissa AS ends
+        FROM lane_extent x JOIN edge e USING (edge_id) WHERE lanes IS NULL OR x.lane_id = ANY (lanes)),
     edge_of_lane AS MATERIALIZED (
         SELECT e.edge_id, e.start_abscissa, coalesce(h.geom, ST_Force2D(e.geom)) AS geom, w.widest
-        FROM (SELECT k.edge_id, max(abs(k.axis_offset) + k.width) AS widest FROM lane_link k GROUP BY k.edge_id) w
+        FROM (SELECT x.edge_id, max(x.widest) AS widest FROM extent x GROUP BY x.edge_id) w
             JOIN edge e USING (edge_id) LEFT JOIN streetgen._heights_along(model) h USING (edge_id)),
-    extent AS MATERIALIZED (
-        SELECT x.lane_id, x.start_abscissa - e.start_abscissa AS starts, x.end_abscissa - e.start_abscissa AS ends
-        FROM lane_extent x JOIN edge e USING (edge_id) WHERE lanes IS NULL OR x.lane_id = ANY (lanes)),
     waiting AS (
         SELECT k.link_id, max(k.length * (1 - ST_LineLocatePoint(k.geom, ST_Centroid(m.geom)))) AS stop
         FROM lane_link k JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis)

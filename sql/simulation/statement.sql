@@ -45,8 +45,7 @@ SELECT c.car_id, k.link_id, p.metres, ST_LineInterpolatePoint(k.geom, least(1, p
 FROM car c CROSS JOIN LATERAL (
     -- Where a lane begins or ends within its edge, two may have one number.
     SELECT l.lane_id, l.geom, e.geom AS axis, x.start_abscissa - e.start_abscissa AS first,
-        x.end_abscissa - e.start_abscissa AS last, c.abscissa - e.start_abscissa AS at, (
-            SELECT max(abs(w.axis_offset) + w.width) FROM lane w WHERE w.edge_id = e.edge_id) AS widest
+        x.end_abscissa - e.start_abscissa AS last, c.abscissa - e.start_abscissa AS at, x.widest
     FROM edge e JOIN lane l USING (edge_id) JOIN lane_extent x USING (lane_id)
     WHERE e.axis_id = c.axis_id AND c.abscissa BETWEEN e.start_abscissa - 1e-6 AND e.end_abscissa + 1e-6
         AND l.lane_position = c.lane_position AND (l.both_ways OR l.along_axis = c.along_axis)

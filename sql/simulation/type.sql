@@ -4,7 +4,7 @@ CREATE TYPE streetgen.traffic_edge AS (edge_id bigint, geom bytea, widest float8
 COMMENT ON TYPE streetgen.traffic_edge IS 'An edge whose lanes are links.';
 COMMENT ON COLUMN streetgen.traffic_edge.edge_id IS 'the edge';
 COMMENT ON COLUMN streetgen.traffic_edge.geom IS 'its line (EWKB), with heights where they are known';
-COMMENT ON COLUMN streetgen.traffic_edge.widest IS 'largest distance of a border of its lanes from the line, m';
+COMMENT ON COLUMN streetgen.traffic_edge.widest IS 'no lane lies farther from the line, m';
 
 CREATE TYPE streetgen.traffic_lane AS (link_id bigint, edge_id bigint, along boolean, starts float8, ends float8,
     stop float8, width float8, speed float8, traffic text, from_node bigint, to_node bigint, junction_id bigint,

@@ -6,7 +6,8 @@ BEGIN
     PERFORM streetgen._use_model(model);
     CREATE OR REPLACE VIEW lane_extent WITH (security_invoker = true) AS
     SELECT l.lane_id, e.axis_id, e.edge_id, coalesce(l.start_abscissa, e.start_abscissa + f.at) AS start_abscissa,
-        coalesce(l.end_abscissa, e.start_abscissa + t.at) AS end_abscissa
+        coalesce(l.end_abscissa, e.start_abscissa + t.at) AS end_abscissa, (
+            SELECT max(abs(w.axis_offset)) + max(w.width) FROM lane w WHERE w.edge_id = e.edge_id) AS widest
     FROM lane l JOIN edge e USING (edge_id)
         JOIN section_limit a ON (a.edge_id, a.which) = (e.edge_id, 'start')
         JOIN section_limit b ON (b.edge_id, b.which) = (e.edge_id, 'end')
@@ -24,6 +25,8 @@ BEGIN
     COMMENT ON COLUMN lane_extent.edge_id IS 'its edge';
     COMMENT ON COLUMN lane_extent.start_abscissa IS 'where it begins, metres along the axis';
     COMMENT ON COLUMN lane_extent.end_abscissa IS 'where it ends, metres along the axis';
+    COMMENT ON COLUMN lane_extent.widest IS
+        'no lane of the edge lies farther from the axis, metres: one number for all of them';
     COMMENT ON VIEW lane_adjacency IS
         'Which lanes lie beside each other, a row for each direction: on its side of lane_a, seen along the axis, '
         'lies lane_b. change is opposite where traffic comes against one; else what was decided by hand, else what '
@@ -97,8 +100,7 @@ BEGIN
         RAISE EXCEPTION 'side is "%", expected left or right', side USING ERRCODE = '22023',
             HINT = 'Sides are seen along the axis.';
     END IF;
-    SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line,
-        (SELECT max(abs(w.axis_offset)) + max(w.width) FROM lane w WHERE w.edge_id = l.edge_id) AS widest,
+    SELECT ST_Force2D(e.geom) AS axis, l.geom AS line, o.lane_id AS other, o.geom AS other_line, x.widest,
         x.start_abscissa - e.start_abscissa AS first, x.end_abscissa - e.start_abscissa AS last,
         y.start_abscissa - e.start_abscissa AS other_first, y.end_abscissa - e.start_abscissa AS other_last
     FROM lane l JOIN edge e USING (edge_id) JOIN lane_extent x ON x.lane_id = l.lane_id LEFT JOIN LATERAL (

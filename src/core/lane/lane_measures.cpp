@@ -46,13 +46,13 @@ LaneMeasures lane_measures(const Line& axis, const Line& lane, double widest, do
     if (at > first + at_limit && at < last - at_limit)
       places.push_back({at, nearest_abscissa(position_at(axis, at).point, lane)});
   std::sort(places.begin(), places.end());
-  // Beside a bend a stub of a lane may lie off such a place: then it is one stretch.
-  bool stub = false;
+  // A short lane beside a bend may lie off such a place, and is one stretch then.
+  bool off_bend = false;
   for (std::size_t i = 1; i < places.size(); ++i) {
     places[i].second = std::max(places[i].second, places[i - 1].second);
-    stub = stub || places[i].second - places[i - 1].second < no_length;
+    off_bend = off_bend || places[i].second - places[i - 1].second < no_length;
   }
-  if (stub) places = {places.front(), places.back()};
+  if (off_bend) places = {places.front(), places.back()};
   LaneMeasures measures;
   for (const auto& [on_axis, on_lane] : places) {
     measures.on_axis.push_back(on_axis);

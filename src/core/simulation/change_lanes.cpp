@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulation/driver_sight.hpp"
+#include "simulation/links_before.hpp"
 
 namespace streetgen {
 
@@ -18,30 +19,26 @@ struct Follower {
 };
 
 // The nearest car that comes to a link from those before it.
-void find_follower(const CarRun& run, int link, double way_back, Follower& found) {
-  for (const int before : run.network->before.of(link)) {
-    const int car = run.cars.foremost(before);
-    if (car < 0) {
-      const double farther = way_back + run.link(before).length;
-      if (farther < follower_reach) find_follower(run, before, farther, found);
-      continue;
-    }
-    const Driver& driver = run.drivers[car];
-    WayPlace at = driver.at;
-    if (go_on(run, driver, at) != link) continue;
-    const double gap = way_back + run.link(before).length - driver.metres;
-    if (gap < found.gap) found = {car, gap};
-  }
+Follower follower_before(const CarRun& run, int link, double way_back) {
+  Follower found;
+  see_links_before(*run.network, link, way_back, follower_reach,
+                   [&](int before, int next, double way) {
+                     const int car = run.cars.foremost(before);
+                     if (car < 0) return true;
+                     const Driver& driver = run.drivers[car];
+                     WayPlace at = driver.at;
+                     if (go_on(run, driver, at) != next) return false;
+                     const double gap = way + run.link(before).length - driver.metres;
+                     if (gap < found.gap) found = {car, gap};
+                     return false;
+                   });
+  return found;
 }
 
 Follower follower_of(const CarRun& run, int link, double metres, double length) {
-  Follower found;
-  found.car = run.cars.last_before(link, metres);
-  if (found.car >= 0)
-    found.gap = metres - length - run.drivers[found.car].metres;
-  else
-    find_follower(run, link, metres - length, found);
-  return found;
+  const int car = run.cars.last_before(link, metres);
+  if (car < 0) return follower_before(run, link, metres - length);
+  return {car, metres - length - run.drivers[car].metres};
 }
 
 double acceleration_behind(const CarRun& run, const Driver& follower, double gap,

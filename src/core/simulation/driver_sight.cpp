@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/signal_aspect.hpp"
+
 namespace streetgen {
 
 namespace {
@@ -14,10 +16,8 @@ constexpr double out_of_the_way = 3;
 constexpr double standing_on = 1e-6;
 
 bool stops_at(const CarRun& run, const Driver& driver, int movement, double to_stop) {
-  const Aspect aspect = aspect_at(*run.network, movement, run.time);
-  if (aspect == Aspect::red) return true;
-  return aspect == Aspect::amber &&
-         driver.speed * driver.speed <= 2 * run.rules.amber_deceleration * to_stop;
+  return stops_for(aspect_at(*run.network, movement, run.time), driver.speed, to_stop,
+                   run.rules.amber_deceleration);
 }
 
 bool sees_last_left(const CarRun& run, int link, int itself, double to_end, Sight& sight) {

@@ -4,6 +4,7 @@
 
 #include "simulation/driver_sight.hpp"
 #include "simulation/let_in_cars.hpp"
+#include "simulation/links_before.hpp"
 
 namespace streetgen {
 
@@ -12,14 +13,13 @@ namespace {
 constexpr double free_before = 30;  // metres before an entry amid the network without a car
 
 // Whether nobody comes by the links before an entry.
-bool nobody_comes(const CarRun& run, int link, double reach) {
-  for (const int before : run.network->before.of(link)) {
-    if (run.cars.foremost(before) >= 0) return false;
-    if (run.link(before).length < reach &&
-        !nobody_comes(run, before, reach - run.link(before).length))
-      return false;
-  }
-  return true;
+bool nobody_comes(const CarRun& run, int link) {
+  bool nobody = true;
+  see_links_before(*run.network, link, 0, free_before, [&](int before, int, double) {
+    nobody = nobody && run.cars.foremost(before) < 0;
+    return nobody;
+  });
+  return nobody;
 }
 
 // A car enters as fast as it may, and does not have to brake more than comfortably.
@@ -31,7 +31,7 @@ bool enter(CarRun& run, const TrafficEntry& entry) {
   car.width = run.rules.car_width;
   car.route = entry.route;
   car.place = {entry.link, std::min<double>(link.length, car.length)};
-  if (run.reserved[entry.link] > 0 || !nobody_comes(run, entry.link, free_before)) return false;
+  if (run.reserved[entry.link] > 0 || !nobody_comes(run, entry.link)) return false;
   if (link.opposite >= 0 ? others_on(run, link.opposite, -1) : !run.claims[entry.link].empty())
     return false;
   Driver driver;

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "simulation/path_ahead.hpp"
+#include "simulation/signal_aspect.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/traffic.hpp"
@@ -89,14 +90,8 @@ Leader Traffic::nearest_towards(int car, int link, double start, bool own_link) 
 bool Traffic::stopped_by_signal(double speed, int link, double gap,
                                 const LeaderRules& rules) const {
   if (!on_links_[link].has_signal || gap < -stop_overshoot) return false;
-  switch (aspect_at(*network_, link, rules.time)) {
-    case Aspect::red:
-      return true;
-    case Aspect::amber:
-      return std::max(gap, 0.0) * 2 * rules.amber_deceleration >= speed * speed;
-    default:
-      return false;
-  }
+  return stops_for(aspect_at(*network_, link, rules.time), speed, std::max(gap, 0.0),
+                   rules.amber_deceleration);
 }
 
 Leader Traffic::leader_on_path(int car, const LeaderRules& rules) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simulation/driver_sight.hpp"
+#include "simulation/signal_aspect.hpp"
 
 namespace streetgen {
 
@@ -64,9 +65,8 @@ class LinkChain {
     const bool obeys = parts.empty() || plan < 0 ||
                        plan >= static_cast<int>(run_.network->plans.size()) || driver_.asked < 0 ||
                        run_.time - driver_.asked < run_.network->plans[plan].cycle;
-    if (aspect == Aspect::red && obeys) return false;
-    if (aspect == Aspect::amber && obeys &&
-        driver_.speed * driver_.speed <= 2 * run_.rules.amber_deceleration * request_.to_stop)
+    if (obeys &&
+        stops_for(aspect, driver_.speed, request_.to_stop, run_.rules.amber_deceleration))
       return false;
     for (const LinkConflict& c : run_.network->conflicts.of(movement))
       if (!fits(movement, c)) return false;

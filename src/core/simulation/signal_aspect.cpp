@@ -1,3 +1,5 @@
+#include "simulation/signal_aspect.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +23,11 @@ Aspect aspect_at(const TrafficNetwork& network, int link, double time) {
       std::upper_bound(aspects.begin(), aspects.end(), second,
                        [](double s, const SignalAspect& aspect) { return s < aspect.since; });
   return (after == aspects.begin() ? aspects.end() : after)[-1].aspect;
+}
+
+bool stops_for(Aspect aspect, double speed, double metres, double deceleration) {
+  return aspect == Aspect::red ||
+         (aspect == Aspect::amber && speed * speed <= 2 * deceleration * metres);
 }
 
 }  // namespace streetgen

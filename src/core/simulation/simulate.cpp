@@ -2,6 +2,7 @@
 #include <cmath>
 #include <string>
 
+#include "simulation/require_place.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/progress.hpp"
@@ -99,17 +100,9 @@ SimulationResult simulate_cars(const TrafficNetwork& network, const SimulationDe
 void put_cars(CellFlow& flow, const TrafficNetwork& network, const std::vector<Car>& cars,
               double jam_density) {
   for (const Car& car : cars) {
+    require_place(network, car.car_id, car.place);
     const int link = car.place.link;
-    if (link < 0 || link >= network.size())
-      refuse_simulation("car " + std::to_string(car.car_id) + " stands on link " +
-                        std::to_string(link) + ", which is none of the " +
-                        std::to_string(network.size()));
     const double length = network.links[link].length;
-    if (!(car.place.metres >= 0 && car.place.metres <= length))
-      refuse_simulation("car " + std::to_string(car.car_id) + " stands at " +
-                        text_of(car.place.metres) + " metres of link " +
-                        std::to_string(network.links[link].link_id) + ", which ends at " +
-                        text_of(length));
     const int first = flow.first_cell(link), count = flow.cell_count(link);
     const int own = std::min(count - 1, static_cast<int>(car.place.metres / length * count));
     double left = 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulation/path_ahead.hpp"
+#include "simulation/require_place.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 
@@ -30,16 +31,6 @@ void require_link(const TrafficNetwork& network, int i, const Link& link) {
   if (link.opposite >= 0) require(link.opposite, "lies on");
   for (const std::int32_t next : network.next.of(i)) require(next, "leads to");
   for (const std::int32_t before : network.before.of(i)) require(before, "comes after");
-}
-
-void require_place(const TrafficNetwork& network, std::int64_t car_id, const LinkPlace& place) {
-  if (place.link < 0 || place.link >= network.size())
-    refuse(car_id, "stands on link " + std::to_string(place.link) + ", which is none of the " +
-                       std::to_string(network.size()));
-  const Link& link = network.links[place.link];
-  if (!(place.metres >= 0 && place.metres <= link.length))
-    refuse(car_id, "stands at " + text_of(place.metres) + " metres of link " +
-                       std::to_string(link.link_id) + ", which ends at " + text_of(link.length));
 }
 
 void require_speed(std::int64_t car_id, double speed) {
