@@ -198,20 +198,30 @@ COMMENT ON FUNCTION streetgen._connecting_ways(name, jsonb) IS
     'movement. One over lanes inside a place has the first of its interconnections, which others may share: '
     'part counts these from 0.';
 
+CREATE OR REPLACE FUNCTION streetgen._heights_of(model name, edges bigint[])
+    RETURNS TABLE(edge_id bigint, geom geometry)
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    IF 'height' = ANY (streetgen._subjects(model)) THEN
+        RETURN QUERY SELECT p.edge_id, p.geom FROM profile p WHERE p.edge_id = ANY (edges);
+    ELSIF (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model) THEN
+        RETURN QUERY SELECT e.edge_id, e.geom FROM edge e WHERE e.edge_id = ANY (edges);
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._heights_of(name, bigint[]) IS
+    'The heights of some edges: of profiles where the model computes them, else of axes that have any.';
+
 CREATE OR REPLACE FUNCTION streetgen._heights_along(model name)
     RETURNS TABLE(edge_id bigint, geom geometry)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    IF 'height' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT p.edge_id, p.geom FROM profile p;
-    ELSIF (SELECT m.dimension = 3 FROM streetgen.model m WHERE m.name = model) THEN
-        RETURN QUERY SELECT e.edge_id, e.geom FROM edge e;
-    END IF;
+    RETURN QUERY SELECT h.* FROM streetgen._heights_of(model, ARRAY(SELECT e.edge_id FROM edge e)) h;
 END $$;
-COMMENT ON FUNCTION streetgen._heights_along(name) IS
-    'The heights of edges: of profiles where the model computes them, else of axes that have any.';
+COMMENT ON FUNCTION streetgen._heights_along(name) IS 'The heights of all edges, as streetgen._heights_of has them.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_without_through(model name) RETURNS TABLE(lane_id bigint, word text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 100 SET search_path = pg_catalog, public

@@ -1,18 +1,4 @@
--- What is ahead of cars.
-
-CREATE OR REPLACE FUNCTION streetgen._leaders(network bytea, cars streetgen.traffic_car[], at float8, horizon float8,
-    merging_leader text, virtual_car text)
-    RETURNS TABLE(car_id bigint, leader bigint, virtual text, distance float8, gap float8, speed float8)
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_leaders';
-COMMENT ON FUNCTION streetgen._leaders(bytea, streetgen.traffic_car[], float8, float8, text, text) IS
-    'What streetgen.leaders gives, of cars on a network. A car on no link or twice, a number out of range: 22023.';
-
-CREATE OR REPLACE FUNCTION streetgen._free_path(network bytea, link bigint, metres float8, horizon float8)
-    RETURNS TABLE(link_id bigint, starts float8)
-    LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_free_path';
-COMMENT ON FUNCTION streetgen._free_path(bytea, bigint, float8, float8) IS
-    'The links straight ahead of a place, and how far ahead each begins, metres. An unknown link, a place off it, a '
-    'horizon below 0 or beyond 1,000 km: 22023.';
+-- Cars of users on the links of a model.
 
 CREATE OR REPLACE FUNCTION streetgen._cars_on_links(model name) RETURNS streetgen.traffic_car[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -38,53 +24,21 @@ COMMENT ON FUNCTION streetgen._cars_on_links(name) IS
     'The cars of a model that stand on a link, with a warning of those that stand on none; none of a model without '
     'traffic.';
 
-CREATE OR REPLACE FUNCTION streetgen.leaders(model name, at float8 DEFAULT 0, horizon float8 DEFAULT 1000)
-    RETURNS TABLE(car_id bigint, leader bigint, virtual text, distance float8, gap float8, speed float8)
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+CREATE OR REPLACE FUNCTION streetgen._cars_on_lanes(model name, lanes bigint[]) RETURNS streetgen.traffic_car[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_reader(model), streetgen._check_given('at', at::text, 'horizon', horizon::text),
-        streetgen._require_traffic(model), streetgen._require_subject(model, 'interconnection');
-    RETURN QUERY SELECT l.* FROM streetgen._leaders(streetgen._network_of_links(model),
-        streetgen._cars_on_links(model), at, horizon, streetgen._setting_text(model, 'merging_leader'),
-        streetgen._setting_text(model, 'virtual_car')) l;
+    RETURN ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind)::streetgen.traffic_car
+        FROM car c CROSS JOIN LATERAL (SELECT * FROM car_place o WHERE o.car_id = c.car_id OFFSET 0) p
+        WHERE c.axis_id = ANY (ARRAY(SELECT e.axis_id FROM lane l JOIN edge e USING (edge_id)
+                WHERE l.lane_id = ANY (lanes)))
+            AND CASE WHEN p.link_id & 2 = 0 THEN p.link_id >> 2 = ANY (lanes)
+                ELSE streetgen._lanes_of_links(model, ARRAY[p.link_id]) <@ lanes END
+        ORDER BY c.car_id);
 END $$;
-COMMENT ON FUNCTION streetgen.leaders(name, float8, float8) IS
-    'The leader of each car of table car, a row each: who is next on its path, straight on, as signals stand at '
-    'seconds at. distance: metres from front to front along the path. gap: from the rear of the leader to the front '
-    'of the car. speed: km/h, below 0 where it comes towards. A virtual car stands where nobody is before it: '
-    'stationary at the end of a lane and at red, moving at the speed limit at horizon metres (setting virtual_car). '
-    'Setting merging_leader tells whether who comes from another path into the same lane counts. A car '
-    'on no lane is warned of, and has no row. A model without traffic or subject interconnection: 55000; NaN, a '
-    'horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; an unknown model: 3F000; not a reader of the model: '
-    '42501. Wilkie, Sewall and Lin, section 3.1.1.';
-
-CREATE OR REPLACE FUNCTION streetgen._free_path_of(model name, link bigint, place float8, horizon float8)
-    RETURNS TABLE(ordinality integer, link_id bigint, starts float8)
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    PERFORM streetgen._require_reader(model), streetgen._check_given('link', link::text, 'metres', place::text,
-        'horizon', horizon::text), streetgen._require_subject(model, 'interconnection');
-    RETURN QUERY SELECT p.ordinality::integer, p.link_id, p.starts FROM streetgen._free_path(
-        streetgen._network_of_links(model), link, place, horizon) WITH ORDINALITY p;
-END $$;
-COMMENT ON FUNCTION streetgen._free_path_of(name, bigint, float8, float8) IS 'What streetgen.free_path gives.';
-
--- An argument and a column may have one name in LANGUAGE sql alone.
-CREATE OR REPLACE FUNCTION streetgen.free_path(model name, link bigint, metres float8 DEFAULT 0,
-    horizon float8 DEFAULT 1000)
-    RETURNS TABLE(ordinality integer, link_id bigint, starts float8)
-    LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog
-    AS $$ SELECT * FROM streetgen._free_path_of($1, $2, $3, $4) $$;
-COMMENT ON FUNCTION streetgen.free_path(name, bigint, float8, float8) IS
-    'The links ahead of a place of a link, as far as horizon metres, straight on at each junction: by the movement '
-    'that turns least, of equal ones by that of the smallest key. The first one is link; starts: how far ahead each '
-    'begins, metres, below 0 of the first. An unknown link, a place off it, NaN, a horizon below 0 or beyond 1,000 km: '
-    '22023; NULL: 22004; a model without subject interconnection: 55000; an unknown model: 3F000; not a reader of the '
-    'model: 42501. Wilkie, Sewall and Lin, section 3.1.1.';
+COMMENT ON FUNCTION streetgen._cars_on_lanes(name, bigint[]) IS
+    'The cars that stand on some lanes, or on movements between them.';
 
 CREATE OR REPLACE FUNCTION streetgen.place_cars(model name, density float8, seed bigint DEFAULT 1) RETURNS bigint
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public

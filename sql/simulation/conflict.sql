@@ -9,16 +9,21 @@ COMMENT ON FUNCTION streetgen._link_conflict_rows(bytea) IS
 
 CREATE OR REPLACE FUNCTION streetgen._links_of_junctions(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    SET plan_cache_mode = force_custom_plan
+    SET plan_cache_mode = force_generic_plan
     AS $$
 DECLARE
-    lanes bigint[];
+    junctions bigint[];
+    nodes bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    lanes := streetgen._lanes_near_links(model, links);
+    SELECT array_agg(DISTINCT k.junction_id) FILTER (WHERE k.junction_id IS NOT NULL), array_agg(DISTINCT k.from_node)
+        INTO junctions, nodes FROM link k
+        WHERE k.kind = 'movement' AND k.lane_in = ANY (streetgen._lanes_of_links(model, links))
+            AND k.link_id = ANY (links);
     RETURN ARRAY(SELECT k.link_id FROM link k WHERE k.kind = 'movement'
-        AND coalesce(k.junction_id, k.from_node) IN (SELECT coalesce(m.junction_id, m.from_node) FROM link m
-            WHERE m.kind = 'movement' AND m.lane_in = ANY (lanes) AND m.link_id = ANY (links)));
+        AND k.lane_in = ANY (ARRAY(SELECT i.lane_in FROM interconnection i WHERE i.node_id = ANY (nodes)
+            UNION SELECT m.lane_in FROM streetgen._lanes_across(model, '{}', junctions) m))
+        AND (k.junction_id = ANY (junctions) OR k.junction_id IS NULL AND k.from_node = ANY (nodes)));
 END $$;
 COMMENT ON FUNCTION streetgen._links_of_junctions(name, bigint[]) IS
     'All movements of the junctions, or nodes, that some movements cross.';
@@ -32,8 +37,9 @@ CREATE OR REPLACE FUNCTION streetgen.link_conflicts(model name, links bigint[] D
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._require_subject(model, 'interconnection');
-    RETURN QUERY SELECT c.* FROM streetgen._link_conflict_rows(streetgen._network_of_links(model,
-            streetgen._links_of_junctions(model, links))) c
+    RETURN QUERY SELECT c.* FROM streetgen._link_conflict_rows(CASE WHEN links IS NULL
+            THEN streetgen._network_of_links(model)
+            ELSE streetgen._network_near_links(model, streetgen._links_of_junctions(model, links)) END) c
         WHERE links IS NULL OR c.link = ANY (links);
 END $$;
 COMMENT ON FUNCTION streetgen.link_conflicts(name, bigint[]) IS

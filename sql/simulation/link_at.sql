@@ -19,7 +19,7 @@ BEGIN
     RETURN QUERY SELECT ST_SetSRID(CASE WHEN f.height IS NULL THEN ST_MakePoint(f.x, f.y)
                 ELSE ST_MakePoint(f.x, f.y, f.height) END, (SELECT m.srid FROM streetgen.model m WHERE m.name = model)),
             degrees(f.heading), f.curvature, degrees(f.steering), f.grade
-        FROM streetgen._link_frame(streetgen._network_of_links(model, ARRAY[link]), link, place, wheelbase) f;
+        FROM streetgen._link_frame(streetgen._network_near_links(model, ARRAY[link]), link, place, wheelbase) f;
 END $$;
 COMMENT ON FUNCTION streetgen._link_at(name, bigint, float8, float8) IS 'What streetgen.link_at gives.';
 

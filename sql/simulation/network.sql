@@ -11,62 +11,37 @@ COMMENT ON FUNCTION streetgen._traffic_network(streetgen.traffic_edge[], streetg
     'conflicts, and what signals show. left_hand: traffic keeps left. NULL for rows: none. A movement whose lanes are '
     'not there is left out; a lane without length or edge, a link that stands twice: 22023.';
 
-CREATE OR REPLACE FUNCTION streetgen._lanes_near_links(model name, links bigint[]) RETURNS bigint[]
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
-    AS $$
-DECLARE
-    own bigint[];
-BEGIN
-    PERFORM streetgen._use_model(model);
-    own := ARRAY(SELECT l >> 2 FROM unnest(links) l WHERE l & 2 = 0
-        UNION SELECT unnest(ARRAY[i.lane_in, i.lane_out]) FROM unnest(links) l JOIN interconnection i
-            ON i.interconnection_id = l >> 2 WHERE l & 3 = 2
-        UNION SELECT lane FROM streetgen._lanes_of_junction_movements(model, ARRAY(
-            SELECT l >> 2 FROM unnest(links) l WHERE l & 3 = 3)) lane);
-    RETURN ARRAY(SELECT unnest(own) UNION SELECT k.lane_out FROM link k WHERE k.lane_in = ANY (own)
-        UNION SELECT k.lane_in FROM link k WHERE k.lane_out = ANY (own));
-END $$;
-COMMENT ON FUNCTION streetgen._lanes_near_links(name, bigint[]) IS
-    'The lanes of some links, and the lanes that movements join with these: what their courses depend on.';
-
-CREATE OR REPLACE FUNCTION streetgen._lanes_of_junction_movements(model name, movements bigint[])
-    RETURNS SETOF bigint
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 2 SET search_path = pg_catalog, public
-    AS $$
-BEGIN
-    PERFORM streetgen._use_model(model);
-    IF 'junction' = ANY (streetgen._subjects(model)) THEN
-        RETURN QUERY SELECT unnest(ARRAY[m.lane_in, m.lane_out]) FROM junction_movement m
-            WHERE m.junction_movement_id = ANY (movements);
-    END IF;
-END $$;
-COMMENT ON FUNCTION streetgen._lanes_of_junction_movements(name, bigint[]) IS
-    'The lanes of movements across junctions of several nodes; none of a model that computes no junctions.';
-
-CREATE OR REPLACE FUNCTION streetgen._movement_aspects(model name)
+CREATE OR REPLACE FUNCTION streetgen._movement_aspects(model name, lanes bigint[])
     RETURNS TABLE(controller_id bigint, lane_in bigint, lane_out bigint, along_in boolean, along_out boolean,
         since float8, aspect text)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
+#variable_conflict use_column
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN QUERY WITH state AS MATERIALIZED (
-        SELECT s.*, sum(s.duration) OVER w - s.duration AS since FROM streetgen._signal_states(model) s
-        WINDOW w AS (PARTITION BY s.controller_id ORDER BY s.ordinality)),
-    served AS MATERIALIZED (SELECT * FROM streetgen._signal_movements(model))
+    IF 'signal' <> ALL (streetgen._subjects(model)) THEN
+        RETURN;
+    END IF;
+    RETURN QUERY WITH served AS MATERIALIZED (
+        SELECT s.* FROM signal_movement s WHERE s.lane_in = ANY (lanes)),
+    state AS MATERIALIZED (
+        SELECT s.*, sum(s.duration) OVER w - s.duration AS since, max(s.ordinality) FILTER (WHERE s.kind = 'green')
+            OVER w AS green
+        FROM signal_state s WHERE s.controller_id IN (SELECT v.controller_id FROM served v)
+        WINDOW w AS (PARTITION BY s.controller_id ORDER BY s.ordinality))
     SELECT m.controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out, s.since,
         CASE WHEN s.kind NOT IN ('green', 'amber') OR v.ordinality IS NULL THEN 'red' WHEN s.kind = 'amber' THEN s.kind
-            WHEN v.protected THEN 'protected' ELSE 'permitted' END
+            ELSE v.right_of_way END
     FROM (SELECT DISTINCT o.controller_id, o.lane_in, o.lane_out, o.along_in, o.along_out FROM served o) m
         JOIN state s USING (controller_id)
         LEFT JOIN served v ON (v.controller_id, v.lane_in, v.lane_out, v.along_in, v.along_out, v.ordinality)
             = (m.controller_id, m.lane_in, m.lane_out, m.along_in, m.along_out, s.green);
 END $$;
-COMMENT ON FUNCTION streetgen._movement_aspects(name) IS
-    'What signals show each movement of a controller from since on, seconds of the cycle: red, amber, permitted or '
-    'protected; none of a model that computes no signals.';
+COMMENT ON FUNCTION streetgen._movement_aspects(name, bigint[]) IS
+    'What signals show each movement from some lanes, from since on, seconds of the cycle: '
+    'red, amber, permitted or protected; none of a model that computes no signals.';
 
-CREATE OR REPLACE FUNCTION streetgen._movement_rights(model name)
+CREATE OR REPLACE FUNCTION streetgen._movement_rights(model name, lanes bigint[])
     RETURNS TABLE(lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, turn text, rank integer,
         importance integer, precedence integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
@@ -79,22 +54,23 @@ BEGIN
                 -- Where nobody has priority, the street counts for nothing.
                 CASE WHEN r.rule <> 'right_before_left' THEN e.importance ELSE 0 END, coalesce(s.precedence, 0)
             FROM right_of_way r JOIN lane l ON l.lane_id = r.lane_in JOIN edge e USING (edge_id)
-                LEFT JOIN streetgen._signal_precedences(model) s USING (lane_in, lane_out, along_in, along_out)
-            WHERE r.connecting;
+                LEFT JOIN streetgen._signal_precedences(model, lanes) s USING (lane_in, lane_out, along_in, along_out)
+            WHERE r.connecting AND r.lane_in = ANY (lanes);
     ELSE
         RETURN QUERY SELECT i.lane_in, i.lane_out, i.along_in, i.along_out, i.turn,
                 CASE m.kind WHEN 'yield' THEN 1 WHEN 'stop' THEN 2 ELSE 0 END, e.importance, 0
             FROM interconnection i JOIN lane l ON l.lane_id = i.lane_in JOIN edge e USING (edge_id)
                 LEFT JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis) = (l.edge_id, l.lane_position,
                     i.along_in) AND m.kind IN ('stop', 'yield')
-            WHERE i.connecting;
+            WHERE i.connecting AND i.lane_in = ANY (lanes);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._movement_rights(name) IS
-    'Turn and right of way of each movement that connects. rank: 0 goes first, 1 gives way, 2 stops. importance: that '
-    'of its street, of two of one rank. precedence: of two that have green together. Of each the smaller goes first.';
+COMMENT ON FUNCTION streetgen._movement_rights(name, bigint[]) IS
+    'Turn and right of way of each movement from some lanes that connects. rank: 0 goes first, 1 gives '
+    'way, 2 stops. importance: that of its street, of two of one rank. precedence: of two that have green together. '
+    'Of each the smaller goes first.';
 
-CREATE OR REPLACE FUNCTION streetgen._signal_precedences(model name)
+CREATE OR REPLACE FUNCTION streetgen._signal_precedences(model name, lanes bigint[])
     RETURNS TABLE(lane_in bigint, lane_out bigint, along_in boolean, along_out boolean, precedence integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
     AS $$
@@ -102,43 +78,40 @@ BEGIN
     PERFORM streetgen._use_model(model);
     IF 'signal' = ANY (streetgen._subjects(model)) THEN
         RETURN QUERY SELECT s.lane_in, s.lane_out, s.along_in, s.along_out, min(s.precedence)
-            FROM signal_movement s GROUP BY 1, 2, 3, 4;
+            FROM signal_movement s WHERE s.lane_in = ANY (lanes) GROUP BY 1, 2, 3, 4;
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._signal_precedences(name) IS
-    'The place of each movement with a signal in the order of who goes first; none of a model that computes no '
-    'signals.';
+COMMENT ON FUNCTION streetgen._signal_precedences(name, bigint[]) IS
+    'The place of each movement from some lanes that has a signal, in the order of who goes first; none of a '
+    'model that computes no signals.';
 
-CREATE OR REPLACE FUNCTION streetgen._network_of_links(model name, links bigint[] DEFAULT NULL) RETURNS bytea
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
-    SET plan_cache_mode = force_custom_plan
+CREATE OR REPLACE FUNCTION streetgen._network_of_lanes(model name, lanes bigint[]) RETURNS bytea
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
-DECLARE
-    lanes bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
-    lanes := streetgen._lanes_near_links(model, links);
     RETURN (WITH lane_link AS MATERIALIZED (
         SELECT k.*, l.edge_id, l.lane_position, CASE WHEN l.both_ways THEN k.link_id # 1 END AS other_way
         FROM link k JOIN lane l USING (lane_id)
-        WHERE lanes IS NULL OR k.lane_id = ANY (lanes)),
+        WHERE k.kind = 'lane' AND k.lane_id = ANY (lanes)),
     movement_link AS MATERIALIZED (
-        SELECT k.* FROM link k WHERE k.kind = 'movement' AND (lanes IS NULL OR k.lane_in = ANY (lanes))),
+        SELECT k.* FROM link k WHERE k.kind = 'movement' AND k.lane_in = ANY (lanes)),
     aspect AS MATERIALIZED (
         SELECT k.link_id, a.controller_id, a.since, a.aspect FROM movement_link k
-            JOIN streetgen._movement_aspects(model) a USING (lane_in, lane_out, along_in, along_out)),
+            JOIN streetgen._movement_aspects(model, lanes) a USING (lane_in, lane_out, along_in, along_out)),
     rights AS MATERIALIZED (
         SELECT k.link_id, r.turn, r.rank, r.importance, r.precedence FROM movement_link k
-            JOIN streetgen._movement_rights(model) r USING (lane_in, lane_out, along_in, along_out)),
+            JOIN streetgen._movement_rights(model, lanes) r USING (lane_in, lane_out, along_in, along_out)),
     signalled AS (SELECT DISTINCT a.link_id, a.controller_id FROM aspect a),
     extent AS MATERIALIZED (
         SELECT x.lane_id, x.edge_id, x.widest, x.start_abscissa - e.start_abscissa AS starts,
             x.end_abscissa - e.start_abscissa AS ends
-        FROM lane_extent x JOIN edge e USING (edge_id) WHERE lanes IS NULL OR x.lane_id = ANY (lanes)),
+        FROM lane_extent x JOIN edge e USING (edge_id) WHERE x.lane_id = ANY (lanes)),
     edge_of_lane AS MATERIALIZED (
         SELECT e.edge_id, e.start_abscissa, coalesce(h.geom, ST_Force2D(e.geom)) AS geom, w.widest
         FROM (SELECT x.edge_id, max(x.widest) AS widest FROM extent x GROUP BY x.edge_id) w
-            JOIN edge e USING (edge_id) LEFT JOIN streetgen._heights_along(model) h USING (edge_id)),
+            JOIN edge e USING (edge_id) LEFT JOIN streetgen._heights_of(model,
+                ARRAY(SELECT x.edge_id FROM extent x)) h USING (edge_id)),
     waiting AS (
         SELECT k.link_id, max(k.length * (1 - ST_LineLocatePoint(k.geom, ST_Centroid(m.geom)))) AS stop
         FROM lane_link k JOIN marking m ON (m.edge_id, m.lane_position, m.along_axis)
@@ -169,8 +142,19 @@ BEGIN
             FROM streetgen._signal_controllers(model) c WHERE c.cycle > 0),
         streetgen._setting_text(model, 'driving_side') = 'left'));
 END $$;
-COMMENT ON FUNCTION streetgen._network_of_links(name, bigint[]) IS
-    'The network of all links of a model, or of some links and those about them.';
+COMMENT ON FUNCTION streetgen._network_of_lanes(name, bigint[]) IS
+    'The network of some lanes and of the movements between them. Its statement is planned for these lanes, or once a '
+    'session, as plan_cache_mode says.';
+
+CREATE OR REPLACE FUNCTION streetgen._network_of_links(model name) RETURNS bytea
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_custom_plan
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN streetgen._network_of_lanes(model, ARRAY(SELECT l.lane_id FROM lane l));
+END $$;
+COMMENT ON FUNCTION streetgen._network_of_links(name) IS 'The network of all links of a model.';
 
 CREATE OR REPLACE FUNCTION streetgen._link_pieces(network bytea)
     RETURNS TABLE(link_id bigint, starts float8, ends float8, x float8, y float8, heading float8, curvature float8)

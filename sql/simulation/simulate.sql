@@ -94,7 +94,8 @@ BEGIN
     ELSIF coalesce(demand ->> 'turns', 'even') = 'even' THEN
         -- Who may go on does not turn back. Nobody drives where that is for others alone.
         RETURN QUERY SELECT m.comes_from, m.link_id, 1::float8
-            FROM link m JOIN streetgen._movement_rights(model) r USING (lane_in, lane_out, along_in, along_out)
+            FROM link m JOIN streetgen._movement_rights(model, ARRAY(SELECT l.lane_id FROM lane l)) r
+                USING (lane_in, lane_out, along_in, along_out)
             WHERE m.traffic IS NULL AND r.turn <> 'u_turn' ORDER BY 1, 2;
     ELSIF demand ->> 'turns' <> 'straight' THEN
         RAISE EXCEPTION 'turns is "%", expected even or straight', demand ->> 'turns' USING ERRCODE = '22023',

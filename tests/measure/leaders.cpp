@@ -65,7 +65,6 @@ TrafficNetwork grid() {
     made.heights.end_owner();
     made.beside.end_owner();
     made.conflicts.end_owner();
-    made.crossings.end_owner();
     made.aspects.end_owner();
   }
   return made;

@@ -26,8 +26,8 @@ SELECT 'each link has a course', count(*) = (SELECT count(*) FROM town.link) FRO
 SELECT 'courses go on in place and heading from link to link', count(*) > 20 AND bool_and(ST_Distance(a.finish, b.start) < 1e-6 AND abs(sin((a.heading_to - b.heading_from) / 2)) < 1e-6)
   FROM (SELECT comes_from AS a, link_id AS b FROM town.link UNION ALL SELECT link_id, leads_to FROM town.link) j JOIN course a ON a.link_id = j.a JOIN course b ON b.link_id = j.b;
 SELECT 'and within a link', bool_and(abs(sin((next - heading - curvature * length) / 2)) < 1e-6) FROM (SELECT *, lead(heading) OVER (PARTITION BY link_id ORDER BY starts) AS next FROM piece) p WHERE next IS NOT NULL;
-SELECT 'a part of the network has the same courses', bool_and(length(streetgen._network_of_links('town', ARRAY[l.link_id])) < length(streetgen._network_of_links('town')))
-    AND NOT bool_or(EXISTS (SELECT FROM streetgen._link_pieces(streetgen._network_of_links('town', ARRAY[l.link_id])) p WHERE p.link_id = l.link_id AND NOT EXISTS (
+SELECT 'a part of the network has the same courses', bool_and(length(streetgen._network_near_links('town', ARRAY[l.link_id])) < length(streetgen._network_of_links('town')))
+    AND NOT bool_or(EXISTS (SELECT FROM streetgen._link_pieces(streetgen._network_near_links('town', ARRAY[l.link_id])) p WHERE p.link_id = l.link_id AND NOT EXISTS (
       SELECT FROM piece w WHERE w.link_id = p.link_id AND w.starts = p.starts AND abs(w.x - p.x) + abs(w.y - p.y) + abs(w.heading - p.heading) < 1e-9))) FROM (SELECT link_id FROM town.link ORDER BY md5(link_id::text) LIMIT 12) l;
 
 CREATE TEMPORARY TABLE stored AS SELECT streetgen._network_of_links('town') AS bytes;
@@ -50,7 +50,7 @@ SELECT 'bytes that are no network too', test.said($q$SELECT streetgen._link_fram
 
 -- What signals show.
 SELECT 'a movement is shown something in each state, and green now and then', count(*) > 5 AND bool_and(states = (SELECT count(*) FROM town.signal_state) AND greens > 0)
-  FROM (SELECT lane_in, lane_out, count(*) AS states, count(*) FILTER (WHERE aspect IN ('permitted', 'protected')) AS greens FROM streetgen._movement_aspects('town') GROUP BY 1, 2) a;
+  FROM (SELECT lane_in, lane_out, count(*) AS states, count(*) FILTER (WHERE aspect IN ('permitted', 'protected')) AS greens FROM streetgen._movement_aspects('town', ARRAY(SELECT lane_id FROM town.lane)) GROUP BY 1, 2) a;
 
 -- Heights, where a model knows them.
 DO $$ BEGIN

@@ -39,6 +39,9 @@ SELECT 'a car on its way across is on the movement', (SELECT (kind, metres) = ('
 SELECT 'and leads who comes after, at green', bool_or(leader = 5 AND gap BETWEEN 90 AND 115) FROM generate_series(0, 110, 5) s, streetgen.leaders('town', at => s) WHERE car_id = 2;
 SELECT 'a path goes straight on', count(*) >= 3 AND bool_and(k.kind = CASE p.ordinality % 2 WHEN 1 THEN 'lane' ELSE 'movement' END) AND bool_and(a.axis_id IN (1, 2, 5)) FROM streetgen.free_path('town', (SELECT link_id FROM town.car_place WHERE car_id = 1), 40, 500) p
     JOIN town.link k USING (link_id) LEFT JOIN town.lane l USING (lane_id) LEFT JOIN town.edge a USING (edge_id);
+CREATE TEMPORARY TABLE whole AS SELECT streetgen._network_of_links('town') AS bytes;
+SELECT 'the same from each link as in the whole network', count(*) > 60 AND NOT EXISTS (SELECT l.link_id, p.* FROM whole, town.link l, streetgen._free_path(bytes, l.link_id, 0, 300) p
+    EXCEPT SELECT l.link_id, p.link_id, p.starts FROM town.link l, streetgen.free_path('town', l.link_id, 0, 300) p) FROM town.link l, streetgen.free_path('town', l.link_id, 0, 300);
 SELECT 'a car on a lane that is not there has no place', test.state($q$INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (9, 1, 50, 9, true)$q$) = 'none' AND NOT EXISTS (SELECT FROM town.car_place WHERE car_id = 9)
     AND NOT EXISTS (SELECT FROM streetgen.leaders('town') WHERE car_id = 9);
 DELETE FROM town.car WHERE car_id = 9;
@@ -49,6 +52,16 @@ SELECT 'cars are placed as densely as asked', streetgen.place_cars('town', 20) B
 CREATE TEMPORARY TABLE placed AS SELECT axis_id, abscissa, lane_position FROM town.car;
 SELECT 'the same seed places the same cars, another one others', streetgen.place_cars('town', 20) > 0 AND NOT EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed)
     AND streetgen.place_cars('town', 20, 7) > 0;
+SELECT 'each car alone has the leader that it has among all', count(*) > 15 AND bool_and((o.leader, o.virtual, o.gap, o.distance, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.distance, l.speed)) AND bool_and(streetgen.get_free_dist('town', l.car_id, 20) = l.gap)
+  FROM streetgen.leaders('town', 20) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 20) o ON true WHERE l.car_id % 3 = 0;
+UPDATE town.setting SET value = 'by_place' WHERE name = 'merging_leader';
+SELECT 'also where others merge', count(*) > 15 AND bool_and((o.leader, o.virtual, o.gap, o.distance, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.distance, l.speed))
+  FROM streetgen.leaders('town', 50) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 50) o ON true WHERE l.car_id % 3 = 1;
+UPDATE town.setting SET value = CASE name WHEN 'virtual_car' THEN 'stationary' ELSE 'none' END WHERE name IN ('virtual_car', 'merging_leader');
+SELECT 'and at a short horizon with a car that stands there', bool_or(l.virtual = 'stationary' AND l.gap = 30) AND bool_and((o.leader, o.virtual, o.gap, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.speed))
+  FROM streetgen.leaders('town', 0, 30) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 0, 30) o ON true WHERE l.car_id % 3 = 0;
+UPDATE town.setting SET value = 'moving' WHERE name = 'virtual_car';
+SELECT 'a leader of nobody is refused', test.said($q$SELECT * FROM streetgen.get_leader('town', 77)$q$) = 'there is no car 77' AND test.state($q$SELECT * FROM streetgen.get_leader('town', 1, horizon => -1)$q$) = '22023';
 SELECT 'they differ', EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed);
 SELECT 'more than fit are refused', test.state($q$SELECT streetgen.place_cars('town', 200)$q$) = '22023';
 
