@@ -191,6 +191,11 @@ struct LocatedPlace {
   LinkPlace place;
   double offset = 0;  // metres to the left of the link there
 };
+// The place of a link that is nearest to a point.
+struct NearPlace {
+  LocatedPlace located;
+  double distance = 0, heading = 0;  // of the link there, radians
+};
 class LinkPlaces {
  public:
   // The network stays as it is and where it is.
@@ -201,6 +206,8 @@ class LinkPlaces {
 
   LocatedPlace locate(double x, double y, double reach, std::optional<double> heading = {},
                       std::optional<double> height = {}) const;
+  // Each link no farther than `reach` metres once, by index, whatever its height.  Refused as above.
+  std::vector<NearPlace> near(double x, double y, double reach) const;
 
  private:
   struct Index;

@@ -15,7 +15,7 @@ floors=(
   'kerb interconnection'
   'junction'
   'signal simulation'
-  'pipeline'
+  'pipeline driving'
 )
 
 # upward_includes: each include of src/core that does not lead down, and each folder without a floor.

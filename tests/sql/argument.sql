@@ -9,7 +9,7 @@ CREATE TABLE survey (id integer, geom geometry(LineString, 2154));
 
 -- Values that would do, by name of the argument; of one name in several functions, by the type too.
 CREATE TABLE good (name text, type regtype, value text);
-INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''argued'''), ('source', 'regclass', '''survey'''), ('mapping', 'jsonb', '''{"source_ref": "id"}'''), ('topology', 'name', '''network'''), ('topology', 'text', '''network'''),
+INSERT INTO good VALUES ('model', 'name', '''argued'''), ('schema', 'name', '''argued'''), ('source', 'regclass', '''survey'''), ('samples', 'regclass', '''survey'''), ('mapping', 'jsonb', '''{"source_ref": "id"}'''), ('topology', 'name', '''network'''), ('topology', 'text', '''network'''),
     ('setting', 'text', '''tolerance'''), ('type', 'text', '''lamp'''), ('relation', 'name', '''shelter'''), ('value', 'text', '''0.4'''), ('role', 'name', '''public'''), ('kind', 'text', '''general'''), ('row_id', 'bigint', '1'), ('column_name', 'text', '''name'''), ('holds', 'text', '''hand'''), ('live', 'boolean', 'true'), ('node', 'bigint', '1'), ('k', 'integer', '1'), ('srid', 'integer', '2154'),
     ('x', 'float8', '650000'), ('y', 'float8', '6860000'), ('at_x', 'float8', '650100'), ('at_y', 'float8', '6860100'), ('width', 'float8', '1000'), ('height', 'float8', '1000'), ('seed', 'bigint', '1'),
     ('axis', 'geometry', '''LINESTRING(0 0,50 0)'''), ('axis_a', 'geometry', '''LINESTRING(0 0,50 0)'''), ('axis_b', 'geometry', '''LINESTRING(0 0,0 50)'''), ('line', 'geometry', '''LINESTRING(0 0,50 0)'''),

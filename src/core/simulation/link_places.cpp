@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 #include "geometry/box_index.hpp"
 #include "simulation/link_course.hpp"
@@ -55,11 +56,6 @@ struct LinkPlaces::Index {
     std::int32_t link, piece;
     double from, to;  // metres after the piece begins
   };
-  // A link within reach of a point, at its nearest place.
-  struct NearLink {
-    LocatedPlace located;
-    double distance, heading;
-  };
 
   const TrafficNetwork* network;
   std::vector<CoursePart> parts;
@@ -68,11 +64,11 @@ struct LinkPlaces::Index {
   const LinkPiece& piece_of(const CoursePart& part) const {
     return network->pieces.of(part.link)[part.piece];
   }
-  std::vector<NearLink> near(double x, double y, double reach) const;
-  double height_of(const NearLink& near) const {
+  std::vector<NearPlace> near(double x, double y, double reach) const;
+  double height_of(const NearPlace& near) const {
     return frame(*network, near.located.place).height;
   }
-  bool holds(const NearLink& near) const {
+  bool holds(const NearPlace& near) const {
     return near.distance <= network->links[near.located.place.link].width / 2;
   }
 };
@@ -104,9 +100,8 @@ LinkPlaces::LinkPlaces(LinkPlaces&&) noexcept = default;
 LinkPlaces& LinkPlaces::operator=(LinkPlaces&&) noexcept = default;
 
 // Each link within reach once, by index.
-std::vector<LinkPlaces::Index::NearLink> LinkPlaces::Index::near(double x, double y,
-                                                                 double reach) const {
-  std::vector<NearLink> found;
+std::vector<NearPlace> LinkPlaces::Index::near(double x, double y, double reach) const {
+  std::vector<NearPlace> found;
   for (const int i : boxes.near({x, y, x, y}, reach)) {
     const CoursePart& part = parts[i];
     const LinkPiece& piece = piece_of(part);
@@ -115,7 +110,8 @@ std::vector<LinkPlaces::Index::NearLink> LinkPlaces::Index::near(double x, doubl
     const double distance = std::hypot(x - at.x, y - at.y);
     if (distance > reach) continue;
     const double offset = (y - at.y) * std::cos(at.heading) - (x - at.x) * std::sin(at.heading);
-    const NearLink near{{{part.link, (piece.metres + along) / network->links[part.link].stretch}, offset}, distance, at.heading};
+    const double metres = (piece.metres + along) / network->links[part.link].stretch;
+    const NearPlace near{{{part.link, metres}, offset}, distance, at.heading};
     if (found.empty() || found.back().located.place.link != part.link)
       found.push_back(near);
     else if (distance < found.back().distance)
@@ -124,40 +120,52 @@ std::vector<LinkPlaces::Index::NearLink> LinkPlaces::Index::near(double x, doubl
   return found;
 }
 
-LocatedPlace LinkPlaces::locate(double x, double y, double reach, std::optional<double> heading,
-                                std::optional<double> height) const {
-  for (const double number : {x, y, reach, heading.value_or(0), height.value_or(0)})
+namespace {
+
+void require_locating(std::initializer_list<double> numbers, double reach) {
+  for (const double number : numbers)
     if (!std::isfinite(number))
       throw Error(ErrorKind::invalid_input, text_of(number) + " locates no place");
   if (reach < 0)
     throw Error(ErrorKind::invalid_input, "a reach of " + text_of(reach) + " metres is below 0");
-  using NearLink = Index::NearLink;
-  std::vector<NearLink> near;
+}
+
+}  // namespace
+
+std::vector<NearPlace> LinkPlaces::near(double x, double y, double reach) const {
+  require_locating({x, y, reach}, reach);
+  return index_->near(x, y, reach);
+}
+
+LocatedPlace LinkPlaces::locate(double x, double y, double reach, std::optional<double> heading,
+                                std::optional<double> height) const {
+  require_locating({x, y, reach, heading.value_or(0), height.value_or(0)}, reach);
+  std::vector<NearPlace> near;
   for (double within = std::min(first_reach, reach);; within = std::min(2 * within, reach)) {
     poll_cancel();
     near = index_->near(x, y, within);
     if (!near.empty() || within == reach) break;
   }
-  if (std::any_of(near.begin(), near.end(), [&](const NearLink& n) { return index_->holds(n); })) {
+  if (std::any_of(near.begin(), near.end(), [&](const NearPlace& n) { return index_->holds(n); })) {
     near.erase(std::remove_if(near.begin(), near.end(),
-                              [&](const NearLink& n) { return !index_->holds(n); }),
+                              [&](const NearPlace& n) { return !index_->holds(n); }),
                near.end());
     if (height) {
       double least = infinite;
-      for (const NearLink& n : near)
+      for (const NearPlace& n : near)
         least = std::min(least, std::abs(index_->height_of(n) - *height));
       near.erase(std::remove_if(near.begin(), near.end(),
-                                [&](const NearLink& n) {
+                                [&](const NearPlace& n) {
                                   return std::abs(index_->height_of(n) - *height) > least + storey;
                                 }),
                  near.end());
     }
     if (heading)
-      for (NearLink& n : near)
+      for (NearPlace& n : near)
         n.distance += metres_a_radian * std::abs(std::remainder(n.heading - *heading, 2 * M_PI));
   }
-  const NearLink* best = nullptr;
-  for (const NearLink& n : near)
+  const NearPlace* best = nullptr;
+  for (const NearPlace& n : near)
     if (!best || n.distance < best->distance - same_place) best = &n;
   return best ? best->located : LocatedPlace{};
 }

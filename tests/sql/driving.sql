@@ -1,0 +1,51 @@
+\set ECHO none
+\ir shared/truths.sql
+-- Scenes for driving simulators.  (name, holds)
+DO $$ BEGIN
+  PERFORM streetgen.create_model('town', 2154, subjects => '{junction}', driving_side => 'right');
+  INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, speed, name) OVERRIDING SYSTEM VALUE VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 14, 4, 'both', 2, 50, 'Main'), (2, 'SRID=2154;LINESTRING(650200 6860000,650400 6860000)', 14, 4, 'both', 2, 50, 'Main'),
+    (3, 'SRID=2154;LINESTRING(650200 6859800,650200 6860000)', 7, 2, 'both', 4, 50, 'South');
+  PERFORM streetgen.generate('town', wait => true);
+  PERFORM streetgen.create_traffic('town');
+  PERFORM streetgen.place_cars('town', 10);
+END $$;
+
+-- What a log tells.
+CREATE TEMPORARY TABLE trace AS SELECT t, car_id, link, metres, speed, ST_X(geom) AS x, ST_Y(geom) AS y FROM streetgen.simulate('town', 'idm', 60, 0.1, '{"flow": 300}', options => '{"output": 0.5}') ORDER BY hashint8(car_id), t DESC;
+CREATE TEMPORARY TABLE reported AS SELECT * FROM streetgen.drive_report('town', 'trace', '{"time": "t", "actor": "car_id"}');
+SELECT 'a report has a row for each sample, by time and actor' AS name, count(*) = (SELECT count(*) FROM trace) AND bool_and(in_order) AS holds FROM (SELECT (t, actor COLLATE "C") >= lag((t, actor COLLATE "C")) OVER (ORDER BY sample) IS NOT FALSE AS in_order FROM reported) r;
+SELECT 'our own cars are on the lanes that they drove on', count(*) > 1000 AND count(*) FILTER (WHERE r.link = t.link AND abs(r.metres - t.metres) < 0.01 AND abs(r.lane_offset) < 0.01) >= 0.995 * count(*)
+  FROM reported r JOIN trace t ON t.t = r.t AND t.car_id::text = r.actor;
+SELECT 'none of them is anywhere else', bool_and(finding IS NULL AND NOT against) FROM reported;
+SELECT 'speed over the limit is that over the speed of the link', bool_and(abs(over_limit - (r.speed - k.speed)) < 1e-3) FROM reported r JOIN town.link k ON k.link_id = r.link;
+SELECT 'the gap to who is ahead on a lane is what lies between them', count(*) > 500 AND bool_and(r.leader = n.car_id::text AND abs(r.gap - (n.metres - t.metres - 5)) < 0.01) FROM reported r JOIN trace t ON t.t = r.t AND t.car_id::text = r.actor
+  CROSS JOIN LATERAL (SELECT o.car_id, o.metres FROM trace o WHERE o.t = t.t AND o.link = t.link AND o.metres > t.metres ORDER BY o.metres LIMIT 1) n;
+SELECT 'time to collision is the gap by the difference of speeds', count(*) > 100 AND bool_and(abs(r.time_to_collision * (r.speed - o.speed) / 3.6 - r.gap) < 1e-6) FROM reported r JOIN reported o ON o.t = r.t AND o.actor = r.leader WHERE r.time_to_collision > 0;
+SELECT 'and none where both draw apart', NOT EXISTS (SELECT FROM reported r JOIN reported o ON o.t = r.t AND o.actor = r.leader WHERE r.speed < o.speed AND r.time_to_collision IS NOT NULL);
+CREATE TEMPORARY VIEW mixed AS SELECT * FROM trace ORDER BY md5(concat(t, car_id));
+SELECT 'a log out of order gives the same rows', NOT EXISTS (TABLE reported EXCEPT SELECT * FROM streetgen.drive_report('town', 'mixed', '{"time": "t", "actor": "car_id"}'));
+CREATE TEMPORARY VIEW stamped AS SELECT timestamp '2026-01-01' + make_interval(secs => t) AS time, ST_Transform(ST_SetSRID(ST_MakePoint(x, y), 2154), 4326) AS place, 'car ' || car_id AS actor FROM trace;
+SELECT 'so do timestamps, points of another projection, and speeds by places', count(*) = (SELECT count(*) FROM trace) AND count(*) FILTER (WHERE p.link = r.link) >= 0.99 * count(*) AND avg(abs(p.speed - r.speed)) < 2
+  FROM streetgen.drive_report('town', 'stamped', '{"geom": "place"}') p JOIN reported r ON 'car ' || r.actor = p.actor AND p.t = extract(epoch FROM timestamp '2026-01-01') + r.t;
+
+-- Logs with errors in them.
+CREATE TEMPORARY TABLE odd (time float8, x float8, y float8, actor text, length float8);
+INSERT INTO odd SELECT i, 650020 + 10 * i, 6859998.25, 'a', 5 FROM generate_series(0, 9) i;
+INSERT INTO odd VALUES (3.5, 'NaN', 6860000, 'a', 5), (NULL, 650000, 6860000, 'a', 5), (4, 650060, 6859998, 'a', 5), (12, 650020, 6860100, 'a', 5), (13, 650020, NULL, 'a', 5);
+SELECT 'what cannot be placed is told', string_agg(concat(t, ' ', finding), ', ' ORDER BY sample) FILTER (WHERE finding IS NOT NULL) = '3.5 no_place, 4 twice, 12 off_road, 13 no_place,  no_time' AND count(*) FILTER (WHERE finding IS NULL AND link IS NOT NULL) = 10 FROM streetgen.drive_report('town', 'odd');
+SELECT 'a log without rows gives none', NOT EXISTS (SELECT FROM streetgen.drive_report('town', 'odd', '{}') WHERE sample > 15) AND NOT EXISTS (SELECT FROM streetgen.drive_report('town', 'town.simulated', '{"time": "t", "geom": "geom"}'));
+SELECT 'a missing column is named', test.said($q$SELECT * FROM streetgen.drive_report('town', 'trace')$q$) = 'table trace has no column "time"' AND test.state($q$SELECT * FROM streetgen.drive_report('town', 'trace', '{"time": "t", "speed": "v"}')$q$) = '42703';
+SELECT 'so is one of words', test.said($q$SELECT * FROM streetgen.drive_report('town', 'odd', '{"time": "actor"}')$q$) = 'column "actor" of table odd is of type text, expected a number';
+SELECT 'so is a mapping that nobody knows', test.said($q$SELECT * FROM streetgen.drive_report('town', 'odd', '{"lane": "x"}')$q$) = 'the mapping has no "lane"' AND test.said($q$SELECT * FROM streetgen.drive_report('town', 'odd', '{"x": 3}')$q$) = 'the mapping of "x" is 3, expected a column name'
+  AND test.state($q$SELECT * FROM streetgen.drive_report('town', 'stamped', '{"geom": "place", "x": "y"}')$q$) = '22023' AND test.state($q$SELECT * FROM streetgen.drive_report('town', 'stamped', '{"geom": "actor"}')$q$) = '22023';
+UPDATE odd SET length = 0 WHERE time = 7;
+SELECT 'and a length of nothing, with its row', test.said($q$SELECT * FROM streetgen.drive_report('town', 'odd')$q$) LIKE 'the length at sample 10 is 0%';
+SELECT 'NULL is refused', test.state($q$SELECT * FROM streetgen.drive_report('town', NULL)$q$) = '22004' AND test.state($q$SELECT * FROM streetgen.drive_summary('town', 'odd', NULL)$q$) = '22004';
+
+-- Street by street.
+CREATE TEMPORARY TABLE summarized AS SELECT * FROM streetgen.drive_summary('town', 'trace', '{"time": "t", "actor": "car_id"}');
+SELECT 'a summary counts each sample once, and the seconds between all', sum(sample_count) = (SELECT count(*) FROM trace) AND abs(sum(seconds) - (SELECT sum(s) FROM (SELECT max(t) - min(t) AS s FROM trace GROUP BY car_id) c)) < 1e-6 AND bool_and(name IN ('Main', 'South')) FROM summarized;
+SELECT 'the greatest excess and the least gap are those of samples', (SELECT (max(greatest_over_limit), min(least_gap), min(least_time_to_collision)) FROM summarized) = (SELECT (max(over_limit), min(gap), min(time_to_collision)) FROM reported);
+SELECT 'stretches hold what lies on them', count(*) > 50 AND bool_and(ends - starts = 50 AND axis_id IN (1, 2)) AND sum(sample_count) = (SELECT sum(sample_count) FROM summarized WHERE name = 'Main') FROM streetgen.drive_summary('town', 'trace', '{"time": "t", "actor": "car_id"}', 50, '{Main}');
+SELECT 'a stretch of nothing is refused', test.state($q$SELECT * FROM streetgen.drive_summary('town', 'odd', stretch => 0)$q$) = '22023' AND test.state($q$SELECT * FROM streetgen.drive_summary('town', 'odd', stretch => 'NaN')$q$) = '22023';
