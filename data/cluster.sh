@@ -31,7 +31,10 @@ install_qgis() { install_missing python3-qgis qgis-providers; }
 
 # The tests of the core and of SQL need these.
 install_for_tests() {
-  install_packages && install_missing libgtest-dev "postgresql-$(pg_config --version | sed -E 's/[^0-9]*([0-9]+).*/\1/')-plpgsql-check"
+  install_packages
+  local server
+  server=postgresql-$(pg_config --version | sed -E 's/[^0-9]*([0-9]+).*/\1/')
+  install_missing libgtest-dev "$server-plpgsql-check" "$server-pgrouting"
 }
 
 # The programs that judge what the suites write.

@@ -1,5 +1,24 @@
 -- Cars of users on the links of a model.
 
+CREATE OR REPLACE FUNCTION streetgen._require_routes(model name, one bigint DEFAULT NULL) RETURNS void
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    gone record;
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT c.car_id, r.link INTO gone FROM car c CROSS JOIN LATERAL unnest(c.route) r(link)
+        WHERE (one IS NULL OR c.car_id = one) AND r.link NOT IN (SELECT unnest(streetgen._links_there(model,
+            ARRAY(SELECT DISTINCT u FROM car o CROSS JOIN LATERAL unnest(o.route) u
+                WHERE one IS NULL OR o.car_id = one)))) ORDER BY c.car_id LIMIT 1;
+    IF FOUND THEN
+        RAISE EXCEPTION 'car %: there is no link % of its route', gone.car_id, gone.link USING ERRCODE = '22023',
+            HINT = 'An edit may have taken it away. Function route finds a way anew.';
+    END IF;
+END $$;
+COMMENT ON FUNCTION streetgen._require_routes(name, bigint) IS
+    'Raises 22023 for a car, or for one of that key, whose route names a link that is not there.';
+
 CREATE OR REPLACE FUNCTION streetgen._cars_on_links(model name) RETURNS streetgen.traffic_car[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
@@ -11,7 +30,9 @@ BEGIN
     IF NOT streetgen._has_traffic(model) THEN
         RETURN '{}';
     END IF;
-    placed := ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind)::streetgen.traffic_car
+    PERFORM streetgen._require_routes(model);
+    placed := ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind,
+            c.route)::streetgen.traffic_car
         FROM car c JOIN car_place p USING (car_id) ORDER BY c.car_id);
     nowhere := (SELECT count(*) FROM car) - cardinality(placed);
     IF nowhere > 0 THEN
@@ -29,7 +50,8 @@ CREATE OR REPLACE FUNCTION streetgen._cars_on_lanes(model name, lanes bigint[]) 
     AS $$
 BEGIN
     PERFORM streetgen._use_model(model);
-    RETURN ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind)::streetgen.traffic_car
+    RETURN ARRAY(SELECT (c.car_id, p.link_id, p.metres, c.speed, c.length, c.width, c.kind,
+            c.route)::streetgen.traffic_car
         FROM car c CROSS JOIN LATERAL (SELECT * FROM car_place o WHERE o.car_id = c.car_id OFFSET 0) p
         WHERE c.axis_id = ANY (ARRAY(SELECT e.axis_id FROM lane l JOIN edge e USING (edge_id)
                 WHERE l.lane_id = ANY (lanes)))

@@ -20,14 +20,15 @@ BEGIN
         streetgen._setting_text(model, 'virtual_car')) l;
 END $$;
 COMMENT ON FUNCTION streetgen.leaders(name, float8, float8) IS
-    'The leader of each car of table car, a row each: who is next on its path, straight on, as signals stand at '
-    'seconds at. distance: metres from front to front along the path. gap: from the rear of the leader to the front '
-    'of the car. speed: km/h, below 0 where it comes towards. A virtual car stands where nobody is before it: '
-    'stationary at the end of a lane and at red, moving at the speed limit at horizon metres (setting virtual_car). '
-    'Setting merging_leader tells whether who comes from another path into the same lane counts. A car '
-    'on no lane is warned of, and has no row. A model without traffic or subject interconnection: 55000; NaN, a '
-    'horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; an unknown model: 3F000; not a reader of the model: '
-    '42501. Wilkie, Sewall and Lin, section 3.1.1.';
+    'The leader of each car of table car, a row each: who is next on its path (as streetgen.free_path has it), as '
+    'signals stand at seconds at. distance: metres from front to front along the path. gap: from the rear of the '
+    'leader to the front of the car. speed: km/h, below 0 where it comes towards. A virtual car stands where nobody '
+    'is before it: stationary at the end of a lane, at red, and before the place where a route goes on beside; '
+    'moving at the speed limit at horizon metres (setting virtual_car). Setting merging_leader tells whether who '
+    'comes from another path into the same lane counts. A car on no lane is warned of, and has no row. A model '
+    'without traffic or subject interconnection: 55000; a route with a gap, NaN, a horizon below 0 or beyond 1,000 '
+    'km: 22023; NULL: 22004; an unknown model: 3F000; not a reader of the model: 42501. Wilkie, Sewall and Lin, '
+    'section 3.1.1.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_about_path(model name, path bigint[], longest float8, merging float8)
     RETURNS bigint[]
@@ -78,7 +79,12 @@ BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('car_id', car_id::text, 'at', at::text, 'horizon',
         horizon::text), streetgen._require_traffic(model), streetgen._require_subject(model, 'interconnection');
-    SELECT p.link_id, p.metres, (SELECT max(o.length) FROM car o) AS longest INTO place
+    IF NOT horizon BETWEEN 0 AND 1000000 THEN
+        RAISE EXCEPTION 'horizon is %, expected 0 to 1000000', horizon USING ERRCODE = '22023',
+            HINT = 'It is how far ahead a car sees, metres.';
+    END IF;
+    SELECT p.link_id, p.metres, coalesce(c.route, '{}') AS route, (SELECT max(o.length) FROM car o) AS longest
+        INTO place
         FROM car c LEFT JOIN car_place p USING (car_id) WHERE c.car_id = get_leader.car_id;
     IF NOT FOUND THEN
         RAISE EXCEPTION 'there is no car %', car_id USING ERRCODE = '22023',
@@ -87,13 +93,16 @@ BEGIN
         RAISE WARNING 'car % stands on no lane', car_id USING HINT = 'View car_place has those that do.';
         RETURN;
     END IF;
+    PERFORM streetgen._require_routes(model, car_id);
     merging := streetgen._setting_text(model, 'merging_leader');
     -- Most have somebody near before them.
     seen := least(horizon, 100);
     LOOP
-        lanes := streetgen._lanes_about_path(model, ARRAY(SELECT p.link_id
-            FROM streetgen._path_ahead(model, place.link_id, place.metres, seen) p), place.longest,
-            CASE merging WHEN 'none' THEN 0 ELSE 100 END);
+        -- Also the lane beside to which its route goes on.
+        lanes := streetgen._lanes_about_path(model, ARRAY(SELECT p.link_id FROM streetgen._path_ahead(model,
+                place.link_id, place.metres, seen, place.route) p)
+                || streetgen._route_ahead(model, place.link_id, seen, place.route),
+            place.longest, CASE merging WHEN 'none' THEN 0 ELSE 100 END);
         SELECT l.* INTO found_leader FROM streetgen._leaders(streetgen._network_of_lanes(model, lanes),
                 streetgen._cars_on_lanes(model, lanes), at, seen, merging, CASE WHEN seen < horizon THEN 'moving'
                 ELSE streetgen._setting_text(model, 'virtual_car') END) l WHERE l.car_id = get_leader.car_id;

@@ -29,6 +29,21 @@ END $$;
 COMMENT ON FUNCTION streetgen._lanes_of_links(name, bigint[]) IS
     'The lanes that some links are, or that they join.';
 
+CREATE OR REPLACE FUNCTION streetgen._links_there(model name, links bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_generic_plan
+    AS $$
+DECLARE
+    lanes bigint[];
+BEGIN
+    PERFORM streetgen._use_model(model);
+    lanes := streetgen._lanes_of_links(model, links);
+    RETURN ARRAY(SELECT k.link_id FROM link k WHERE k.kind = 'lane' AND k.lane_id = ANY (lanes)
+        UNION ALL SELECT k.link_id FROM link k WHERE k.kind = 'movement' AND k.lane_in = ANY (lanes));
+END $$;
+COMMENT ON FUNCTION streetgen._links_there(name, bigint[]) IS
+    'Those of some links that a model has, among others.';
+
 CREATE OR REPLACE FUNCTION streetgen._lanes_near_links(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$

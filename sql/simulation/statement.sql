@@ -63,3 +63,15 @@ CROSS JOIN LATERAL (
         ELSE k.length - on_lane END AS metres
     FROM (SELECT streetgen._measure_at(m.on_axis, m.on_lane, i.at) AS on_lane FROM streetgen._lane_measures(
             ST_Force2D(i.axis)::bytea, i.geom::bytea, i.widest, i.first, i.last) m) a) p
+
+--{route_way
+WITH open AS MATERIALIZED (
+    SELECT k.link_id, k.kind, k.lane_id, k.along_axis, k.comes_from, k.leads_to, 3.6 * k.length / k.speed AS seconds
+    FROM link k WHERE k.traffic IS NULL OR {kind} = ANY (string_to_array(k.traffic, '|')) OR k.link_id = {from_link})
+SELECT row_number() OVER (ORDER BY source, target) AS id, source, target, cost
+FROM (SELECT m.comes_from AS source, m.link_id AS target, l.seconds AS cost
+    FROM open m JOIN open l ON l.link_id = m.comes_from
+    UNION ALL SELECT m.link_id, m.leads_to, m.seconds FROM open m JOIN open o ON o.link_id = m.leads_to
+    UNION ALL SELECT a.link_id, b.link_id, 5::float8 FROM lane_adjacency j JOIN open a ON a.lane_id = j.lane_a
+        JOIN open b ON (b.lane_id, b.along_axis) = (j.lane_b, a.along_axis)
+    WHERE j.change = 'allowed' AND j.end_abscissa > j.start_abscissa) w

@@ -12,6 +12,10 @@ CREATE TABLE :"model".car (
     kind text NOT NULL DEFAULT 'car' CHECK (kind IN ('car', 'bus', 'carpool', 'cycle')),
     CHECK (num_nulls(onto_axis, onto_position, onto_along, beyond) IN (0, 4)));
 CREATE INDEX car_axis ON :"model".car (axis_id);
+ALTER TABLE :"model".car ADD COLUMN IF NOT EXISTS route bigint[];
+COMMENT ON COLUMN :"model".car.route IS
+    'the links that it follows, each one that the link before leads to, or that lies beside it, as streetgen.route '
+    'finds them; NULL, or beyond it: straight on';
 COMMENT ON TABLE :"model".car IS
     'Cars on the lanes of streets, each at the place of its front: on a lane, or on the way from a lane to another one';
 COMMENT ON COLUMN :"model".car.car_id IS 'key';

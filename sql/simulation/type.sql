@@ -68,7 +68,7 @@ COMMENT ON COLUMN streetgen.traffic_plan.cycle IS 'its length, seconds';
 COMMENT ON COLUMN streetgen.traffic_plan.start_offset IS 'when a cycle begins, seconds';
 
 CREATE TYPE streetgen.traffic_car AS (car_id bigint, link_id bigint, metres float8, speed float8, length float8,
-    width float8, kind text);
+    width float8, kind text, route bigint[]);
 COMMENT ON TYPE streetgen.traffic_car IS 'A car at the place of its front.';
 COMMENT ON COLUMN streetgen.traffic_car.car_id IS 'its key';
 COMMENT ON COLUMN streetgen.traffic_car.link_id IS 'the link that its front is on';
@@ -77,3 +77,4 @@ COMMENT ON COLUMN streetgen.traffic_car.speed IS 'km/h';
 COMMENT ON COLUMN streetgen.traffic_car.length IS 'm';
 COMMENT ON COLUMN streetgen.traffic_car.width IS 'm';
 COMMENT ON COLUMN streetgen.traffic_car.kind IS 'car, bus, carpool or cycle';
+COMMENT ON COLUMN streetgen.traffic_car.route IS 'links that it follows; NULL: straight on';

@@ -1,5 +1,6 @@
 \set ECHO none
 \ir shared/truths.sql
+\ir shared/quickest.sql
 -- Traffic: who gives way, cars and their leaders, and simulations of them.  (name, holds)
 DO $$ BEGIN
   PERFORM streetgen.create_model('town', 2154, subjects => '{junction,signal}', driving_side => 'right');
@@ -40,7 +41,7 @@ SELECT 'and leads who comes after, at green', bool_or(leader = 5 AND gap BETWEEN
 SELECT 'a path goes straight on', count(*) >= 3 AND bool_and(k.kind = CASE p.ordinality % 2 WHEN 1 THEN 'lane' ELSE 'movement' END) AND bool_and(a.axis_id IN (1, 2, 5)) FROM streetgen.free_path('town', (SELECT link_id FROM town.car_place WHERE car_id = 1), 40, 500) p
     JOIN town.link k USING (link_id) LEFT JOIN town.lane l USING (lane_id) LEFT JOIN town.edge a USING (edge_id);
 CREATE TEMPORARY TABLE whole AS SELECT streetgen._network_of_links('town') AS bytes;
-SELECT 'the same from each link as in the whole network', count(*) > 60 AND NOT EXISTS (SELECT l.link_id, p.* FROM whole, town.link l, streetgen._free_path(bytes, l.link_id, 0, 300) p
+SELECT 'the same from each link as in the whole network', count(*) > 60 AND NOT EXISTS (SELECT l.link_id, p.* FROM whole, town.link l, streetgen._free_path(bytes, l.link_id, 0, 300, '{}') p
     EXCEPT SELECT l.link_id, p.link_id, p.starts FROM town.link l, streetgen.free_path('town', l.link_id, 0, 300) p) FROM town.link l, streetgen.free_path('town', l.link_id, 0, 300);
 SELECT 'a car on a lane that is not there has no place', test.state($q$INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (9, 1, 50, 9, true)$q$) = 'none' AND NOT EXISTS (SELECT FROM town.car_place WHERE car_id = 9)
     AND NOT EXISTS (SELECT FROM streetgen.leaders('town') WHERE car_id = 9);
@@ -64,6 +65,35 @@ UPDATE town.setting SET value = 'moving' WHERE name = 'virtual_car';
 SELECT 'a leader of nobody is refused', test.said($q$SELECT * FROM streetgen.get_leader('town', 77)$q$) = 'there is no car 77' AND test.state($q$SELECT * FROM streetgen.get_leader('town', 1, horizon => -1)$q$) = '22023';
 SELECT 'they differ', EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed);
 SELECT 'more than fit are refused', test.state($q$SELECT streetgen.place_cars('town', 200)$q$) = '22023';
+
+-- Routes.
+SELECT 'without pgRouting a route is refused with the commands', (SELECT state = '0A000' AND hint LIKE '%CREATE EXTENSION pgrouting.' FROM test.refusal($q$SELECT * FROM streetgen.route('town', (SELECT min(link_id) FROM town.link), (SELECT max(link_id) FROM town.link))$q$));
+SELECT test.as_administrator('CREATE EXTENSION pgrouting') \g /dev/null
+CREATE TEMPORARY TABLE known AS SELECT * FROM pg_temp.quickest('town', ARRAY(SELECT link_id FROM town.link WHERE kind = 'lane'));
+CREATE TEMPORARY TABLE asked AS SELECT k.origin, l.link_id AS link, r.links, r.seconds FROM (SELECT DISTINCT origin FROM known ORDER BY origin LIMIT 8) k, town.link l, LATERAL (
+  SELECT array_agg(link_id ORDER BY ordinality) AS links, max(seconds) AS seconds FROM streetgen.route('town', k.origin, l.link_id)) r WHERE l.link_id % 5 < 2;
+SELECT 'a route is as quick as plain SQL finds, and there is none where that finds none', count(*) > 60 AND count(a.seconds) > 20 AND count(*) > count(a.seconds) AND bool_and(abs(a.seconds - k.seconds) < 1e-9 IS NOT FALSE AND (a.seconds IS NULL) = (k.seconds IS NULL))
+  FROM asked a LEFT JOIN known k USING (origin, link);
+SELECT 'it has no gap, and changes lanes now and then', count(*) > 100 AND bool_and(next IS NULL OR o.comes_from = link OR o.link_id = l.leads_to OR a.change = 'allowed') AND bool_or(a.change = 'allowed') FROM (
+    SELECT u.link, lead(u.link) OVER (PARTITION BY origin, asked.link ORDER BY n) AS next FROM asked, unnest(links) WITH ORDINALITY u(link, n)) p JOIN town.link l ON l.link_id = p.link
+  LEFT JOIN town.link o ON o.link_id = p.next LEFT JOIN town.lane_adjacency a ON (a.lane_a, a.lane_b) = (l.lane_id, o.lane_id);
+SELECT 'an unknown link is refused, and an unknown kind', test.said($q$SELECT * FROM streetgen.route('town', 7000001, 7000001)$q$) = 'there is no link 7000001' AND test.state($q$SELECT * FROM streetgen.route('town', 7000001, 7000001, 'ship')$q$) = '22023';
+-- Cars on routes: one turns right from the lane beside the kerb, one comes there from the lane beside.
+CREATE FUNCTION pg_temp.lane_link(axis bigint, lane integer, along boolean) RETURNS bigint LANGUAGE sql AS $$ SELECT k.link_id FROM town.link k JOIN town.lane l USING (lane_id) JOIN town.edge e USING (edge_id) WHERE (e.axis_id, l.lane_position, k.along_axis) = (axis, lane, along) $$;
+CREATE FUNCTION pg_temp.way(from_link bigint, to_link bigint) RETURNS bigint[] LANGUAGE sql AS $$ SELECT array_agg(link_id ORDER BY ordinality) FROM streetgen.route('town', from_link, to_link) $$;
+DELETE FROM town.car;
+INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, speed, route) VALUES (1, 1, 40, 4, true, 30, pg_temp.way(pg_temp.lane_link(1, 4, true), pg_temp.lane_link(3, 1, false))),
+  (2, 3, 150, 1, false, 0, NULL), (3, 1, 20, 3, true, 30, pg_temp.way(pg_temp.lane_link(1, 3, true), pg_temp.lane_link(3, 1, false)));
+SELECT 'a path follows a route, then goes straight on', bool_or(link_id = pg_temp.lane_link(3, 1, false)) AND NOT bool_or(link_id = pg_temp.lane_link(2, 4, true)) FROM town.car c, streetgen.free_path('town', pg_temp.lane_link(1, 4, true), 40, 500, c.route) WHERE car_id = 1;
+SELECT 'so does who looks for a leader, alone too', bool_or(l.leader = 2) AND bool_and((o.leader, o.virtual, o.gap, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.speed)) FROM generate_series(0, 110, 10) s, streetgen.leaders('town', s) l, streetgen.get_leader('town', l.car_id, s) o WHERE l.car_id = 1;
+SELECT 'before the place to change at stands a car', l.virtual = 'stationary' AND l.gap < 180 AND (o.virtual, o.gap) = (l.virtual, l.gap) FROM streetgen.leaders('town', 10) l, streetgen.get_leader('town', 3, 10) o WHERE l.car_id = 3;
+DELETE FROM town.car WHERE car_id = 2;
+SELECT 'both come to the end of their routes', count(DISTINCT car_id) = 2 FROM streetgen.simulate('town', 'idm', 150, 0.2) WHERE link = pg_temp.lane_link(3, 1, false);
+UPDATE town.car SET route = ARRAY[route[1], route[cardinality(route)]] WHERE car_id = 1;
+SELECT 'a route with a gap is refused with its car', test.said($q$SELECT * FROM streetgen.leaders('town')$q$) LIKE 'car 1: link % of the route neither follows link % nor lies beside it' AND test.said($q$SELECT count(*) FROM streetgen.simulate('town', 'idm', 1)$q$) LIKE 'car 1: link %'
+    AND test.said($q$SELECT * FROM streetgen.get_leader('town', 1)$q$) LIKE 'link % of the route neither%' AND test.state($q$SELECT * FROM town.car c, streetgen.free_path('town', route[1], 0, 500, route)$q$) = '22023';
+UPDATE town.car SET route = route || 7000001 WHERE car_id = 3;
+SELECT 'so is one with a link that is gone', test.said($q$SELECT * FROM streetgen.leaders('town')$q$) = 'car 3: there is no link 7000001 of its route' AND test.said($q$SELECT * FROM streetgen.get_leader('town', 3)$q$) = 'car 3: there is no link 7000001 of its route';
 
 -- Simulations.
 DO $$ BEGIN PERFORM streetgen.place_cars('town', 5); END $$;

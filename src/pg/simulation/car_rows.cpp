@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 #include <unordered_set>
+#include <utility>
 
 #include "frame/argument.hpp"
 
@@ -14,14 +15,39 @@ namespace streetgen::pg {
 
 CarRows take_cars(FunctionCallInfo fcinfo, int argument) {
   const Rows cars = rows(fcinfo, argument, "cars");
-  return {cars.count,
-          column(cars, "car_id", INT8OID),
-          column(cars, "link_id", INT8OID),
-          column(cars, "metres", FLOAT8OID),
-          column(cars, "speed", FLOAT8OID),
-          column(cars, "length", FLOAT8OID),
-          column(cars, "width", FLOAT8OID),
-          column(cars, "kind", TEXTOID)};
+  CarRows taken{cars.count,
+                column(cars, "car_id", INT8OID),
+                column(cars, "link_id", INT8OID),
+                column(cars, "metres", FLOAT8OID),
+                column(cars, "speed", FLOAT8OID),
+                column(cars, "length", FLOAT8OID),
+                column(cars, "width", FLOAT8OID),
+                column(cars, "kind", TEXTOID)};
+  const Column routes = column_or_null(cars, "route", INT8ARRAYOID);
+  taken.routes = static_cast<ValueArray*>(
+      palloc_extended(sizeof(ValueArray) * Max(cars.count, 1), MCXT_ALLOC_HUGE));
+  for (int i = 0; i < cars.count; ++i) {
+    taken.routes[i] = ValueArray{0, nullptr};
+    if (!routes.nulls[i])
+      taken.routes[i] = values_of(
+          routes.values[i], INT8OID,
+          psprintf("the route of car " INT64_FORMAT, DatumGetInt64(taken.car_id.values[i])));
+  }
+  return taken;
+}
+
+std::vector<std::int32_t> known_route(const TrafficNetwork& network, const ValueArray& keys,
+                                      int link) {
+  const auto key_at = [&](int i) { return DatumGetInt64(keys.values[i]); };
+  int own = 0;
+  while (own < keys.count && key_at(own) != network.links[link].link_id) ++own;
+  if (own == keys.count) return {};
+  int first = own, last = own;
+  while (first > 0 && link_of(network, key_at(first - 1)) >= 0) --first;
+  while (last + 1 < keys.count && link_of(network, key_at(last + 1)) >= 0) ++last;
+  std::vector<std::int32_t> route;
+  for (int i = first; i <= last; ++i) route.push_back(link_of(network, key_at(i)));
+  return route;
 }
 
 int known_link(const TrafficNetwork& network, std::int64_t key) {
@@ -43,8 +69,8 @@ LinkPlace known_place(const TrafficNetwork& network, std::int64_t key, double me
   return {link, std::clamp(metres, 0.0, length)};
 }
 
-std::vector<Car> read_cars(const CarRows& rows, const TrafficNetwork& network) {
-  std::vector<Car> cars;
+CarsOnRoutes read_cars(const CarRows& rows, const TrafficNetwork& network) {
+  CarsOnRoutes read;
   std::unordered_set<std::int64_t> seen;
   for (int i = 0; i < rows.count; ++i) {
     Car car;
@@ -66,9 +92,20 @@ std::vector<Car> read_cars(const CarRows& rows, const TrafficNetwork& network) {
                                       {"bus", traffic::bus},
                                       {"carpool", traffic::carpool},
                                       {"cycle", traffic::cycle}});
-    cars.push_back(car);
+    std::vector<std::int32_t> route = known_route(network, rows.routes[i], car.place.link);
+    if (!route.empty()) {
+      try {
+        check_route(network, route);
+      } catch (const Error& gap) {
+        throw Error(gap.kind(), "car " + std::to_string(car.car_id) + ": " + gap.what(),
+                    "Function route finds one without a gap.");
+      }
+      car.route = static_cast<std::int32_t>(read.routes.size());
+      read.routes.push_back(std::move(route));
+    }
+    read.cars.push_back(car);
   }
-  return cars;
+  return read;
 }
 
 }  // namespace streetgen::pg

@@ -11,6 +11,7 @@
 #include "simulation/network_bytes.hpp"
 #include "streetgen/traffic.hpp"
 #include "value/given_rows.hpp"
+#include "value/value_array.hpp"
 
 extern "C" {
 #include <utils/builtins.h>
@@ -25,9 +26,11 @@ struct LeaderRow {
   Leader found;
 };
 
-std::vector<LeaderRow> leaders_of(const TrafficNetwork& network, const std::vector<Car>& cars,
+std::vector<LeaderRow> leaders_of(const TrafficNetwork& network, const CarsOnRoutes& read,
                                   const LeaderRules& rules) {
+  const std::vector<Car>& cars = read.cars;
   Traffic traffic(network);
+  traffic.routes = read.routes;
   traffic.reserve(static_cast<int>(cars.size()));
   for (const Car& car : cars) traffic.add(car);
   const std::vector<Leader> leaders = traffic.leaders(rules);
@@ -50,10 +53,11 @@ struct PathRow {
 };
 
 std::vector<PathRow> path_rows(const TrafficNetwork& network, const LinkPlace& place,
-                               double horizon) {
+                               double horizon, const std::vector<std::int32_t>& route) {
+  check_route(network, route);
   std::vector<PathRow> found;
   double ahead = -place.metres;
-  for (const std::int32_t link : free_path(network, place, horizon)) {
+  for (const std::int32_t link : free_path(network, place, horizon, route)) {
     found.push_back({network.links[link].link_id, ahead});
     ahead += network.links[link].length;
   }
@@ -108,12 +112,14 @@ STREETGEN_FUNCTION(streetgen_free_path) {
   const std::string_view bytes = take_bytes(fcinfo, 0);
   const std::int64_t key = PG_GETARG_INT64(1);
   const double metres = PG_GETARG_FLOAT8(2), horizon = PG_GETARG_FLOAT8(3);
+  const ValueArray route = take_values(fcinfo, 4, INT8OID, any_count, "route");
   auto* slot = make_slot<std::vector<PathRow>>(CurrentMemoryContext);
   report(compute([&] {
     const TrafficNetwork network = read_network(bytes);
+    const LinkPlace place = known_place(network, key, metres);
     slot->value = new std::vector<PathRow>(
-        path_rows(network, known_place(network, key, metres),
-                  in_range(horizon, 0, farthest_horizon, "horizon")));
+        path_rows(network, place, in_range(horizon, 0, farthest_horizon, "horizon"),
+                  known_route(network, route, place.link)));
   }));
   put_rows(fcinfo, *slot->value, [](const PathRow& row, ReturnSetInfo* result) {
     Datum values[] = {Int64GetDatum(row.link_id), Float8GetDatum(row.starts)};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "frame/argument.hpp"
@@ -43,7 +44,9 @@ DemandCall take_demand(FunctionCallInfo fcinfo) {
 SimulationDemand demand_of(const DemandCall& call, const TrafficNetwork& network) {
   constexpr double an_hour = 3600;
   SimulationDemand demand;
-  demand.cars = read_cars(call.cars, network);
+  CarsOnRoutes read = read_cars(call.cars, network);
+  demand.cars = std::move(read.cars);
+  demand.routes = std::move(read.routes);
   for (int i = 0; i < call.entries.count; ++i)
     demand.entries.push_back(
         {known_link(network, DatumGetInt64(call.entries.values[i])),

@@ -22,4 +22,7 @@ constexpr int any_count = -1;
 ValueArray take_values(FunctionCallInfo fcinfo, int argument, Oid type, int count,
                        const char* name);
 
+// The same of an array that stands in a row.
+ValueArray values_of(Datum array, Oid type, const char* name);
+
 }  // namespace streetgen::pg
