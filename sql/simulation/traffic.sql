@@ -16,6 +16,10 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._require_traffic(name) IS 'Raises 55000 for a model without the tables of traffic.';
 
+CREATE OR REPLACE FUNCTION streetgen._traffic_rooms() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog RETURN '{simulation,driving}'::text[];
+COMMENT ON FUNCTION streetgen._traffic_rooms() IS 'The rooms whose tables a model with traffic has.';
+
 CREATE OR REPLACE FUNCTION streetgen.create_traffic(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
         SET client_min_messages = warning
@@ -30,14 +34,15 @@ BEGIN
             HINT = format('SELECT streetgen.drop_traffic(%L) removes it.', model);
     END IF;
     before := streetgen._relations(model);
-    PERFORM streetgen._make_tables(model, '{table}', '{simulation}');
+    PERFORM streetgen._make_tables(model, '{table}', streetgen._traffic_rooms());
     PERFORM streetgen._make_views(model), streetgen._give_to_owner(model, before);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
 END $$;
 COMMENT ON FUNCTION streetgen.create_traffic(name) IS
-    'Adds the tables of traffic to a model: car, with the cars that stand on its streets, and simulated, with what '
-    'simulations kept; and view car_place. Editors may write car. A model without subject interconnection, or one '
+    'Adds the tables of traffic to a model: car and walker, with who is on its streets, actor_rule, with who '
+    'place_actors places there, and simulated, with what simulations kept; and views car_place and walker_place. '
+    'Editors may write all but simulated. A model without subject interconnection, or one '
     'with traffic: 55000; not the owner of the model: 42501; an unknown model: 3F000.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_traffic(model name) RETURNS void
@@ -47,9 +52,10 @@ CREATE OR REPLACE FUNCTION streetgen.drop_traffic(model name) RETURNS void
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._require_traffic(model);
-    EXECUTE 'DROP VIEW IF EXISTS ' || quote_ident(model) || '.car_place';
+    EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(concat(quote_ident(model), '.', view), ', ')
+        FROM unnest('{car_place,walker_place}'::name[]) view);
     EXECUTE (SELECT 'DROP TABLE ' || string_agg(concat(quote_ident(model), '.', relation), ', ')
-        FROM streetgen.template WHERE room = 'simulation');
+        FROM streetgen.template WHERE room = ANY (streetgen._traffic_rooms()));
 END $$;
 COMMENT ON FUNCTION streetgen.drop_traffic(name) IS
     'Removes the tables of traffic with all in them. No traffic: 55000; something of others that builds on them: '

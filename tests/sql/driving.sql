@@ -2,10 +2,10 @@
 \ir shared/truths.sql
 -- Scenes for driving simulators.  (name, holds)
 DO $$ BEGIN
-  PERFORM streetgen.create_model('town', 2154, subjects => '{junction}', driving_side => 'right');
-  INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, speed, name) OVERRIDING SYSTEM VALUE VALUES
-    (1, 'SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 14, 4, 'both', 2, 50, 'Main'), (2, 'SRID=2154;LINESTRING(650200 6860000,650400 6860000)', 14, 4, 'both', 2, 50, 'Main'),
-    (3, 'SRID=2154;LINESTRING(650200 6859800,650200 6860000)', 7, 2, 'both', 4, 50, 'South');
+  PERFORM streetgen.create_model('town', 2154, subjects => '{junction,sidewalk}', driving_side => 'right');
+  INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, speed, name, kind) OVERRIDING SYSTEM VALUE VALUES
+    (1, 'SRID=2154;LINESTRING(650000 6860000,650200 6860000)', 14, 4, 'both', 2, 50, 'Main', 'primary'), (2, 'SRID=2154;LINESTRING(650200 6860000,650400 6860000)', 14, 4, 'both', 2, 50, 'Main', 'primary'),
+    (3, 'SRID=2154;LINESTRING(650200 6859800,650200 6860000)', 7, 2, 'both', 4, 50, 'South', 'residential');
   PERFORM streetgen.generate('town', wait => true);
   PERFORM streetgen.create_traffic('town');
   PERFORM streetgen.place_cars('town', 10);
@@ -49,3 +49,40 @@ SELECT 'a summary counts each sample once, and the seconds between all', sum(sam
 SELECT 'the greatest excess and the least gap are those of samples', (SELECT (max(greatest_over_limit), min(least_gap), min(least_time_to_collision)) FROM summarized) = (SELECT (max(over_limit), min(gap), min(time_to_collision)) FROM reported);
 SELECT 'stretches hold what lies on them', count(*) > 50 AND bool_and(ends - starts = 50 AND axis_id IN (1, 2)) AND sum(sample_count) = (SELECT sum(sample_count) FROM summarized WHERE name = 'Main') FROM streetgen.drive_summary('town', 'trace', '{"time": "t", "actor": "car_id"}', 50, '{Main}');
 SELECT 'a stretch of nothing is refused', test.state($q$SELECT * FROM streetgen.drive_summary('town', 'odd', stretch => 0)$q$) = '22023' AND test.state($q$SELECT * FROM streetgen.drive_summary('town', 'odd', stretch => 'NaN')$q$) = '22023';
+
+-- Actors by rules.
+CREATE TEMPORARY TABLE placed AS SELECT * FROM streetgen.place_actors('town');
+SELECT 'actors are placed by the rules that a model begins with', (SELECT array_agg((kind, placed = n) ORDER BY kind) FROM placed p, LATERAL (SELECT CASE kind WHEN 'car' THEN (SELECT count(*) FROM town.car_place) ELSE (SELECT count(*) FROM town.walker_place) END AS n) n)::text = '{"(car,t)","(walker,t)"}';
+SELECT 'as densely as they say, up to one a lane', bool_and(abs(n - 8 * length / 1000) < 1) FROM (SELECT k.length, count(p.car_id) AS n FROM town.link k LEFT JOIN town.car_place p USING (link_id) WHERE k.kind = 'lane' GROUP BY k.link_id, k.length) l;
+SELECT 'people are on sidewalks', count(*) > 5 AND bool_and(EXISTS (SELECT FROM town.sidewalk s WHERE ST_DWithin(s.surface, p.geom, 1e-6))) FROM town.walker_place p;
+CREATE TEMPORARY TABLE first AS SELECT to_jsonb(c) AS row FROM town.car c UNION ALL SELECT to_jsonb(w) FROM town.walker w;
+SELECT 'the same seed places the same actors', sum(n.placed) = (SELECT count(*) FROM first) FROM streetgen.place_actors('town') n;
+SELECT 'to the last digit', NOT EXISTS (SELECT to_jsonb(c) FROM town.car c UNION ALL SELECT to_jsonb(w) FROM town.walker w EXCEPT TABLE first);
+SELECT 'another seed other ones', count(*) > 0 FROM streetgen.place_actors('town', 2);
+SELECT 'elsewhere', EXISTS (SELECT to_jsonb(c) - 'car_id' FROM town.car c EXCEPT SELECT row - 'car_id' FROM first) AND EXISTS (SELECT to_jsonb(w) - 'walker_id' FROM town.walker w EXCEPT SELECT row - 'walker_id' FROM first);
+DO $$ BEGIN PERFORM streetgen.place_actors('town', 1, ST_Transform('SRID=2154;POINT(650150 6860000)', 4326), 40); END $$;
+SELECT 'nobody is placed about the start', bool_and(ST_Distance(geom, 'SRID=2154;POINT(650150 6860000)') > 39.5) AND count(*) > 10 FROM (SELECT geom FROM town.car_place UNION ALL SELECT geom FROM town.walker_place) p;
+-- More than there is room for, buses among them.
+UPDATE town.actor_rule SET density = 200 WHERE kind = 'car';
+INSERT INTO town.actor_rule (kind, density, length, width) VALUES ('bus', 30, 12, 2.5);
+INSERT INTO town.actor_rule (kind, class, headway) VALUES ('walker', 'nowhere', 2);
+DO $$ BEGIN PERFORM streetgen.place_actors('town'); END $$;
+SELECT 'many are placed with 2 m between them, and cars and buses mix', count(*) > 60 AND min(gap) > 2 - 0.05 AND (SELECT count(*) FILTER (WHERE kind = 'bus' AND length = 12 AND width = 2.5) > 3 AND count(*) FILTER (WHERE kind = 'car' AND length = 5) > 30 FROM town.car) FROM streetgen.leaders('town') WHERE leader IS NOT NULL;
+SELECT 'none need brake for the next one', count(*) > 50 AND bool_and(gap + 0.1 >= 2 + v * 1.6 + v * (v - ahead) / (2 * sqrt(0.73 * 1.67)) OR v < 0.1) AND max(v) > 3 FROM (SELECT p.metres, c.speed / 3.6 AS v, lead(c.speed / 3.6) OVER w AS ahead, lead(p.metres - c.length) OVER w - p.metres AS gap FROM town.car c JOIN town.car_place p USING (car_id) WINDOW w AS (PARTITION BY p.link_id ORDER BY p.metres)) c WHERE gap IS NOT NULL;
+SELECT 'they can be driven on', count(DISTINCT car_id) > 60 FROM streetgen.simulate('town', 'idm', 2, 0.5);
+-- The rule that names most counts.
+INSERT INTO town.actor_rule (kind, class, density) VALUES ('car', 'residential', 0);
+UPDATE town.actor_rule SET density = 0 WHERE kind IN ('bus', 'walker') AND class IS NULL;
+SELECT 'a rule for a class stands before one for all', string_agg(kind, ' ' ORDER BY kind) FILTER (WHERE placed > 0) = 'car' FROM streetgen.place_actors('town');
+SELECT 'and holds for streets of this class', count(*) > 20 AND bool_and(axis_id <> 3) FROM town.car;
+DELETE FROM town.actor_rule;
+INSERT INTO town.actor_rule (kind, headway) VALUES ('car', 9);
+SELECT 'a headway is time by speed', placed BETWEEN 0.8 * n AND 1.2 * n FROM streetgen.place_actors('town'), (SELECT sum(length / (9 * speed / 3.6)) AS n FROM town.link WHERE kind = 'lane') l WHERE kind = 'car';
+INSERT INTO town.walker (walker_id, axis_id, abscissa, side, across) VALUES (1, 1, 100, 'crossing', 3), (2, 1, 100, 'crossing', 30), (3, 99, 1, 'left', NULL);
+SELECT 'who crosses is so far from the left kerb, at most across', string_agg(concat(walker_id, ' ', round((6860000 - ST_Y(geom))::numeric, 2)), ', ' ORDER BY walker_id) = '1 -4.00, 2 7.00' FROM town.walker_place;
+SELECT 'half a rule or walker is refused', test.state($q$INSERT INTO town.actor_rule (kind) VALUES ('car')$q$) = '23514' AND test.state($q$INSERT INTO town.actor_rule (kind, density, headway) VALUES ('car', 1, 1)$q$) = '23514' AND test.state($q$INSERT INTO town.walker (axis_id, abscissa, side) VALUES (1, 1, 'crossing')$q$) = '23514'
+  AND test.state($q$INSERT INTO town.actor_rule (kind, density) VALUES ('car', 'NaN')$q$) = '23514';
+SELECT 'so is a free zone that is none', test.state($q$SELECT * FROM streetgen.place_actors('town', 1, NULL, -1)$q$) = '22023' AND test.state($q$SELECT * FROM streetgen.place_actors('town', NULL)$q$) = '22004' AND test.state($q$SELECT * FROM streetgen.place_actors('town', 1, NULL, 'NaN')$q$) = '22023';
+DROP TABLE town.actor_rule, town.walker CASCADE;
+DO $$ BEGIN PERFORM streetgen.adopt_model('town'); END $$;
+SELECT 'a model with traffic that came before scenes gets their tables', sum(placed) > 10 FROM streetgen.place_actors('town');

@@ -4,10 +4,10 @@
 CREATE OR REPLACE FUNCTION streetgen._rooms() RETURNS text[]
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT '{frame,axis}'::text[] || array_agg(s.subject ORDER BY s.place)
-        || '{cross_section,design,source,format,simulation}'::text[] FROM streetgen._subject() s $$;
+        || '{cross_section,design,source,format,simulation,driving}'::text[] FROM streetgen._subject() s $$;
 COMMENT ON FUNCTION streetgen._rooms() IS
     'The rooms that give something to lists of the frame, in their order: the frame itself, axes, all subjects, '
-    'cross-sections, designs, sources, formats and simulation.';
+    'cross-sections, designs, sources, formats, simulation and driving.';
 
 CREATE OR REPLACE FUNCTION streetgen._rooms_of(model name) RETURNS text[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
