@@ -86,19 +86,28 @@ tell_compiling() {
   done
 }
 
+# The module, linked with all types in view: two definitions of one name are an error, and so is a file that leans on a precompiled header.
+linked=(-DCMAKE_BUILD_TYPE=None -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON '-DCMAKE_CXX_FLAGS=-O0 -flto=auto -Werror=odr')
+
 # build_targets TARGET…: one at a time, as several tests may want it.
 build_targets() {
   mkdir -p "$build"
   (
     flock 9
-    cmake -S "$root" -B "$build/release" >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
+    cmake -S "$root" -B "$build/release" ${STREETGEN_LINKED:+"${linked[@]}"} >"$build/cmake.log" 2>&1 || { cat "$build/cmake.log" >&2; fail "cmake failed"; }
     cmake --build "$build/release" -j"$(nproc)" --target "$@" 2>&1 | tee "$build/build.log" | tell_compiling || { tail -40 "$build/build.log" >&2; fail "the build failed"; }
   ) 9>"$build/release.lock"
 }
 
+# Asks cmake only where a source is later than the last build that ended: a command would wait a second for its answer.
 build_extension() {
+  local stamp=$stage/.built
+  [ ! -e "$stamp" ] || [ -n "$(cd "$root" && find CMakeLists.txt data/renew.sql include sql src -newer "$stamp" -print -quit)" ] || return 0
+  mkdir -p "$stage"
+  touch "$stamp.$BASHPID"
   build_targets streetgen install_script
   DESTDIR=$stage flock "$build/release.lock" cmake --install "$build/release" >/dev/null
+  mv "$stamp.$BASHPID" "$stamp"
 }
 
 build_tests() { build_targets streetgen_core_test; }
@@ -116,8 +125,7 @@ build_beside() {
 # The core, its tests and the fuzz program under ASan and UBSan, with every assertion.
 build_sanitized() { build_beside sanitized all -DCMAKE_BUILD_TYPE=Debug -DSTREETGEN_SANITIZE=ON; }
 
-# The module, linked with all types in view: two definitions of one name are an error, and so is a file that leans on a precompiled header.
-build_linked() { build_beside linked streetgen -DCMAKE_BUILD_TYPE=None -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON '-DCMAKE_CXX_FLAGS=-O0 -flto=auto -Werror=odr'; }
+build_linked() { build_beside linked streetgen "${linked[@]}"; }
 
 pg_bin() { pg_config --bindir; }
 

@@ -6,6 +6,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/narrow_gap.hpp"
 #include "geometry/polyline.hpp"
+#include "rounds.hpp"
 
 namespace streetgen {
 namespace narrow_gap_test {
@@ -110,7 +111,7 @@ TEST(Narrow, EverySmallHoleOfAUnionIsInAPlace) {
   Geos geos;
   constexpr double max_area = 4;
   int holes = 0;
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < rounds(400); ++round) {
     std::vector<MultiPolygon> surfaces;
     for (int i = 0; i < 12; ++i) {
       const double angle = round % 3 == 0 ? M_PI / 2 * (i % 2) : turn(random);
@@ -131,7 +132,7 @@ TEST(Narrow, EverySmallHoleOfAUnionIsInAPlace) {
         })) << round;
       }
   }
-  EXPECT_GT(holes, 100);
+  EXPECT_GT(holes, rounds(100));
 }
 
 }  // namespace narrow_gap_test

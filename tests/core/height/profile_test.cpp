@@ -252,7 +252,7 @@ Net together(Net net, const Net& other) {
 TEST(Profile, IsThatOfEachNetAlone) {
   std::mt19937_64 random(42);
   int unmet = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < rounds(300); ++round) {
     const Net lifted = random_net(&random, false), sunk = random_net(&random, true);
     const Net both = together(lifted, sunk);
     const Profiles all = profiles(both.edges, both.lifts, {});
@@ -268,7 +268,7 @@ TEST(Profile, IsThatOfEachNetAlone) {
         ASSERT_EQ(road[i].z, alone[i].z) << "round " << round << " edge " << e;
     }
   }
-  EXPECT_GT(unmet, 100);
+  EXPECT_GT(unmet, rounds(100));
 }
 
 bool is_same(const Profile& a, const Profile& b) {

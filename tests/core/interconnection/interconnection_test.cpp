@@ -10,6 +10,7 @@
 
 #include "geometry/polyline.hpp"
 #include "interconnection/joined_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/trajectory.hpp"
 
 namespace streetgen {
@@ -176,7 +177,7 @@ TEST(Interconnection, TurnsOfNearJunctionsShareTheGroundBetween) {
 
 TEST(Interconnection, APathThatTrafficTakesHasNoCorner) {
   int taken = 0, kept = 0, out = 0;
-  for (unsigned seed = 1; seed <= 400; ++seed) {
+  for (int seed = 1; seed <= rounds(400); ++seed) {
     const JoinedTown town(LanedStar(seed).roads());
     for (const Interconnection& i : town.join()) {
       const bool corner = sharpest_turn(i.line) > 30;
@@ -190,7 +191,7 @@ TEST(Interconnection, APathThatTrafficTakesHasNoCorner) {
       if (!i.plausible) ++out;
     }
   }
-  EXPECT_GT(taken, 1000);
+  EXPECT_GT(taken, rounds(1000));
   EXPECT_LT(kept + out, taken / 100);
 }
 

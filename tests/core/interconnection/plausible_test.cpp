@@ -8,6 +8,7 @@
 
 #include "geometry/polyline.hpp"
 #include "interconnection/joined_town.hpp"
+#include "rounds.hpp"
 
 namespace streetgen {
 namespace plausible_test {
@@ -539,7 +540,7 @@ TEST(Plausible, AMarkedLaneTakesTheLanesThatNoneReaches) {
 }
 
 TEST(Plausible, EveryLaneLeadsOnAndIsReachedWhereAnotherStreetAllows) {
-  for (unsigned seed = 1; seed <= 400; ++seed) {
+  for (int seed = 1; seed <= rounds(400); ++seed) {
     const JoinedTown town(LanedStar(seed).roads());
     std::map<int, bool> spreads, reached;
     for (const Interconnection& i : town.join()) {
@@ -553,7 +554,7 @@ TEST(Plausible, EveryLaneLeadsOnAndIsReachedWhereAnotherStreetAllows) {
 
 // By lane order, of two lanes of one approach the left one never goes on to the right of the other.
 TEST(Plausible, LanesOfOneApproachDoNotCross) {
-  for (unsigned seed = 1; seed <= 400; ++seed) {
+  for (int seed = 1; seed <= rounds(400); ++seed) {
     const JoinedTown town(LanedStar(seed).roads());
     const auto all = town.join();
     for (const Interconnection& a : all)

@@ -12,6 +12,7 @@
 #include "geometry/prepared_surface.hpp"
 #include "lane/arrow_paint.hpp"
 #include "random_town.hpp"
+#include "rounds.hpp"
 #include "streetgen/streets.hpp"
 
 namespace streetgen {
@@ -277,7 +278,7 @@ struct Town {
   Lanes lanes;
 };
 
-constexpr unsigned towns = 3;
+constexpr int towns = 3;
 
 const Town& town(unsigned seed) {
   static std::map<unsigned, Town> made;
@@ -299,7 +300,7 @@ const Town& town(unsigned seed) {
 // of slits and holes that a section is given, and up to an arc that lies beyond its limit.
 TEST(Lanes, TileTheirSection) {
   int given = 0, all = 0;
-  for (unsigned seed = 1; seed <= towns; ++seed) {
+  for (int seed = 1; seed <= towns; ++seed) {
     const Town& made = town(seed);
     Geos geos;
     std::vector<double> sum(made.streets.sections.size());
@@ -352,7 +353,7 @@ TEST(Lanes, TileTheirSectionWhereKinksOfItsKerbsAreRound) {
 }
 
 TEST(Lanes, RunBetweenTheLimitsAlongTheAxis) {
-  for (unsigned seed = 1; seed <= towns; ++seed) {
+  for (int seed = 1; seed <= towns; ++seed) {
     const Town& made = town(seed);
     for (const Lane& lane : made.lanes.lanes) {
       const SectionLimit &start = made.streets.limits[2 * lane.edge],
@@ -423,7 +424,7 @@ TEST(Lanes, ArrowsOfAnyTurnsAreValidSurfaces) {
   Lane lane;
   lane.width = 3;
   for (unsigned turns = 0; turns < 2 * turn::merge_right; ++turns)
-    for (int k = 0; k < 7; ++k) {
+    for (int k = 0; k < rounds(7); ++k) {
       const double angle = 0.3 + 0.9 * k;
       const Line line{{100, 200, 0}, {100 + 4 * std::cos(angle), 200 + 4 * std::sin(angle), 0}};
       EXPECT_TRUE(geos.valid(geos.surface(paint.on(lane, turns, line)).get())) << turns;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "read_lanes.hpp"
+#include "rounds.hpp"
 
 namespace streetgen {
 namespace osm_lanes_test {
@@ -721,7 +722,7 @@ TEST(OsmLanes, NonsenseIsNamedAndRaisesNothing) {
   const auto any = [&](const std::vector<std::string>& list) {
     return list[random() % list.size()];
   };
-  for (int i = 0; i < 10000; ++i) {
+  for (int i = 0; i < rounds(10000); ++i) {
     OsmTags tags;
     for (int n = random() % 8; n >= 0; --n) tags[any(keys)] = any(words);
     OsmLaneUse use = i % 2 ? left_hand() : OsmLaneUse{};

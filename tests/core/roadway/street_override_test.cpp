@@ -7,6 +7,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "rounds.hpp"
 #include "shared_area.hpp"
 #include "streetgen/corner.hpp"
 #include "streetgen/interconnection.hpp"
@@ -16,7 +17,7 @@
 namespace streetgen {
 namespace street_override_test {
 
-constexpr unsigned junctions = 60;
+const int junctions = rounds(60);
 
 struct Random {
   std::mt19937_64 engine;
@@ -111,7 +112,7 @@ bool ends_dead(const Network& network, int node) {
 
 TEST(ByHand, ALimitLiesWhereItWasPut) {
   int placed = 0;
-  for (unsigned seed = 1; seed <= junctions; ++seed) {
+  for (int seed = 1; seed <= junctions; ++seed) {
     Random random{std::mt19937_64(seed)};
     const std::vector<StreetAxis> axes = random_junction(random);
     const Streets before = streets(axes, {});
@@ -146,11 +147,11 @@ TEST(ByHand, ALimitLiesWhereItWasPut) {
       }
     }
   }
-  EXPECT_GT(placed, 300);
+  EXPECT_GT(placed, rounds(300));
 }
 
 TEST(ByHand, TheGroundIsTiledWhateverIsPut) {
-  for (unsigned seed = 1; seed <= junctions; ++seed) {
+  for (int seed = 1; seed <= junctions; ++seed) {
     Random random{std::mt19937_64(seed)};
     const std::vector<StreetAxis> axes = random_junction(random);
     const Streets before = streets(axes, {});
@@ -252,7 +253,7 @@ Line leaving(const Streets& town, int edge, bool at_start) {
 
 TEST(ByHand, ARadiusIsWhatWasTypedWhereItFits) {
   int typed = 0, reduced = 0;
-  for (unsigned seed = 1; seed <= junctions; ++seed) {
+  for (int seed = 1; seed <= junctions; ++seed) {
     Random random{std::mt19937_64(seed)};
     const std::vector<StreetAxis> axes = random_junction(random);
     const Streets before = streets(axes, {});
@@ -300,8 +301,8 @@ TEST(ByHand, ARadiusIsWhatWasTypedWhereItFits) {
       }
     }
   }
-  EXPECT_GT(typed, 200);
-  EXPECT_GT(reduced, 20);
+  EXPECT_GT(typed, rounds(200));
+  EXPECT_GT(reduced, rounds(20));
 }
 
 TEST(ByHand, ACentreTooFarGivesTheLargestRadiusThatIsNear) {

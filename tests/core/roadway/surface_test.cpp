@@ -8,6 +8,7 @@
 #include "geometry/geos.hpp"
 #include "geometry/polyline.hpp"
 #include "geometry/prepared_surface.hpp"
+#include "rounds.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {
@@ -100,7 +101,7 @@ TEST(IntersectionSurface, DoesNotDependOnTheOrderOfTheAxes) {
 
 TEST(IntersectionSurface, IsValidAndNotEmptyForRandomStraightAxes) {
   std::mt19937_64 random(11);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < rounds(2000); ++i) {
     std::vector<Line> axes;
     std::vector<double> widths, radii;
     const int degree = 3 + random() % 4;

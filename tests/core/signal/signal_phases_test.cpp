@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "rounds.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/signal.hpp"
 
@@ -145,7 +146,7 @@ TEST(SignalPhases, GoByPrecedence) {
 }
 
 TEST(SignalPhases, ServeCrossingsOfManyArms) {
-  for (int arms = 3; arms <= 20; ++arms) {
+  for (int arms = 3; arms <= 5 + rounds(15); ++arms) {
     const auto movements = crossing(arms);
     const auto states = signal_phases(movements, usual);
     expect_sound(movements, states);

@@ -10,6 +10,7 @@
 
 #include "cities.hpp"
 #include "geometry/polyline.hpp"
+#include "rounds.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/network.hpp"
@@ -103,7 +104,7 @@ TEST(VirtualCity, LiesOnWholeMillimetresInItsExtent) {
 
 TEST(VirtualCity, CrossesAtSharedVerticesOnly) {
   for (const CityOptions& options : kinds())
-    for (int seed = 1; seed <= 5; ++seed)
+    for (int seed = 1; seed <= rounds(5); ++seed)
       for (const NetworkReport& report : network_of(virtual_city(town, seed, options)).reports)
         ADD_FAILURE() << "seed " << seed << ": axes " << report.axis_a << ", " << report.axis_b
                       << " at " << report.point.x << " " << report.point.y;
@@ -128,7 +129,7 @@ int pieces(const Network& n) {
 
 TEST(VirtualCity, IsOnePiece) {
   for (const CityOptions& options : kinds())
-    for (int seed = 1; seed <= 5; ++seed)
+    for (int seed = 1; seed <= rounds(5); ++seed)
       EXPECT_EQ(pieces(network_of(virtual_city(town, seed, options))), 1);
 }
 
@@ -163,7 +164,7 @@ TEST(VirtualCity, IsATopologicalNetworkWhateverTheOptions) {
 
 TEST(VirtualCity, MeetsAtTheLeastAngleOrMore) {
   for (const CityOptions& options : {CityOptions{}, kinds()[3]})
-    for (int seed = 1; seed <= 5; ++seed) {
+    for (int seed = 1; seed <= rounds(5); ++seed) {
       const Network n = network_of(virtual_city(town, seed, options));
       std::vector<std::vector<Point>> arms(n.nodes.size());
       for (const Edge& edge : n.edges) {
