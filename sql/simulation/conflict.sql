@@ -22,7 +22,7 @@ BEGIN
             AND k.link_id = ANY (links);
     RETURN ARRAY(SELECT k.link_id FROM link k WHERE k.kind = 'movement'
         AND k.lane_in = ANY (ARRAY(SELECT i.lane_in FROM interconnection i WHERE i.node_id = ANY (nodes)
-            UNION SELECT m.lane_in FROM streetgen._lanes_across(model, '{}', junctions) m))
+            UNION SELECT m.lane_in FROM streetgen._lanes_over_junctions(model, '{}', junctions) m))
         AND (k.junction_id = ANY (junctions) OR k.junction_id IS NULL AND k.from_node = ANY (nodes)));
 END $$;
 COMMENT ON FUNCTION streetgen._links_of_junctions(name, bigint[]) IS

@@ -1,6 +1,6 @@
 -- Parts of the network of links: what some links touch.
 
-CREATE OR REPLACE FUNCTION streetgen._lanes_across(model name, movements bigint[], junctions bigint[])
+CREATE OR REPLACE FUNCTION streetgen._lanes_over_junctions(model name, movements bigint[], junctions bigint[])
     RETURNS TABLE(lane_in bigint, lane_out bigint)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
     AS $$
@@ -11,7 +11,7 @@ BEGIN
             WHERE m.junction_movement_id = ANY (movements) OR m.junction_id = ANY (junctions);
     END IF;
 END $$;
-COMMENT ON FUNCTION streetgen._lanes_across(name, bigint[], bigint[]) IS
+COMMENT ON FUNCTION streetgen._lanes_over_junctions(name, bigint[], bigint[]) IS
     'The lanes of some movements across junctions of several nodes, and of all movements across some of these; none of '
     'a model that computes no junctions.';
 
@@ -23,7 +23,7 @@ BEGIN
     RETURN ARRAY(SELECT l >> 2 FROM unnest(links) l WHERE l & 2 = 0
         UNION SELECT unnest(ARRAY[i.lane_in, i.lane_out]) FROM interconnection i
             WHERE i.interconnection_id = ANY (ARRAY(SELECT l >> 2 FROM unnest(links) l WHERE l & 3 = 2))
-        UNION SELECT unnest(ARRAY[m.lane_in, m.lane_out]) FROM streetgen._lanes_across(model, ARRAY(
+        UNION SELECT unnest(ARRAY[m.lane_in, m.lane_out]) FROM streetgen._lanes_over_junctions(model, ARRAY(
             SELECT l >> 2 FROM unnest(links) l WHERE l & 3 = 3), '{}') m);
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_of_links(name, bigint[]) IS

@@ -24,6 +24,7 @@ CREATE OR REPLACE FUNCTION streetgen._route_of(model name, from_link bigint, to_
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 50 SET search_path = pg_catalog, public
     AS $$
 DECLARE
+    schema name;
     unknown bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
@@ -39,14 +40,15 @@ BEGIN
         RAISE EXCEPTION 'there is no link %', unknown USING ERRCODE = '22023',
             HINT = 'View link of the model lists them.';
     END IF;
+    schema := streetgen._require_routing();
     -- Functions of pgRouting call each other without a schema.
-    PERFORM set_config('search_path', current_setting('search_path') || ', '
-        || quote_ident(streetgen._require_routing()), true);
+    PERFORM set_config('search_path', current_setting('search_path') || ', ' || quote_ident(schema), true);
     IF from_link = to_link THEN
         RETURN QUERY SELECT 1, from_link, 0::float8;
         RETURN;
     END IF;
-    RETURN QUERY EXECUTE 'SELECT path_seq, node, agg_cost FROM pgr_dijkstra($1, $2, $3)'
+    RETURN QUERY EXECUTE concat('SELECT path_seq, node, agg_cost FROM ', quote_ident(schema),
+            '.pgr_dijkstra($1, $2, $3)')
         USING streetgen._fill_template(streetgen._part('route_way'),
             jsonb_build_object('kind', quote_literal(kind), 'from_link', from_link)), from_link, to_link;
 END $$;

@@ -64,6 +64,13 @@ CROSS JOIN LATERAL (
     FROM (SELECT streetgen._measure_at(m.on_axis, m.on_lane, i.at) AS on_lane FROM streetgen._lane_measures(
             ST_Force2D(i.axis)::bytea, i.geom::bytea, i.widest, i.first, i.last) m) a) p
 
+--{car_editing
+-- Whose lane is gone is shown on its axis, and can be dragged from there.
+SELECT c.car_id, c.axis_id, c.abscissa, c.lane_position, c.along_axis, c.speed, c.length, c.width, c.kind, c.route,
+    coalesce(p.geom, ST_LineInterpolatePoint(ST_Force2D(a.geom), least(1, c.abscissa / nullif(ST_Length2D(a.geom),
+        0)))) AS geom
+FROM {model}.car c LEFT JOIN {model}.car_place p USING (car_id) LEFT JOIN {model}.axis a ON a.axis_id = c.axis_id
+
 --{route_way
 WITH open AS MATERIALIZED (
     SELECT k.link_id, k.kind, k.lane_id, k.along_axis, k.comes_from, k.leads_to, 3.6 * k.length / k.speed AS seconds

@@ -1,10 +1,5 @@
 -- Traffic is added to a model and taken away.
 
-CREATE OR REPLACE FUNCTION streetgen._has_traffic(model name) RETURNS boolean
-    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
-    RETURN to_regclass(format('%I.car', model)) IS NOT NULL;
-COMMENT ON FUNCTION streetgen._has_traffic(name) IS 'Does a model have the tables of traffic?';
-
 CREATE OR REPLACE FUNCTION streetgen._require_traffic(model name) RETURNS void
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
     AS $$
@@ -15,10 +10,6 @@ BEGIN
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_traffic(name) IS 'Raises 55000 for a model without the tables of traffic.';
-
-CREATE OR REPLACE FUNCTION streetgen._traffic_rooms() RETURNS text[]
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog RETURN '{simulation,driving}'::text[];
-COMMENT ON FUNCTION streetgen._traffic_rooms() IS 'The rooms whose tables a model with traffic has.';
 
 CREATE OR REPLACE FUNCTION streetgen.create_traffic(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -35,15 +26,16 @@ BEGIN
     END IF;
     before := streetgen._relations(model);
     PERFORM streetgen._make_tables(model, '{table}', streetgen._traffic_rooms());
-    PERFORM streetgen._make_views(model), streetgen._give_to_owner(model, before);
+    PERFORM streetgen._make_views(model), streetgen._make_simulation_edit_views(model),
+        streetgen._give_to_owner(model, before), streetgen._grant_simulation_views(model);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
 END $$;
 COMMENT ON FUNCTION streetgen.create_traffic(name) IS
     'Adds the tables of traffic to a model: car and walker, with who is on its streets, actor_rule, with who '
-    'place_actors places there, and simulated, with what simulations kept; and views car_place and walker_place. '
-    'Editors may write all but simulated. A model without subject interconnection, or one '
-    'with traffic: 55000; not the owner of the model: 42501; an unknown model: 3F000.';
+    'place_actors places there, and simulated, with what simulations kept; and views car_place, car_editing and '
+    'walker_place. Editors may write all but simulated. A model without subject interconnection, or one with traffic: '
+    '55000; not the owner of the model: 42501; an unknown model: 3F000.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_traffic(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -53,7 +45,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._require_traffic(model);
     EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(concat(quote_ident(model), '.', view), ', ')
-        FROM unnest('{car_place,walker_place}'::name[]) view);
+        FROM unnest('{car_editing,car_place,walker_place}'::name[]) view);
     EXECUTE (SELECT 'DROP TABLE ' || string_agg(concat(quote_ident(model), '.', relation), ', ')
         FROM streetgen.template WHERE room = ANY (streetgen._traffic_rooms()));
 END $$;

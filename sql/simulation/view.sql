@@ -58,7 +58,7 @@ COMMENT ON FUNCTION streetgen._make_simulation_views(name) IS
     'again.';
 
 CREATE OR REPLACE FUNCTION streetgen._simulation_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 4 SET search_path = pg_catalog
-    AS $$ SELECT view, subject FROM unnest('{car_place,link}'::name[]) view,
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
+    AS $$ SELECT view, subject FROM unnest('{car_editing,car_place,link}'::name[]) view,
         unnest('{interconnection,junction}'::text[]) subject $$;
 COMMENT ON FUNCTION streetgen._simulation_view() IS 'Views of the room, and the subjects whose tables they read.';

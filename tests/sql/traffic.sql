@@ -41,8 +41,7 @@ SELECT 'and leads who comes after, at green', bool_or(leader = 5 AND gap BETWEEN
 SELECT 'a path goes straight on', count(*) >= 3 AND bool_and(k.kind = CASE p.ordinality % 2 WHEN 1 THEN 'lane' ELSE 'movement' END) AND bool_and(a.axis_id IN (1, 2, 5)) FROM streetgen.free_path('town', (SELECT link_id FROM town.car_place WHERE car_id = 1), 40, 500) p
     JOIN town.link k USING (link_id) LEFT JOIN town.lane l USING (lane_id) LEFT JOIN town.edge a USING (edge_id);
 CREATE TEMPORARY TABLE whole AS SELECT streetgen._network_of_links('town') AS bytes;
-SELECT 'the same from each link as in the whole network', count(*) > 60 AND NOT EXISTS (SELECT l.link_id, p.* FROM whole, town.link l, streetgen._free_path(bytes, l.link_id, 0, 300, '{}') p
-    EXCEPT SELECT l.link_id, p.link_id, p.starts FROM town.link l, streetgen.free_path('town', l.link_id, 0, 300) p) FROM town.link l, streetgen.free_path('town', l.link_id, 0, 300);
+SELECT 'the same from each link as in the whole network', count(*) > 20 AND NOT bool_or(p.starts IS NULL OR w.starts IS NULL OR abs(p.starts - w.starts) > 1e-9) FROM whole, town.link l, LATERAL (SELECT * FROM streetgen._free_path(bytes, l.link_id, 0, 300, '{}') WITH ORDINALITY) w FULL JOIN LATERAL (SELECT * FROM streetgen.free_path('town', l.link_id, 0, 300)) p USING (ordinality, link_id) WHERE l.link_id % 3 = 0;
 SELECT 'a car on a lane that is not there has no place', test.state($q$INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (9, 1, 50, 9, true)$q$) = 'none' AND NOT EXISTS (SELECT FROM town.car_place WHERE car_id = 9)
     AND NOT EXISTS (SELECT FROM streetgen.leaders('town') WHERE car_id = 9);
 DELETE FROM town.car WHERE car_id = 9;
@@ -53,14 +52,14 @@ SELECT 'cars are placed as densely as asked', streetgen.place_cars('town', 20) B
 CREATE TEMPORARY TABLE placed AS SELECT axis_id, abscissa, lane_position FROM town.car;
 SELECT 'the same seed places the same cars, another one others', streetgen.place_cars('town', 20) > 0 AND NOT EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed)
     AND streetgen.place_cars('town', 20, 7) > 0;
-SELECT 'each car alone has the leader that it has among all', count(*) > 15 AND bool_and((o.leader, o.virtual, o.gap, o.distance, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.distance, l.speed)) AND bool_and(streetgen.get_free_dist('town', l.car_id, 20) = l.gap)
-  FROM streetgen.leaders('town', 20) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 20) o ON true WHERE l.car_id % 3 = 0;
+SELECT 'each car alone has the leader that it has among all', count(*) > 5 AND bool_and((o.leader, o.virtual, o.gap, o.distance, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.distance, l.speed)) AND bool_and(streetgen.get_free_dist('town', l.car_id, 20) = l.gap)
+  FROM streetgen.leaders('town', 20) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 20) o ON true WHERE l.car_id % 8 = 0;
 UPDATE town.setting SET value = 'by_place' WHERE name = 'merging_leader';
-SELECT 'also where others merge', count(*) > 15 AND bool_and((o.leader, o.virtual, o.gap, o.distance, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.distance, l.speed))
-  FROM streetgen.leaders('town', 50) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 50) o ON true WHERE l.car_id % 3 = 1;
+SELECT 'also where others merge', count(*) > 5 AND bool_and((o.leader, o.virtual, o.gap, o.distance, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.distance, l.speed))
+  FROM streetgen.leaders('town', 50) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 50) o ON true WHERE l.car_id % 8 = 1;
 UPDATE town.setting SET value = CASE name WHEN 'virtual_car' THEN 'stationary' ELSE 'none' END WHERE name IN ('virtual_car', 'merging_leader');
 SELECT 'and at a short horizon with a car that stands there', bool_or(l.virtual = 'stationary' AND l.gap = 30) AND bool_and((o.leader, o.virtual, o.gap, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.speed))
-  FROM streetgen.leaders('town', 0, 30) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 0, 30) o ON true WHERE l.car_id % 3 = 0;
+  FROM streetgen.leaders('town', 0, 30) l LEFT JOIN LATERAL streetgen.get_leader('town', l.car_id, 0, 30) o ON true WHERE l.car_id % 8 = 0;
 UPDATE town.setting SET value = 'moving' WHERE name = 'virtual_car';
 SELECT 'a leader of nobody is refused', test.said($q$SELECT * FROM streetgen.get_leader('town', 77)$q$) = 'there is no car 77' AND test.state($q$SELECT * FROM streetgen.get_leader('town', 1, horizon => -1)$q$) = '22023';
 SELECT 'they differ', EXISTS (SELECT axis_id, abscissa, lane_position FROM town.car EXCEPT TABLE placed);
@@ -70,11 +69,11 @@ SELECT 'more than fit are refused', test.state($q$SELECT streetgen.place_cars('t
 SELECT 'without pgRouting a route is refused with the commands', (SELECT state = '0A000' AND hint LIKE '%CREATE EXTENSION pgrouting.' FROM test.refusal($q$SELECT * FROM streetgen.route('town', (SELECT min(link_id) FROM town.link), (SELECT max(link_id) FROM town.link))$q$));
 SELECT test.as_administrator('CREATE EXTENSION pgrouting') \g /dev/null
 CREATE TEMPORARY TABLE known AS SELECT * FROM pg_temp.quickest('town', ARRAY(SELECT link_id FROM town.link WHERE kind = 'lane'));
-CREATE TEMPORARY TABLE asked AS SELECT k.origin, l.link_id AS link, r.links, r.seconds FROM (SELECT DISTINCT origin FROM known ORDER BY origin LIMIT 8) k, town.link l, LATERAL (
-  SELECT array_agg(link_id ORDER BY ordinality) AS links, max(seconds) AS seconds FROM streetgen.route('town', k.origin, l.link_id)) r WHERE l.link_id % 5 < 2;
-SELECT 'a route is as quick as plain SQL finds, and there is none where that finds none', count(*) > 60 AND count(a.seconds) > 20 AND count(*) > count(a.seconds) AND bool_and(abs(a.seconds - k.seconds) < 1e-9 IS NOT FALSE AND (a.seconds IS NULL) = (k.seconds IS NULL))
+CREATE TEMPORARY TABLE asked AS SELECT k.origin, l.link_id AS link, r.links, r.seconds FROM (SELECT DISTINCT origin FROM known ORDER BY origin LIMIT 5) k, town.link l, LATERAL (
+  SELECT array_agg(link_id ORDER BY ordinality) AS links, max(seconds) AS seconds FROM streetgen.route('town', k.origin, l.link_id)) r WHERE l.link_id % 5 = 1;
+SELECT 'a route is as quick as plain SQL finds, and there is none where that finds none', count(*) > 20 AND count(a.seconds) > 5 AND count(*) > count(a.seconds) AND bool_and(abs(a.seconds - k.seconds) < 1e-9 IS NOT FALSE AND (a.seconds IS NULL) = (k.seconds IS NULL))
   FROM asked a LEFT JOIN known k USING (origin, link);
-SELECT 'it has no gap, and changes lanes now and then', count(*) > 100 AND bool_and(next IS NULL OR o.comes_from = link OR o.link_id = l.leads_to OR a.change = 'allowed') AND bool_or(a.change = 'allowed') FROM (
+SELECT 'it has no gap, and changes lanes now and then', count(*) > 20 AND bool_and(next IS NULL OR o.comes_from = link OR o.link_id = l.leads_to OR a.change = 'allowed') AND bool_or(a.change = 'allowed') FROM (
     SELECT u.link, lead(u.link) OVER (PARTITION BY origin, asked.link ORDER BY n) AS next FROM asked, unnest(links) WITH ORDINALITY u(link, n)) p JOIN town.link l ON l.link_id = p.link
   LEFT JOIN town.link o ON o.link_id = p.next LEFT JOIN town.lane_adjacency a ON (a.lane_a, a.lane_b) = (l.lane_id, o.lane_id);
 SELECT 'an unknown link is refused, and an unknown kind', test.said($q$SELECT * FROM streetgen.route('town', 7000001, 7000001)$q$) = 'there is no link 7000001' AND test.state($q$SELECT * FROM streetgen.route('town', 7000001, 7000001, 'ship')$q$) = '22023';
@@ -85,7 +84,7 @@ DELETE FROM town.car;
 INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, speed, route) VALUES (1, 1, 40, 4, true, 30, pg_temp.way(pg_temp.lane_link(1, 4, true), pg_temp.lane_link(3, 1, false))),
   (2, 3, 150, 1, false, 0, NULL), (3, 1, 20, 3, true, 30, pg_temp.way(pg_temp.lane_link(1, 3, true), pg_temp.lane_link(3, 1, false)));
 SELECT 'a path follows a route, then goes straight on', bool_or(link_id = pg_temp.lane_link(3, 1, false)) AND NOT bool_or(link_id = pg_temp.lane_link(2, 4, true)) FROM town.car c, streetgen.free_path('town', pg_temp.lane_link(1, 4, true), 40, 500, c.route) WHERE car_id = 1;
-SELECT 'so does who looks for a leader, alone too', bool_or(l.leader = 2) AND bool_and((o.leader, o.virtual, o.gap, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.speed)) FROM generate_series(0, 110, 10) s, streetgen.leaders('town', s) l, streetgen.get_leader('town', l.car_id, s) o WHERE l.car_id = 1;
+SELECT 'so does who looks for a leader, alone too', bool_or(l.leader = 2) AND bool_and((o.leader, o.virtual, o.gap, o.speed) IS NOT DISTINCT FROM (l.leader, l.virtual, l.gap, l.speed)) FROM generate_series(0, 110, 20) s, streetgen.leaders('town', s) l, streetgen.get_leader('town', l.car_id, s) o WHERE l.car_id = 1;
 SELECT 'before the place to change at stands a car', l.virtual = 'stationary' AND l.gap < 180 AND (o.virtual, o.gap) = (l.virtual, l.gap) FROM streetgen.leaders('town', 10) l, streetgen.get_leader('town', 3, 10) o WHERE l.car_id = 3;
 DELETE FROM town.car WHERE car_id = 2;
 SELECT 'both come to the end of their routes', count(DISTINCT car_id) = 2 FROM streetgen.simulate('town', 'idm', 150, 0.2) WHERE link = pg_temp.lane_link(3, 1, false);
@@ -94,6 +93,38 @@ SELECT 'a route with a gap is refused with its car', test.said($q$SELECT * FROM 
     AND test.said($q$SELECT * FROM streetgen.get_leader('town', 1)$q$) LIKE 'link % of the route neither%' AND test.state($q$SELECT * FROM town.car c, streetgen.free_path('town', route[1], 0, 500, route)$q$) = '22023';
 UPDATE town.car SET route = route || 7000001 WHERE car_id = 3;
 SELECT 'so is one with a link that is gone', test.said($q$SELECT * FROM streetgen.leaders('town')$q$) = 'car 3: there is no link 7000001 of its route' AND test.said($q$SELECT * FROM streetgen.get_leader('town', 3)$q$) = 'car 3: there is no link 7000001 of its route';
+
+-- Changes of lane.
+DELETE FROM town.car;
+INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis) VALUES (1, 1, 50, 3, true), (2, 1, 53, 4, true), (3, 1, 60, 1, false);
+SELECT 'nobody moves onto another one', test.said($q$SELECT streetgen.move_car('town', 1, 'right')$q$) = 'car 1 has no gap on its right' AND (SELECT lane_position = 3 FROM town.car WHERE car_id = 1);
+UPDATE town.car SET abscissa = 43.5 WHERE car_id = 2;
+SELECT 'nor closely before him', test.said($q$SELECT streetgen.move_car('town', 1, 'right')$q$) = 'car 1 has no gap on its right';
+UPDATE town.car SET abscissa = 42.9 WHERE car_id = 2;
+SELECT 'beside a gap a car moves, and stays at its place along the axis', streetgen.move_car('town', 1, 'right') = pg_temp.lane_link(1, 4, true);
+SELECT 'which the table tells', (lane_position, abscissa) = (4, 50) FROM town.car WHERE car_id = 1;
+SELECT 'sides are those of who drives', streetgen.move_car('town', 3, 'left') = pg_temp.lane_link(1, 2, false);
+SELECT 'where no lane is, or traffic comes towards, a move is refused', test.said($q$SELECT streetgen.move_car('town', 1, 'right')$q$) = 'no lane lies on the right of car 1' AND test.said($q$SELECT streetgen.move_car('town', 3, 'left')$q$) = 'car 3 may not change to the lane on its left';
+SELECT 'also over a solid line', test.state($q$UPDATE town.axis SET change_forward = 'no|no' WHERE axis_id = 1$q$) = 'none' AND test.said($q$SELECT streetgen.move_car('town', 1, 'left')$q$) = 'car 1 may not change to the lane on its left';
+SELECT 'also of nobody, and to no side', test.said($q$SELECT streetgen.move_car('town', 77, 'left')$q$) = 'there is no car 77' AND test.state($q$SELECT streetgen.move_car('town', 1, 'up')$q$) = '22023';
+-- Cars that are dragged, and those whose lane goes.
+UPDATE town.car_editing SET geom = 'SRID=2154;POINT(650203 6860100)', speed = 20 WHERE car_id = 1;
+SELECT 'a car that is dragged is on the nearest lane', (axis_id, lane_position, along_axis, speed) = (4, 2, true, 20) AND abs(abscissa - 100) < 0.01 AND ST_DWithin(p.geom, 'SRID=2154;POINT(650203 6860100)'::geometry, 1.5) FROM town.car JOIN town.car_place p USING (car_id) WHERE car_id = 1;
+INSERT INTO town.car_editing (geom) VALUES ('SRID=2154;POINT(650100 6860005)');
+SELECT 'a new point is a new car', (axis_id, lane_position, along_axis, length, kind) = (1, 1, false, 5, 'car') AND abs(abscissa - 100) < 0.01 FROM town.car WHERE car_id NOT IN (1, 2, 3);
+DELETE FROM town.car_editing WHERE car_id NOT IN (1, 2, 3);
+SELECT 'which goes as it came', count(*) = 3 FROM town.car;
+SELECT 'far from lanes no car is', test.said($q$UPDATE town.car_editing SET geom = 'SRID=2154;POINT(650000 6870000)' WHERE car_id = 1$q$) = 'car 1 has no lane within 20 m' AND test.state($q$UPDATE town.car_editing SET geom = NULL WHERE car_id = 1$q$) = '22023';
+SELECT 'what follows from the point is not typed', test.state($q$UPDATE town.car_editing SET abscissa = 3 WHERE car_id = 1$q$) = '0A000';
+SELECT 'cars on their lanes are sound', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = 'car');
+INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, route) VALUES (4, 77, 10, 1, true, NULL), (5, 2, 50, 3, true, '{7000001}');
+UPDATE town.axis SET lane_count = 2, change_forward = NULL WHERE axis_id = 1;
+CREATE TEMPORARY TABLE found AS SELECT rule, id, geom FROM streetgen.check_model('town') WHERE relation = 'car';
+SELECT 'cars whose lane or axis is gone are found, and routes', array_agg(concat(id, ' ', rule) ORDER BY id) = '{2 car without its lane,3 car without its lane,4 car without its axis,5 car whose route has links that are gone}' FROM found;
+SELECT 'at their place on the axis', ST_DWithin(geom, 'SRID=2154;POINT(650042.9 6860000)'::geometry, 0.01) FROM found WHERE id = 2;
+UPDATE town.car_editing SET geom = ST_Translate(geom, 0, -2) WHERE car_id = 2;
+SELECT 'and are dragged back from there', (SELECT (axis_id, lane_position) = (1, 2) FROM town.car WHERE car_id = 2) AND NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = 'car' AND id = 2);
+UPDATE town.axis SET lane_count = 4 WHERE axis_id = 1;
 
 -- Simulations.
 DO $$ BEGIN PERFORM streetgen.place_cars('town', 5); END $$;

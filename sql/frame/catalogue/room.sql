@@ -13,10 +13,12 @@ CREATE OR REPLACE FUNCTION streetgen._rooms_of(model name) RETURNS text[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$
 BEGIN
-    RETURN streetgen._subjects(model) || CASE WHEN streetgen._has_design(model) THEN '{design}'::text[] ELSE '{}' END;
+    RETURN streetgen._subjects(model) || CASE WHEN streetgen._has_design(model) THEN '{design}'::text[] ELSE '{}' END
+        || CASE WHEN streetgen._has_traffic(model) THEN streetgen._traffic_rooms() ELSE '{}' END;
 END $$;
 COMMENT ON FUNCTION streetgen._rooms_of(name) IS
-    'The rooms of which a model has rows: the subjects that it computes, and design where it has one.';
+    'The rooms of which a model has rows: the subjects that it computes, design where it has one, and those of traffic '
+    'where it has that.';
 
 CREATE OR REPLACE FUNCTION streetgen._queries_of_rooms(rooms text[], called text, arguments text) RETURNS SETOF text
     LANGUAGE sql STABLE STRICT PARALLEL SAFE ROWS 5 SET search_path = pg_catalog, public
@@ -39,6 +41,15 @@ CREATE OR REPLACE FUNCTION streetgen._has_design(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT to_regclass(format('%I.design_link', model)) IS NOT NULL $$;
 COMMENT ON FUNCTION streetgen._has_design(name) IS 'Does a model have the tables of a design?';
+
+CREATE OR REPLACE FUNCTION streetgen._traffic_rooms() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog RETURN '{simulation,driving}'::text[];
+COMMENT ON FUNCTION streetgen._traffic_rooms() IS 'The rooms whose tables a model with traffic has.';
+
+CREATE OR REPLACE FUNCTION streetgen._has_traffic(model name) RETURNS boolean
+    LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
+    RETURN to_regclass(format('%I.car', model)) IS NOT NULL;
+COMMENT ON FUNCTION streetgen._has_traffic(name) IS 'Does a model have the tables of traffic?';
 
 CREATE OR REPLACE FUNCTION streetgen._call_rooms(called text, model name, rooms text[]) RETURNS void
     LANGUAGE plpgsql VOLATILE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
