@@ -1,6 +1,6 @@
 # Invented networks: the commands virtual-city and two-towns of data/streetgen.
 
-# take_invented ARGUMENT…: sets $seed, $srid, $corner, $options, $model, $replace, $files and, of two-towns, $driving_side; $others is what else is given.
+# take_invented ARGUMENT…: sets $seed, $srid, $corner, $options, $model, $replace, $files and, of two-towns, $driving_side and $seconds; $others is what else is given.
 take_invented() {
   while [ $# -gt 0 ]; do
     case $1 in
@@ -15,6 +15,7 @@ take_invented() {
           *--model) model=$2 ;;
           *--export) files+=("$2") ;;
           two-towns--driving-side) driving_side=$2 ;;
+          two-towns--seconds) seconds=$2 ;;
           *) fail "unknown option $1" ;;
         esac
         shift ;;
@@ -66,11 +67,39 @@ virtual_city() {
   write_invented
 }
 
+# drive MODEL SECONDS: cars stand on its lanes and drive, and a flow goes through them; kept as the runs cars and flow.
+drive() {
+  local model
+  model=$(quoted "$1")
+  run_sql -At -F ' rows of run ' -c "SET client_min_messages = error" -c "SELECT streetgen.create_traffic($model) WHERE to_regclass($model || '.car') IS NULL" -c "SELECT FROM streetgen.place_cars($model, 6)" \
+    -c "SELECT streetgen.keep_simulation($model, 'cars', 'idm', $2, 0.1, '{\"flow\": 200}', options => '{\"output\": 0.5}'), 'cars'" \
+    -c "SELECT streetgen.keep_simulation($model, 'flow', 'arz', $2, 0.1, '{\"flow\": 200}', options => '{\"output\": 5}'), 'flow'" | grep rows
+}
+
+# draw_traffic MODEL SECONDS EXTENT: frames of an extent, a picture of it that moves, and the densities of all at the end.
+draw_traffic() {
+  local frames=$build/$1_frames at
+  rm -rf "$frames"
+  mkdir -p "$frames"
+  for ((at = 0; at <= $2; at += 10)); do
+    take_picture "$frames/$(printf %04d "$at")" "$1" "$3" NULL false "'street'" NULL "'cars'" "$at"
+  done
+  run_sql -At -c "SELECT streetgen.animated_svg($(quoted "$1"), 'cars', $3)" >"$build/$1_moving.svg"
+  take_picture "$build/$1_flow" "$1" NULL NULL true "'street'" NULL "'flow'" "$2"
+  printf 'traffic    %s\n' "$frames" "$build/$1_moving.svg (a browser plays it)" "$build/$1_flow.png"
+}
+
 two_towns() {
-  local others=() seed=1 srid=2154 corner=650000,6860000 options='{}' model=two_towns replace= files=() driving_side=right
+  local others=() seed=1 srid=2154 corner=650000,6860000 options='{}' model=two_towns replace= files=() driving_side=right seconds=60 interchange
   take_invented "$@"
   want '' ${others[@]+"${others[@]}"}
+  [[ $seconds =~ ^[0-9]{1,4}$ ]] || fail "--seconds \"$seconds\" is no number of seconds up to 9999"
   make_invented "streetgen.create_two_towns('$model', :'srid', :'x', :'y', :'seed', jsonb_build_object('driving_side', $(quoted "$driving_side")) || :'options')"
-  finish "$model" streets NULL interchange street "(SELECT ST_Expand(ST_Extent(geom)::geometry, 40) FROM $model.axis WHERE kind = 'motorway_link' AND starts_with(name, 'Weston '))"
+  interchange="(SELECT ST_Expand(ST_Extent(geom)::geometry, 40) FROM $model.axis WHERE kind = 'motorway_link' AND starts_with(name, 'Weston '))"
+  finish "$model" streets NULL interchange street "$interchange"
+  if [ "$seconds" != 0 ]; then
+    timed driving drive "$model" "$seconds"
+    timed 'traffic drawn' draw_traffic "$model" "$seconds" "$interchange"
+  fi
   write_invented
 }

@@ -49,6 +49,10 @@ class Database:
         corners = self.ask(f'SELECT ST_XMin(box), ST_YMin(box), ST_XMax(box), ST_YMax(box) FROM streetgen._model_extent({literal(model)}) box')[0]
         return corners if corners[0] is not None else None
 
+    def run_seconds(self, model):
+        """How long the longest run is that a model kept, or None."""
+        return self.ask(f'SELECT max(t) FROM {identifier(model)}.simulated')[0][0]
+
     def attribution(self, model):
         """Whose data the model shows, where a setting says so."""
         return ''.join(value or '' for value, in self.ask(f"SELECT value FROM streetgen.setting({literal(model)}) WHERE name = 'attribution'"))

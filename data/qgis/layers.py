@@ -2,7 +2,7 @@
 import dataclasses
 import typing
 
-from shape import CORNER_KIND, INTERSECTION_KIND, NAMES, NUMBERS, OBJECT_LINES, OBJECT_POINTS, PATH_KIND, REPORT, RING_KIND, SECTION_KIND, SIGNALS, STREETS, grounds, shown_of
+from shape import CORNER_KIND, INTERSECTION_KIND, NAMES, NUMBERS, OBJECT_LINES, OBJECT_POINTS, PATH_KIND, REPORT, RING_KIND, SECTION_KIND, SIGNALS, SIMULATED_CARS, SIMULATED_DENSITIES, STREETS, grounds, shown_of
 from style import along_lines, as_wide_as, at_true_size, boxes_on_lines, by_rule, fill, level_by_level, line, nothing, outline, point, rules, shaded, single, turned, with_arrow
 
 
@@ -25,6 +25,7 @@ class Layer:
     labels: typing.Optional[typing.Callable] = None  # of the rules of a theme
     tip: str = ''  # what is told where the pointer rests
     theme: str = 'construction'
+    when: typing.Optional[tuple] = None  # columns of the time from which on it is there, and of that when it is gone
 
     @property
     def name(self):
@@ -298,6 +299,18 @@ def zone(look):
                  ('other', 'ELSE', outline(look.handle())))
 
 
+def run(relation, query, kind, made):
+    """What a simulation kept, by its time."""
+    return Layer('traffic', relation, 'simulated_id', 'geom', made, query=query, kind=kind, needs='simulated', shown=True, when=('begins', 'ends'),
+                 tip=f'<b>{escaped("run")}</b>, [% round("t", 1) %] s: [% round("speed") %] km/h')
+
+
+SIMULATED = (
+    run('simulated_car', SIMULATED_CARS, 'Polygon', drawn('car', fill, '"kind"')),
+    run('simulated_density', SIMULATED_DENSITIES, 'LineString', drawn('density', lambda symbol: line(symbol, 1), '"kind"')),
+)
+
+
 def standing(made):
     """What is drawn of a design: not what was rejected."""
     return lambda look: rules(('by hand', 'by_hand AND NOT rejected', made(look, 'by_hand')), ('computed', 'NOT by_hand', made(look, '')))
@@ -328,4 +341,4 @@ def layers_of(relations, decisions, levels, buildings):
     """
     own = {layer.relation for layer in EDITED}
     decided = [by_hand(relation, columns) for relation, columns in decisions.items() if relation not in own]
-    return [layer for layer in (*CHECKED, *EDITED, *decided, *COMPUTED, *DESIGN, *MAP, *map(building, buildings), street(relations, levels), HILL_SHADE) if (layer.needs or layer.relation) in relations]
+    return [layer for layer in (*CHECKED, *EDITED, *decided, *SIMULATED, *COMPUTED, *DESIGN, *MAP, *map(building, buildings), street(relations, levels), HILL_SHADE) if (layer.needs or layer.relation) in relations]

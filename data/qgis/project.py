@@ -11,14 +11,15 @@ import sys
 
 from headless import qgis
 
-from qgis.core import QgsException, QgsMapLayerDependency, QgsProject, QgsRectangle, QgsReferencedRectangle, QgsRuleBasedRenderer, QgsSnappingConfig, QgsTolerance, QgsVectorLayer
-from qgis.PyQt.QtCore import QUrl, QUrlQuery
+from qgis.core import Qgis, QgsDateTimeRange, QgsException, QgsMapLayerDependency, QgsProject, QgsRectangle, QgsReferencedRectangle, QgsRuleBasedRenderer, QgsSnappingConfig, QgsTolerance, QgsUnitTypes, QgsVectorLayer
+from qgis.PyQt.QtCore import QDateTime, Qt, QUrl, QUrlQuery
 from qgis.PyQt.QtXml import QDomDocument
 
 from database import Database, Refused, identifier, literal
 from form import set_form
 from layers import layers_of
 from look import Look
+from shape import RUN_DAY
 from sheet import add_sheet
 from style import colour
 from theme import arrange, remember, tell_once
@@ -45,6 +46,24 @@ def draw_by(vector, renderer):
         see_up_to(vector, renderer)
 
 
+def set_times(vector, begins, ends):
+    """The temporal controller shows what is there at its time."""
+    times = vector.temporalProperties()
+    times.setIsActive(True)
+    times.setMode(Qgis.VectorTemporalMode.FeatureDateTimeStartAndEndFromFields)
+    times.setLimitMode(Qgis.VectorTemporalLimitMode.IncludeBeginExcludeEnd)
+    times.setStartField(begins)
+    times.setEndField(ends)
+
+
+def play(project, seconds):
+    """The temporal controller goes through the runs, second by second."""
+    first = QDateTime.fromString(RUN_DAY, Qt.ISODate)
+    project.timeSettings().setTemporalRange(QgsDateTimeRange(first, first.addMSecs(int(1000 * seconds))))
+    project.timeSettings().setTimeStep(1)
+    project.timeSettings().setTimeStepUnit(QgsUnitTypes.TemporalSeconds)
+
+
 def vector_layer(database, model, srid, layer, looks):
     vector = QgsVectorLayer(database.source(model, srid, layer), layer.name, 'postgres', QgsVectorLayer.LayerOptions(False))  # no style of a run before
     if not vector.isValid():
@@ -60,6 +79,8 @@ def vector_layer(database, model, srid, layer, looks):
     if layer.scale:
         vector.setScaleBasedVisibility(True)
         vector.setMinimumScale(layer.scale)
+    if layer.when:
+        set_times(vector, *layer.when)
     vector.setMapTipTemplate(layer.tip)
     vector.setReadOnly(layer.writable is None)
     return vector
@@ -128,6 +149,9 @@ def make_project(database, model):
         extent = QgsRectangle(*extent)
         project.viewSettings().setDefaultViewExtent(QgsReferencedRectangle(extent, axis.crs()))
         add_sheet(project, looks['street'], extent.center(), srid, database.attribution(model))
+    seconds = database.run_seconds(model) if 'simulated_car' in vectors else None
+    if seconds:
+        play(project, seconds)
     snap(project)
     follow(model, layers, vectors)
     return project, layers, vectors

@@ -106,3 +106,12 @@ NUMBERS = ("SELECT e.edge_id, btrim(split_part(a.ref, ';', 1)) AS ref, e.importa
            "WHERE btrim(split_part(a.ref, ';', 1)) <> ''")
 # Lines of construction, by layer of streetgen.symbol_rule.
 REPORT = 'SELECT row_number() OVER (ORDER BY axis_a, axis_b, issue, geom) AS report_id, * FROM @.report'
+# Runs of simulations that were kept begin at midnight of this day.
+RUN_DAY = '2000-01-01'
+MOMENTS = (f"(SELECT run, t, timestamp '{RUN_DAY}' + make_interval(secs => t) AS begins, "
+           f"timestamp '{RUN_DAY}' + make_interval(secs => coalesce(lead(t) OVER (PARTITION BY run ORDER BY t), t + 1)) AS ends "
+           'FROM (SELECT DISTINCT run, t FROM @.simulated) moment)')
+SIMULATED_CARS = ('SELECT simulated_id, run, t, begins, ends, car_id, kind, speed, link_id, metres, streetgen._standing_car(geom, heading, length, width) AS geom '
+                  f'FROM @.simulated JOIN {MOMENTS} m USING (run, t) WHERE car_id IS NOT NULL')
+SIMULATED_DENSITIES = ('SELECT simulated_id, run, t, begins, ends, density, streetgen._density_kind(density) AS kind, speed, link_id, ST_Force2D(geom) AS geom '
+                       f'FROM @.simulated JOIN {MOMENTS} m USING (run, t) WHERE density >= 1')

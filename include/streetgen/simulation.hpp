@@ -37,7 +37,10 @@ struct SimulationOptions {
 struct SimulatedCar {
   std::int64_t car_id = 0;
   LinkPlace place;  // of its front
+  LinkFrame frame;  // as body_frame has it
   double speed = 0, acceleration = 0;
+  float length = 0, width = 0;
+  std::uint8_t kind = traffic::car;
 };
 
 struct SimulatedCell {

@@ -386,4 +386,8 @@ class Traffic {
   std::int32_t count_ = 0;
 };
 
+// The frame of a car's front, but with the direction from its rear to its front as heading: both
+// are on the links on which it stands.  Refused: as Traffic::car.
+LinkFrame body_frame(const Traffic& traffic, int car);
+
 }  // namespace streetgen

@@ -64,7 +64,7 @@ struct TrafficSource {
 // Where two lanes touch, both end in the heading between theirs.  The length of a link is that of
 // its line; of a movement between lanes that touch it is a tenth of a micrometre.  The allowed speed of a
 // movement is that of the slower of its lanes, but on a bend no more than sqrt(0.7 g r) for its
-// tightest radius r.  Movements of one junction, or of
+// tightest radius r, as a metre of it turns.  Movements of one junction, or of
 // one node, that need the same ground are conflicts.  Movements go on from lane to lane: one whose lanes are not there is left out.
 // Refused (invalid_input): two links of one key, a lane without length or without its edge, a
 // neighbour that is no link.

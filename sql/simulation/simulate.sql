@@ -2,14 +2,15 @@
 
 CREATE OR REPLACE FUNCTION streetgen._simulate(network bytea, cars streetgen.traffic_car[], entries bigint[],
     flows float8[], turn_links bigint[], turn_next bigint[], turn_shares float8[], method text, duration float8,
-    step float8, output float8, seed bigint)
-    RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, length float8, speed float8,
-        density float8, x float8, y float8, height float8, heading float8)
+    step float8, output float8, seed bigint, law oid)
+    RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, length float8, width float8,
+        kind text, speed float8, density float8, x float8, y float8, height float8, heading float8)
     LANGUAGE c STABLE STRICT PARALLEL UNSAFE COST 100000 ROWS 10000 AS 'MODULE_PATHNAME', 'streetgen_simulate';
 COMMENT ON FUNCTION streetgen._simulate(bytea, streetgen.traffic_car[], bigint[], float8[], bigint[], bigint[],
-    float8[], text, float8, float8, float8, bigint) IS
+    float8[], text, float8, float8, float8, bigint, oid) IS
     'What streetgen.simulate gives, on a network: x and y of the front of a car or the middle of a cell, heading in '
-    'radians there, length of a cell. Cars enter at links by flows (an hour) and turn by shares.';
+    'radians (of a car from its rear to its front), length of a car or a cell. Cars enter at links by flows (an hour) '
+    'and turn by shares. law: of cars that follow, in place of that of idm; 0: none.';
 
 CREATE OR REPLACE FUNCTION streetgen._known_keys(given jsonb, name text, known text[]) RETURNS void
     LANGUAGE plpgsql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog
@@ -106,15 +107,38 @@ COMMENT ON FUNCTION streetgen._demand_turns(name, jsonb) IS
     'How those on a link go on by a demand, in shares: as turns says, evenly over the movements of a lane, or straight '
     'on.';
 
+CREATE OR REPLACE FUNCTION streetgen._following_law(method text) RETURNS oid
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+DECLARE
+    law constant regprocedure := streetgen._function_named(method, 'streetgen.following[]', 'float8[]', false);
+BEGIN
+    IF method IN ('idm', 'lwr', 'arz') THEN
+        RETURN 0;
+    ELSIF law IS NULL THEN
+        RAISE EXCEPTION 'method is "%", expected idm or lwr or arz, or a function of streetgen.following[] that gives '
+            'float8[]', method USING ERRCODE = '22023',
+            HINT = 'Name a function of yours with its schema, such as public.my_law.';
+    ELSIF NOT has_function_privilege(law, 'EXECUTE') THEN
+        RAISE EXCEPTION 'role "%" may not run method %', current_user, law USING ERRCODE = '42501',
+            HINT = format('GRANT EXECUTE ON FUNCTION %s TO %I by its owner allows it.', law, current_user);
+    END IF;
+    RETURN law;
+END $$;
+COMMENT ON FUNCTION streetgen._following_law(text) IS
+    'The function of SQL that a method names, or 0 for the methods that there are. No such function: 22023; one that '
+    'the role may not run: 42501.';
+
 CREATE OR REPLACE FUNCTION streetgen._simulate_demand(model name, method text, duration float8, step float8,
     demand jsonb, seed bigint, options jsonb)
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link_id bigint, metres float8, speed float8,
-        density float8, geom geometry)
+        density float8, geom geometry, heading float8, length float8, width float8, kind text)
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
 DECLARE
     own_srid integer;
+    law oid;
     entering record;
     turning record;
 BEGIN
@@ -124,6 +148,7 @@ BEGIN
         streetgen._require_subject(model, 'interconnection'),
         streetgen._known_keys(demand, 'demand', '{flow,entries,turns}'),
         streetgen._known_keys(options, 'options', '{output}');
+    law := streetgen._following_law(method);
     own_srid := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
     SELECT coalesce(array_agg(e.link), '{}') AS links, coalesce(array_agg(e.flow), '{}') AS flows
         FROM streetgen._demand_entries(model, demand) e INTO entering;
@@ -134,12 +159,13 @@ BEGIN
             WHEN s.car_id IS NULL THEN ST_LineSubstring(k.geom, greatest(0, (s.metres - s.length / 2) / k.length),
                 least(1, (s.metres + s.length / 2) / k.length))
             WHEN s.height IS NULL THEN ST_SetSRID(ST_MakePoint(s.x, s.y), own_srid)
-            ELSE ST_SetSRID(ST_MakePoint(s.x, s.y, s.height), own_srid) END
+            ELSE ST_SetSRID(ST_MakePoint(s.x, s.y, s.height), own_srid) END,
+            degrees(s.heading), s.length, s.width, s.kind
         FROM streetgen._simulate(streetgen._network_of_links(model), streetgen._cars_on_links(model),
-            entering.links, entering.flows, turning.links, turning.next, turning.shares, method, duration, step,
-            coalesce((options ->> 'output')::float8, 1), seed) s
+            entering.links, entering.flows, turning.links, turning.next, turning.shares, CASE law WHEN 0
+                THEN method ELSE 'idm' END, duration, step, coalesce((options ->> 'output')::float8, 1), seed, law) s
             LEFT JOIN (SELECT l.link_id, l.geom, nullif(l.length, 0) AS length FROM link l
-                WHERE method <> 'idm') k ON k.link_id = s.link;
+                WHERE method IN ('lwr', 'arz')) k ON k.link_id = s.link;
 END $$;
 COMMENT ON FUNCTION streetgen._simulate_demand(name, text, float8, float8, jsonb, bigint, jsonb) IS
     'What streetgen.simulate gives.';
@@ -150,17 +176,21 @@ CREATE OR REPLACE FUNCTION streetgen.simulate(model name, method text DEFAULT 'i
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, speed float8, density float8,
         geom geometry)
     LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 10000 SET search_path = pg_catalog
-    AS $$ SELECT * FROM streetgen._simulate_demand($1, $2, $3, $4, $5, $6, $7) $$;
+    AS $$ SELECT s.t, s.car_id, s.cell_id, s.link_id, s.metres, s.speed, s.density, s.geom
+        FROM streetgen._simulate_demand($1, $2, $3, $4, $5, $6, $7) s $$;
 COMMENT ON FUNCTION streetgen.simulate(name, text, float8, float8, jsonb, bigint, jsonb) IS
     'Traffic on the streets of a model. method idm: cars that follow each other, obey signals and rights of way and '
-    'change lanes; lwr or arz: a flow through cells of some 10 m. duration and step: seconds; a step of cars is at '
+    'change lanes; lwr or arz: a flow through cells of some 10 m; a function of yours, named with its schema, of '
+    'streetgen.following[]: as idm, but each car accelerates as it says, float8[] in m/s2, a number for each row. '
+    'duration and step: seconds; a step of cars is at '
     'most 1 s, one of a flow as the error says. The cars of table car stand on the streets at the start. demand: flow '
     '(cars an hour on each lane that begins where no movement leads; without it as axis.flow says), or entries (a list '
     'of link and flow); turns (even, straight, or a list of link, next and share: '
     'those of a link share its cars among them, as one to the other). options: output (seconds between '
     'the states that are given, 1). Rows: at t, seconds, each car with its front on a link, metres along it, geom a '
     'POINT; or each cell by its middle, density in cars a kilometre, geom a LINESTRING. speed: km/h. The same seed '
-    'gives the same rows. Nothing is locked. NaN, a duration or step out of range, an unknown word: 22023; NULL: '
+    'gives the same rows. Nothing is locked. NaN, a duration or step out of range, an unknown word, a function '
+    'that gives no finite number for each row: 22023; what a function raises, with its name; NULL: '
     '22004; a model without subject interconnection: 55000; an unknown model: 3F000; not a reader: 42501. Wilkie, '
     'Sewall and Lin, section 3; Treiber, Hennecke and Helbing 2000; Aw and Rascle 2000.';
 
@@ -177,14 +207,15 @@ BEGIN
     -- One run of a name comes after the other.
     LOCK TABLE simulated IN SHARE ROW EXCLUSIVE MODE;
     DELETE FROM simulated s WHERE s.run = keep_simulation.run;
-    INSERT INTO simulated (run, t, car_id, link_id, metres, speed, density, geom)
+    INSERT INTO simulated (run, t, car_id, link_id, metres, speed, density, geom, heading, length, width, kind)
         SELECT keep_simulation.run, s.t, s.car_id, s.link_id, s.metres, s.speed, s.density,
-            ST_Force3D(s.geom)
+            ST_Force3D(s.geom), s.heading, s.length, s.width, s.kind
         FROM streetgen._simulate_demand(model, method, duration, step, demand, seed, options) s;
     GET DIAGNOSTICS kept = ROW_COUNT;
     RETURN kept;
 END $$;
 COMMENT ON FUNCTION streetgen.keep_simulation(name, text, text, float8, float8, jsonb, bigint, jsonb) IS
     'Writes the rows of streetgen.simulate into table simulated as a run of that name, in place of an older one, and '
-    'gives how many these are. A GIS draws them by their time. A model without traffic: 55000; not the owner of the '
+    'gives how many these are. streetgen.svg, streetgen.animated_svg and a GIS draw them by their time. '
+    'A model without traffic: 55000; not the owner of the '
     'model: 42501; else as simulate.';

@@ -78,3 +78,14 @@ COMMENT ON COLUMN streetgen.traffic_car.length IS 'm';
 COMMENT ON COLUMN streetgen.traffic_car.width IS 'm';
 COMMENT ON COLUMN streetgen.traffic_car.kind IS 'car, bus, carpool or cycle';
 COMMENT ON COLUMN streetgen.traffic_car.route IS 'links that it follows; NULL: straight on';
+
+CREATE TYPE streetgen.following AS (speed float8, desired_speed float8, gap float8, leader_speed float8,
+    leader_acceleration float8);
+COMMENT ON TYPE streetgen.following IS
+    'A car and what is ahead of it, as a law of acceleration for streetgen.simulate takes it.';
+COMMENT ON COLUMN streetgen.following.speed IS 'of the car, m/s';
+COMMENT ON COLUMN streetgen.following.desired_speed IS 'that it would drive if nobody were ahead, m/s';
+COMMENT ON COLUMN streetgen.following.gap IS
+    'from its front to the rear of who is ahead, or to where it must stand, metres; infinite where nobody is';
+COMMENT ON COLUMN streetgen.following.leader_speed IS 'of who is ahead, m/s';
+COMMENT ON COLUMN streetgen.following.leader_acceleration IS 'of who is ahead, m/s2';

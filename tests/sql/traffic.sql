@@ -145,6 +145,62 @@ CREATE TEMPORARY TABLE kept AS SELECT streetgen.keep_simulation('town', 'a', 'id
 SELECT 'a run is kept by its name', rows > 0 AND rows = (SELECT count(*) FROM town.simulated WHERE run = 'a' AND car_id IS NOT NULL) FROM kept;
 UPDATE kept SET rows = streetgen.keep_simulation('town', 'a', 'lwr', 5, 0.1);
 SELECT 'and a new one replaces it', rows > 0 AND rows = (SELECT count(*) FROM town.simulated WHERE car_id IS NULL) AND rows = (SELECT count(*) FROM town.simulated) FROM kept;
+-- Traffic in pictures.
+DO $$ BEGIN PERFORM streetgen.keep_simulation('town', 'driven', 'idm', 20, 0.1, '{"flow": 600}', options => '{"output": 0.5}'), streetgen.keep_simulation('town', 'flow', 'lwr', 5, 0.1, '{"flow": 600}'); END $$;
+CREATE TEMPORARY TABLE seen AS SELECT s.*, k.kind AS on_kind, k.geom AS line, streetgen._standing_car(s.geom, s.heading, s.length, s.width) AS ground FROM town.simulated s JOIN town.link k USING (link_id) WHERE run = 'driven';
+SELECT 'a car is a rectangle of its length and width, its front in the middle of one side', count(*) > 500 AND bool_and(abs(ST_Area(ST_MakePolygon(ST_ExteriorRing(ground))) - length * width) < 1e-6 AND (length, width, kind) = (5, 1.8::real::float8, 'car')
+    AND ST_Distance(ST_ExteriorRing(ground), geom) < 1e-6 AND abs(ST_Distance(ST_Centroid(ST_ExteriorRing(ground)), geom) - length / 2) < 1e-6) FROM seen;
+SELECT 'on a lane it heads as the lane does', count(*) > 300 AND bool_and(abs(mod((heading - degrees(pi() / 2 - ST_Azimuth(ST_StartPoint(line), ST_EndPoint(line))) + 900)::numeric, 360) - 180) < 0.1) FROM seen WHERE on_kind = 'lane' AND metres BETWEEN 12 AND ST_Length(line) - 3;
+SELECT 'its rear is on the way that it came, in a turn too', count(*) > 10 AND bool_and(least(ST_Distance(line, rear), (SELECT min(ST_Distance(l.geom, rear)) FROM town.link k JOIN town.link l ON l.link_id = k.comes_from WHERE k.link_id = seen.link_id)) < 0.4)
+  FROM seen, LATERAL (SELECT ST_Translate(ST_Force2D(geom), -length * cosd(heading), -length * sind(heading)) AS rear) r WHERE on_kind = 'movement';
+CREATE FUNCTION pg_temp.cars_of(svg text) RETURNS bigint LANGUAGE sql AS $$ SELECT count(*) FROM regexp_matches(svg, '<g class="car"[^>]*>(.*?)</g>', 'g') g, regexp_matches(g[1], '<path', 'g') $$;
+SELECT 'a picture of a run has each car at that time', n > 0 AND pg_temp.cars_of(streetgen.svg('town', run => 'driven', at => 10.2)) = n FROM (SELECT count(*) AS n FROM seen WHERE t = 10) c;
+SELECT 'without a run it has the cars of table car', n > 0 AND pg_temp.cars_of(streetgen.svg('town')) = n FROM (SELECT count(*) AS n FROM town.car_place) c;
+SELECT 'a run of cells is drawn by how dense it is', svg LIKE '%class="density free"%' AND pg_temp.cars_of(svg) = 0 AND streetgen.svg('town', run => 'flow', at => 5, legend => true) LIKE '%up to 15 cars a kilometre%' FROM streetgen.svg('town', run => 'flow', at => 5) svg;
+SELECT 'before a run nothing of it is there', pg_temp.cars_of(streetgen.svg('town', run => 'driven', at => -1)) = 0;
+SELECT 'a run that was not kept is refused with those that were', state = '22023' AND hint LIKE '%''driven''%' FROM (VALUES ($q$svg('town', run => 'b')$q$), ($q$animated_svg('town', 'b')$q$)) v(call), test.refusal('SELECT streetgen.' || call);
+SELECT 'so are a time and a pace that are none', bool_and(state = '22023' AND hint <> '') FROM (VALUES ($q$svg('town', at => 'NaN')$q$), ($q$animated_svg('town', 'driven', pace => 0)$q$)) v(call), test.refusal('SELECT streetgen.' || call);
+CREATE TEMPORARY TABLE moving AS SELECT streetgen.animated_svg('town', 'driven', pace => 2) AS svg, streetgen.animated_svg('town', 'flow') AS flow;
+SELECT 'a picture that moves is XML with every car of the run', xml_is_well_formed_document(svg) AND pg_temp.cars_of(svg) = (SELECT count(DISTINCT car_id) FROM seen) AND svg LIKE '%dur="10s"%' AND flow LIKE '%calcMode="discrete"%' AND xml_is_well_formed_document(flow) FROM moving;
+SELECT 'its times grow from 0 to 1, a place for each', count(*) > 20 AND bool_and(times[1] = 0 AND times[cardinality(times)] = 1 AND times = ARRAY(SELECT DISTINCT t FROM unnest(times) t ORDER BY t) AND cardinality(times) = cardinality(string_to_array(m[1], ';')))
+  FROM moving, regexp_matches(svg, 'type="translate"[^>]* values="([^"]*)" keyTimes="([^"]*)"', 'g') m, LATERAL (SELECT string_to_array(m[2], ';')::float8[] AS times) k;
+SELECT 'no car spins between two states', bool_and(abs(b::float8 - a::float8) < 120) FROM moving, regexp_matches(svg, 'type="rotate"[^>]* values="([^"]*)"', 'g') m, LATERAL (SELECT v AS a, lead(v) OVER (ORDER BY n) AS b FROM string_to_table(m[1], ';') WITH ORDINALITY s(v, n)) p;
+
+-- Cells.
+CREATE TEMPORARY TABLE cell AS SELECT * FROM streetgen.cells('town');
+SELECT 'each link is cut into equal cells of about the size', count(*) > 30 AND bool_and(abs(cells * each - greatest(length, 1e-7)) < 1e-6 AND cells = greatest(1, floor(length / 10 + 0.5)) AND spread < 1e-9)
+  FROM (SELECT link_id, count(*) AS cells, avg(ends - starts) AS each, max(ends - starts) - min(ends - starts) AS spread FROM cell GROUP BY link_id) c JOIN town.link USING (link_id);
+SELECT 'all links have some', (SELECT count(DISTINCT link_id) FROM cell) = (SELECT count(*) FROM town.link);
+SELECT 'a cell comes before those that it leads to', count(*) > 100 AND NOT EXISTS (SELECT cell_id, unnest(next) FROM cell EXCEPT SELECT unnest(before), cell_id FROM cell) AND NOT EXISTS (SELECT unnest(before), cell_id FROM cell EXCEPT SELECT cell_id, unnest(next) FROM cell) FROM cell;
+SELECT 'cells go on where links do', NOT EXISTS (SELECT FROM cell a, unnest(a.next) n JOIN cell b ON b.cell_id = n WHERE a.link_id <> b.link_id AND NOT EXISTS (SELECT FROM town.link k WHERE (k.link_id = a.link_id AND k.leads_to = b.link_id) OR (k.link_id = b.link_id AND k.comes_from = a.link_id)));
+SELECT 'the cell beside has this one beside it, or its neighbour', count(*) > 20 AND bool_and(abs(CASE WHEN a.opposite_left THEN b.at_left ELSE b.at_right END - a.cell_id) <= 1 AND (a.opposite_left OR a.may_go_left = b.may_go_right)) FROM cell a JOIN cell b ON b.cell_id = a.at_left;
+SELECT 'simulate counts cells alike', count(*) > 100 AND bool_and(c.link_id = s.link AND abs(s.metres - (c.starts + c.ends) / 2) < 1e-6) FROM streetgen.simulate('town', 'lwr', 0.1, 0.1) s JOIN cell c USING (cell_id);
+SELECT 'a size that is none is refused', bool_and(test.state('SELECT count(*) FROM streetgen.cells(''town'', ' || size || ')') = '22023') FROM unnest('{0,-1,"''NaN''",1e9}'::text[]) size;
+
+-- A law of one's own.
+CREATE FUNCTION idm(cars streetgen.following[]) RETURNS float8[] LANGUAGE sql IMMUTABLE AS $$
+    SELECT array_agg(0.73 * (1 - share * share * share * share - near * near) ORDER BY n) FROM unnest(cars) WITH ORDINALITY c(speed, desired, gap, leader, acceleration, n),
+    LATERAL (SELECT speed / desired AS share, CASE WHEN gap < 'Infinity' THEN (2 + greatest(0, speed * 1.6 + speed * (speed - leader) / (2 * sqrt(0.73 * 1.67::float8)))) / greatest(gap, 0.001) ELSE 0 END AS near) r $$;
+SELECT 'the Intelligent Driver Model in SQL drives as the one that is there', count(*) > 200 AND count(*) FILTER (WHERE num_nulls(a.car_id, b.car_id) > 0) = 0 AND bool_and(a.link = b.link AND abs(a.metres - b.metres) < 1e-9 AND abs(a.speed - b.speed) < 1e-9)
+  FROM streetgen.simulate('town', 'public.idm', 20, 0.2, '{"flow": 400}') a FULL JOIN streetgen.simulate('town', 'idm', 20, 0.2, '{"flow": 400}') b USING (t, car_id);
+CREATE FUNCTION slow(cars streetgen.following[]) RETURNS float8[] LANGUAGE sql IMMUTABLE AS $$ SELECT array_agg(-speed ORDER BY n) FROM unnest(cars) WITH ORDINALITY c(speed, desired, gap, leader, acceleration, n) $$;
+SELECT 'another law drives otherwise', max(speed) < 0.1 FROM streetgen.simulate('town', 'public.slow', 20, 0.2) WHERE t = 20;
+CREATE FUNCTION broken(cars streetgen.following[]) RETURNS float8[] LANGUAGE sql IMMUTABLE AS $$ SELECT ARRAY[1 / (cardinality(cars) - cardinality(cars))]::float8[] $$;
+CREATE FUNCTION short(cars streetgen.following[]) RETURNS float8[] LANGUAGE sql IMMUTABLE AS $$ SELECT '{}'::float8[] $$;
+CREATE FUNCTION nan(cars streetgen.following[]) RETURNS float8[] LANGUAGE sql IMMUTABLE AS $$ SELECT array_agg('NaN'::float8) FROM unnest(cars) $$;
+CREATE FUNCTION nothing(cars streetgen.following[]) RETURNS float8[] LANGUAGE sql IMMUTABLE AS $$ SELECT NULL::float8[] $$;
+CREATE FUNCTION words(cars streetgen.following[]) RETURNS text LANGUAGE sql IMMUTABLE AS $$ SELECT 'a' $$;
+SELECT 'what goes wrong in a law is told with its name: ' || law, r.state = v.state AND r.said LIKE '%' || law || '%' || v.said || CASE v.said WHEN '' THEN '%' ELSE '' END FROM (VALUES ('broken', '22012', 'division by zero'), ('short', '2202E', 'it gives 0 accelerations for % cars'), ('nan', '22023', 'that is not finite for a car at%'),
+    ('nothing', '22004', 'it gives NULL'), ('words', '22023', '')) v(law, state, said), test.refusal(format($q$SELECT count(*) FROM streetgen.simulate('town', 'public.%s', 1)$q$, law)) r;
+REVOKE EXECUTE ON FUNCTION slow(streetgen.following[]) FROM PUBLIC;
+CREATE ROLE traffic_reader ROLE CURRENT_USER;
+DO $$ BEGIN PERFORM streetgen.grant('town', 'traffic_reader', 'reader'); END $$;
+SET ROLE traffic_reader;
+SELECT 'a law that one may not run is refused', state = '42501' AND hint LIKE 'GRANT EXECUTE%' FROM test.refusal($q$SELECT count(*) FROM streetgen.simulate('town', 'public.slow', 1)$q$);
+RESET ROLE;
+DROP OWNED BY traffic_reader;
+DROP ROLE traffic_reader;
+
 -- Edits bring new keys: the same pairs of lanes meet as in a model made from scratch.
 DO $$ BEGIN
   INSERT INTO town.axis (axis_id, geom, width, lane_count, direction, importance, speed) OVERRIDING SYSTEM VALUE VALUES (7, 'SRID=2154;LINESTRING(650200 6860000,650120 6860120)', 6, 2, 'both', 5, 30), (8, 'SRID=2154;LINESTRING(650400 6860000,650400 6859850)', 6, 2, 'both', 5, 30);

@@ -23,6 +23,40 @@ COMMENT ON FUNCTION streetgen._shapes(name, geometry, text[]) IS
     'What some layers of a model have in a box, from functions _ROOM_drawn (model, box, layers) of the subjects that '
     'it computes; layers that _ROOM_drawn_instead names are left to that room.';
 
+CREATE OR REPLACE FUNCTION streetgen._moving_shapes(model name, box geometry, layers text[], run text, at float8)
+    RETURNS SETOF streetgen.shape
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(streetgen._rooms(), '_%s_moving',
+        'name, geometry, text[], text, float8')
+    LOOP
+        RETURN QUERY EXECUTE part USING model, box, layers, run, at;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._moving_shapes(name, geometry, text[], text, float8) IS
+    'What of a model moves and is in a box, from functions _ROOM_moving (model, box, layers, run, at): at seconds of a '
+    'run that was kept; run NULL: as it stands now.';
+
+CREATE OR REPLACE FUNCTION streetgen._animated_shapes(model name, box geometry, layers text[], run text, pace float8)
+    RETURNS SETOF streetgen.animated_shape
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public
+    AS $$
+DECLARE
+    part text;
+BEGIN
+    FOR part IN SELECT * FROM streetgen._queries_of_rooms(streetgen._rooms(), '_%s_animated',
+        'name, geometry, text[], text, float8')
+    LOOP
+        RETURN QUERY EXECUTE part USING model, box, layers, run, pace;
+    END LOOP;
+END $$;
+COMMENT ON FUNCTION streetgen._animated_shapes(name, geometry, text[], text, float8) IS
+    'What of a run moves through a box, so many times as fast, from functions _ROOM_animated (model, box, layers, run, '
+    'pace).';
+
 CREATE OR REPLACE FUNCTION streetgen._drawn_as(model name)
     RETURNS TABLE(layer text, kind text, drawn_as text, turn integer)
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 60 SET search_path = pg_catalog, public
@@ -161,21 +195,29 @@ COMMENT ON FUNCTION streetgen._tell_unused_rules(name, geometry, text, float8, b
     'symbols of a drawing: it may be misspelt.';
 
 CREATE OR REPLACE FUNCTION streetgen._svg_map(model name, box geometry, pixel float8, theme text, scale float8,
-    OUT drawing text, OUT symbols bigint[])
-    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    run text DEFAULT NULL, at float8 DEFAULT 0, pace float8 DEFAULT NULL, OUT drawing text, OUT symbols bigint[])
+    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
+DECLARE
+    layers constant text[] := ARRAY(SELECT DISTINCT s.layer FROM streetgen._symbols(model, theme, scale) s);
 BEGIN
     WITH symbol AS MATERIALIZED (SELECT r.*, streetgen._pattern_as_svg(r.marker, r.fill,
             streetgen._drawn_metres(r.width, r.unit, pixel), pixel) AS pattern
             FROM streetgen._symbols(model, theme, scale) r),
-    shape AS MATERIALIZED (
-        SELECT h.layer, coalesce(k.drawn_as, '') AS kind, h.level, h.id,
-            streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel) AS path
-        FROM streetgen._shapes(model, box, ARRAY(SELECT DISTINCT s.layer FROM symbol s)) h
-            LEFT JOIN streetgen._drawn_kinds(model, theme, scale) k USING (layer, kind)
+    element AS (
+        SELECT h.layer, h.kind, h.level, h.id, format('<path d="%s"/>', nullif(
+            streetgen._shape_as_svg(h.geom, ST_XMin(box), ST_YMax(box), pixel), '')) AS element
+        FROM (SELECT * FROM streetgen._shapes(model, box, layers)
+            UNION ALL SELECT m.* FROM streetgen._moving_shapes(model, box, layers, run, at) m
+            WHERE pace IS NULL) h
         -- Half a pixel is not seen.
         WHERE greatest(ST_XMax(h.geom) - ST_XMin(h.geom), ST_YMax(h.geom) - ST_YMin(h.geom)) >= pixel / 2
-            AND (h.geom @ box OR ST_Intersects(h.geom, box))),
+            AND (h.geom @ box OR ST_Intersects(h.geom, box))
+        UNION ALL SELECT a.* FROM streetgen._animated_shapes(model, box, layers, run, pace) a
+        WHERE pace IS NOT NULL),
+    shape AS MATERIALIZED (
+        SELECT e.layer, coalesce(k.drawn_as, '') AS kind, e.level, e.id, e.element
+        FROM element e LEFT JOIN streetgen._drawn_kinds(model, theme, scale) k USING (layer, kind)),
     drawn AS (
         SELECT s.symbol, coalesce(h.level * 10, 1e6) + s.place AS height,
             format(E'<g class="%s" style="%s"%s>%s\n%s\n</g>',
@@ -184,8 +226,8 @@ BEGIN
                     CASE WHEN s.marker IS NULL THEN s.line END, s.width, s.unit, s.dash, pixel),
                 CASE s.marker WHEN 'shadow' THEN format(' transform="translate(%1$s %1$s)"',
                     streetgen._drawn_metres(s.width, s.unit, pixel)) END, s.pattern,
-                string_agg(format('<path d="%s"/>', h.path), E'\n' ORDER BY h.id, h.path)) AS part
-        FROM shape h JOIN symbol s USING (layer, kind) WHERE h.path <> ''
+                string_agg(h.element, E'\n' ORDER BY h.id, h.element)) AS part
+        FROM shape h JOIN symbol s USING (layer, kind) WHERE h.element <> ''
         GROUP BY s.symbol, s.layer, s.kind, s.place, s.fill, s.line, s.marker, s.width, s.unit, s.dash, s.pattern,
             h.level)
     SELECT coalesce((SELECT string_agg(format(E'<rect width="100%%" height="100%%" fill="%s"/>\n', s.fill), ''
@@ -200,9 +242,9 @@ BEGIN
             FROM streetgen._svg_names(model, box, pixel, theme, scale) n), ARRAY(SELECT DISTINCT d.symbol FROM drawn d)
         INTO drawing, symbols;
 END $$;
-COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8) IS
-    'What streetgen.svg draws in a box of a model, in metres from its upper left corner, for pixels of so many metres; '
-    'and the symbols that are seen.';
+COMMENT ON FUNCTION streetgen._svg_map(name, geometry, float8, text, float8, text, float8, float8) IS
+    'What streetgen.svg draws in a box of a model, in metres from its upper left corner, for pixels of so many metres, '
+    'with a run at a time, or moving at a pace; and the symbols that are seen.';
 
 CREATE OR REPLACE FUNCTION streetgen._model_extent(model name) RETURNS geometry
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -213,78 +255,3 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen._model_extent(name) IS
     'The box of the axes of a model and 10 m about it; NULL where there is none.';
-
-CREATE OR REPLACE FUNCTION streetgen.svg(model name, extent geometry DEFAULT NULL, width integer DEFAULT NULL,
-    legend boolean DEFAULT false, theme text DEFAULT 'street', scale float8 DEFAULT NULL) RETURNS text
-    LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public SET jit = off
-    AS $$
-DECLARE
-    box geometry;
-    wide float8;
-    high float8;
-    by_scale boolean;
-    pixels float8;
-    pixel float8;
-    height numeric;
-    map record;
-    frame text;
-BEGIN
-    PERFORM streetgen._require_reader(model), streetgen._check_given('legend', legend::text, 'theme', theme),
-        streetgen._check_extent(model, extent), streetgen._check_theme(theme);
-    IF ST_IsEmpty(extent) THEN
-        RAISE EXCEPTION 'the extent is empty: %', ST_AsText(extent) USING ERRCODE = '22023',
-            HINT = 'NULL draws the whole model.';
-    END IF;
-    IF NOT scale BETWEEN 1 AND 1e8 THEN
-        RAISE EXCEPTION 'the scale is 1:%, expected 1:1 to 1:100000000', scale USING ERRCODE = '22023',
-            HINT = '1000 draws as for 1:1,000; NULL: as the width says.';
-    END IF;
-    box := ST_SetSRID(coalesce(ST_Envelope(extent), streetgen._model_extent(model),
-        ST_MakeEnvelope(0, 0, 1, 1)), (SELECT m.srid FROM streetgen.model m WHERE m.name = model));
-    -- A metre of ground at least, about what was asked for.
-    box := ST_Expand(box, greatest(0, 0.5 - (ST_XMax(box) - ST_XMin(box)) / 2),
-        greatest(0, 0.5 - (ST_YMax(box) - ST_YMin(box)) / 2));
-    wide := ST_XMax(box) - ST_XMin(box);
-    high := ST_YMax(box) - ST_YMin(box);
-    IF extent IS NULL AND coalesce(width, scale) IS NULL THEN
-        -- A model of one long road is a strip that one can look at.
-        box := ST_Expand(box, greatest(0, high / 12 - wide) / 2, greatest(0, wide / 12 - high) / 2);
-        wide := ST_XMax(box) - ST_XMin(box);
-        high := ST_YMax(box) - ST_YMin(box);
-    END IF;
-    IF width NOT BETWEEN 16 AND 20000 THEN
-        RAISE EXCEPTION 'the width is %, expected 16 to 20000 pixels', width USING ERRCODE = '22023',
-            HINT = 'Leave it out for 1200 pixels, or as many as the scale says.';
-    END IF;
-    by_scale := width IS NULL AND scale IS NOT NULL;
-    pixels := coalesce(width, CASE WHEN by_scale THEN greatest(16, round(wide / scale / streetgen._pixel_on_paper()))
-        ELSE greatest(16, least(1200, floor(20000 * wide / high))) END);
-    height := greatest(1, round((pixels * high / wide)::numeric));
-    IF greatest(pixels, height) > 20000 THEN
-        RAISE EXCEPTION 'the picture would be % pixels wide and % high, expected up to 20000', pixels::numeric, height
-            -- So much narrower than high, it has 16 pixels at any scale.
-            USING ERRCODE = '22023', HINT = CASE WHEN by_scale AND high < 1200 * wide THEN format('1:%s fits.',
-                ceil(wide / streetgen._pixel_on_paper() / (20000 * least(1, wide / high) - 0.5))::numeric)
-            ELSE 'Take a smaller width, a greater scale, or an extent that is less high: behind the model, as '
-                'XMIN,YMIN,XMAX,YMAX, for data/streetgen draw.' END;
-    END IF;
-    width := pixels;
-    pixel := wide / width;
-    scale := coalesce(scale, pixel / streetgen._pixel_on_paper());
-    map := streetgen._svg_map(model, box, pixel, theme, scale);
-    PERFORM streetgen._tell_unused_rules(model, box, theme, scale, map.symbols);
-    frame := format('width="%s" height="%s" viewBox="0 0 %s %s"', width, height, round(wide::numeric, 3),
-        round(high::numeric, 3));
-    IF NOT legend THEN
-        RETURN format(E'<svg xmlns="http://www.w3.org/2000/svg" %s>\n%s</svg>\n', frame, map.drawing);
-    END IF;
-    RETURN streetgen._svg_beside_legend(model, format(E'<svg %s>\n%s</svg>\n', frame, map.drawing), width, height,
-        pixel, theme, scale, map.symbols);
-END $$;
-COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean, text, float8) IS
-    'One picture (SVG) of a model, or of an extent of it (geometry in the model''s SRID), drawn as table symbol_rule '
-    'says. width: in pixels; NULL: 1200, or as the scale says. legend: beside the map, in addition to its width, with '
-    'what is drawn and a scale. theme: street, as one sees it from above; dark; print, in black and white; or '
-    'construction, how it was computed. '
-    'scale: drawn as for 1:scale, where a pixel is 0.28 mm; NULL: as extent and width say. A theme, width or scale '
-    'that is none, an empty extent: 22023.';

@@ -8,6 +8,7 @@
 #include "simulation/demand.hpp"
 #include "simulation/link_end.hpp"
 #include "streetgen/error.hpp"
+#include "streetgen/network_cells.hpp"
 
 namespace streetgen {
 
@@ -40,7 +41,7 @@ void make_cells(CellRun& run) {
     const double length = std::max(link.length, run.rules.shortest_cell);
     LinkCells cells;
     cells.first = first;
-    cells.count = std::max(1, static_cast<int>(length / run.rules.cell_size + 0.5));
+    cells.count = cell_count(length, run.rules.cell_size);
     cells.length = length / cells.count;
     cells.speed = link.speed;
     cells.capacity = run.by_law([&](const auto& law) { return law.capacity(link.speed); });

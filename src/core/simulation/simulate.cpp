@@ -81,7 +81,8 @@ SimulationResult simulate_cars(const TrafficNetwork& network, const SimulationDe
         for (int i = 0; i < traffic.size(); ++i) {
           if (!traffic.holds(i)) continue;
           const Car car = traffic.car(i);
-          state.cars.push_back({car.car_id, car.place, car.speed, cars.acceleration(i)});
+          state.cars.push_back({car.car_id, car.place, body_frame(traffic, i), car.speed,
+                                cars.acceleration(i), car.length, car.width, car.kind});
         }
         return state;
       },

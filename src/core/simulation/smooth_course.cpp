@@ -3,12 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "road/heading.hpp"
+
 namespace streetgen {
 
 namespace {
 
 // Metres that a course may leave its line.
 constexpr double tolerance = 0.05;
+// Metres.  A car does not feel how a shorter stretch bends.
+constexpr double felt = 1;
+// One by metres: what rounding leaves.
+constexpr double straight = 1e-6;
+
+// A course goes on straight at both ends.
+Point beyond(const std::vector<PlanPiece>& course, double metres) {
+  const double end = length(course), on = std::clamp(metres, 0.0, end);
+  const ChainPlace place = place_at(course, on);
+  return place.point + along(place.heading) * (metres - on);
+}
 
 }  // namespace
 
@@ -23,9 +36,15 @@ std::vector<PlanPiece> movement_course(const Line& path, const std::vector<PlanP
 }
 
 std::optional<double> tightest_radius(const std::vector<PlanPiece>& course) {
+  if (course.empty()) return std::nullopt;
+  const double end = length(course);
   double most = 0;
-  for (const PlanPiece& piece : course) most = std::max(most, std::abs(piece.curvature));
-  if (most == 0) return std::nullopt;
+  for (double metres = 0; metres < end + felt / 4; metres += felt / 4) {
+    const Point before = beyond(course, metres - felt), here = beyond(course, metres),
+                after = beyond(course, metres + felt);
+    most = std::max(most, std::abs(turn_from(here - before, after - here)) / felt);
+  }
+  if (most <= straight) return std::nullopt;
   return 1 / most;
 }
 

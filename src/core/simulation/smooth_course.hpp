@@ -17,7 +17,8 @@ std::vector<PlanPiece> lane_course(const Line& lane, const ChainEnds& ends);
 std::vector<PlanPiece> movement_course(const Line& path, const std::vector<PlanPiece>& lane_in,
                                        const std::vector<PlanPiece>& lane_out, double width);
 
-// Metres.  The tightest arc; none: all is straight.
+// Metres.  The tightest bend, as a metre of the course turns; none: all is straight.  A kink of a
+// few centimetres between lanes that touch is none that a car brakes for.
 std::optional<double> tightest_radius(const std::vector<PlanPiece>& course);
 
 }  // namespace streetgen

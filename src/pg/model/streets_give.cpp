@@ -1,10 +1,10 @@
 #include "model/streets_give.hpp"
 
+#include "value/value_array.hpp"
+
 extern "C" {
-#include <catalog/pg_type.h>
 #include <funcapi.h>
 #include <parser/parse_coerce.h>
-#include <utils/array.h>
 #include <utils/builtins.h>
 #include <utils/tuplestore.h>
 }
@@ -35,20 +35,6 @@ GivenColumn given_column(const FormData_pg_attribute* attribute) {
     elog(ERROR, "column %s has a type that nothing computed becomes", NameStr(attribute->attname));
   fmgr_info(cast, &column.cast);
   return column;
-}
-
-Datum bigints(const std::vector<std::int64_t>& numbers) {
-  const int count = static_cast<int>(numbers.size());
-  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
-  for (int i = 0; i < count; ++i) datums[i] = Int64GetDatum(numbers[i]);
-  return PointerGetDatum(construct_array(datums, count, INT8OID, 8, true, TYPALIGN_DOUBLE));
-}
-
-Datum doubles(const std::vector<double>& numbers) {
-  const int count = static_cast<int>(numbers.size());
-  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
-  for (int i = 0; i < count; ++i) datums[i] = Float8GetDatum(numbers[i]);
-  return PointerGetDatum(construct_array(datums, count, FLOAT8OID, 8, true, TYPALIGN_DOUBLE));
 }
 
 Datum text_datum(std::string_view text) {

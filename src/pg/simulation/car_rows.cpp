@@ -1,6 +1,7 @@
 #include "simulation/car_rows.hpp"
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -12,6 +13,22 @@ extern "C" {
 }
 
 namespace streetgen::pg {
+
+namespace {
+
+constexpr std::initializer_list<std::pair<const char*, std::uint8_t>> kinds = {
+    {"car", traffic::car},
+    {"bus", traffic::bus},
+    {"carpool", traffic::carpool},
+    {"cycle", traffic::cycle}};
+
+}  // namespace
+
+const char* kind_word(std::uint8_t kind) {
+  for (const auto& [word, bit] : kinds)
+    if (bit == kind) return word;
+  return kinds.begin()->first;
+}
 
 CarRows take_cars(FunctionCallInfo fcinfo, int argument) {
   const Rows cars = rows(fcinfo, argument, "cars");
@@ -88,10 +105,7 @@ CarsOnRoutes read_cars(const CarRows& rows, const TrafficNetwork& network) {
     car.length = static_cast<float>(measure(rows.length, 0.5, longest_car, "the length"));
     car.width = static_cast<float>(measure(rows.width, 0.3, 5, "the width"));
     car.kind = word_of<std::uint8_t>(text_of(rows.kind.values[i]), "the kind" + of_car,
-                                     {{"car", traffic::car},
-                                      {"bus", traffic::bus},
-                                      {"carpool", traffic::carpool},
-                                      {"cycle", traffic::cycle}});
+                                     kinds);
     std::vector<std::int32_t> route = known_route(network, rows.routes[i], car.place.link);
     if (!route.empty()) {
       try {

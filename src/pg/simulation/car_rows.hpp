@@ -31,6 +31,9 @@ CarsOnRoutes read_cars(const CarRows& rows, const TrafficNetwork& network);
 std::vector<std::int32_t> known_route(const TrafficNetwork& network, const ValueArray& keys,
                                       int link);
 
+// The word of a bit of traffic.
+const char* kind_word(std::uint8_t kind);
+
 // The link of a key, which is refused where the network has none.
 int known_link(const TrafficNetwork& network, std::int64_t key);
 // A place on it, which is refused beyond its ends.

@@ -12,6 +12,7 @@
 #include "frame/geometry_result.hpp"
 #include "frame/progress.hpp"
 #include "simulation/car_rows.hpp"
+#include "simulation/following_law.hpp"
 #include "simulation/network_bytes.hpp"
 #include "value/given_rows.hpp"
 #include "value/value_array.hpp"
@@ -77,8 +78,9 @@ struct StateRow {
   std::optional<std::int64_t> car_id;
   std::int32_t cell = -1;
   std::int64_t link_id;
-  double metres, length, speed, density;
-  bool flat;  // no height is known there
+  double metres, length, width, speed, density;
+  std::uint8_t kind;  // of a car
+  bool flat;          // no height is known there
   LinkFrame frame;
 };
 
@@ -107,6 +109,10 @@ std::vector<StateRow> rows_of(const TrafficNetwork& network, const SimulationDem
     for (const SimulatedCar& car : state.cars) {
       StateRow row = row_at(state.time, car.place);
       row.car_id = car.car_id;
+      row.frame = car.frame;
+      row.length = car.length;
+      row.width = car.width;
+      row.kind = car.kind;
       row.speed = car.speed;
       rows.push_back(row);
     }
@@ -135,15 +141,18 @@ STREETGEN_FUNCTION(streetgen_simulate) {
   const double duration = PG_GETARG_FLOAT8(8), step = PG_GETARG_FLOAT8(9);
   const double output = PG_GETARG_FLOAT8(10);
   const std::int64_t seed = PG_GETARG_INT64(11);
+  SqlLaw* law = take_law(PG_GETARG_OID(12));
   auto* slot = make_slot<std::vector<StateRow>>(CurrentMemoryContext);
   begin_progress("traffic");
   const Outcome outcome = compute([&] {
     const TrafficNetwork network = read_network(bytes);
-    slot->value = new std::vector<StateRow>(
-        rows_of(network, demand_of(call, network),
-                options_of(method, duration, step, output, seed)));
+    SimulationOptions options = options_of(method, duration, step, output, seed);
+    options.driving.law = law_of(law);
+    slot->value =
+        new std::vector<StateRow>(rows_of(network, demand_of(call, network), options));
   });
   end_progress();
+  report_law(law);
   report(outcome);
   put_rows(fcinfo, *slot->value, [](const StateRow& row, ReturnSetInfo* result) {
     constexpr double kilometre = 1000;
@@ -154,16 +163,18 @@ STREETGEN_FUNCTION(streetgen_simulate) {
                       Int64GetDatum(row.link_id),
                       Float8GetDatum(row.metres),
                       Float8GetDatum(row.length),
+                      Float8GetDatum(row.width),
+                      car ? CStringGetTextDatum(kind_word(row.kind)) : Datum{},
                       Float8GetDatum(row.speed / kmh),
                       Float8GetDatum(row.density * kilometre),
                       Float8GetDatum(row.frame.x),
                       Float8GetDatum(row.frame.y),
                       Float8GetDatum(row.frame.height),
                       Float8GetDatum(row.frame.heading)};
-    bool nulls[12] = {false};
-    nulls[1] = !car;
-    nulls[2] = nulls[5] = nulls[7] = car;
-    nulls[10] = row.flat;
+    bool nulls[14] = {false};
+    nulls[1] = nulls[6] = nulls[7] = !car;
+    nulls[2] = nulls[9] = car;
+    nulls[12] = row.flat;
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
   PG_RETURN_NULL();

@@ -25,4 +25,18 @@ ValueArray take_values(FunctionCallInfo fcinfo, int argument, Oid type, int coun
   return array;
 }
 
+Datum bigints(const std::vector<std::int64_t>& numbers) {
+  const int count = static_cast<int>(numbers.size());
+  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
+  for (int i = 0; i < count; ++i) datums[i] = Int64GetDatum(numbers[i]);
+  return PointerGetDatum(construct_array(datums, count, INT8OID, 8, true, TYPALIGN_DOUBLE));
+}
+
+Datum doubles(const std::vector<double>& numbers) {
+  const int count = static_cast<int>(numbers.size());
+  auto* datums = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
+  for (int i = 0; i < count; ++i) datums[i] = Float8GetDatum(numbers[i]);
+  return PointerGetDatum(construct_array(datums, count, FLOAT8OID, 8, true, TYPALIGN_DOUBLE));
+}
+
 }  // namespace streetgen::pg

@@ -1,6 +1,9 @@
 // Values of fixed size as one argument: an array without NULL.
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "frame/border.hpp"
 
 extern "C" {
@@ -24,5 +27,9 @@ ValueArray take_values(FunctionCallInfo fcinfo, int argument, Oid type, int coun
 
 // The same of an array that stands in a row.
 ValueArray values_of(Datum array, Oid type, const char* name);
+
+// Arrays of bigint and of float8.
+Datum bigints(const std::vector<std::int64_t>& numbers);
+Datum doubles(const std::vector<double>& numbers);
 
 }  // namespace streetgen::pg

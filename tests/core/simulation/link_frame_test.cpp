@@ -53,6 +53,38 @@ TEST(LinkFrame, KeepsItsDistanceFromTheCentreOfAnArc) {
   }
 }
 
+// A street to the east, a bend of 90 degrees to the left, and a street to the north.
+TEST(BodyFrame, HeadsFromTheRearToTheFrontOverTheLinksOfACar) {
+  NetworkMaker maker;
+  const double bend = 8 * M_PI / 2;
+  const int east = maker.lane(50), north = maker.lane(50);
+  const int turn = maker.movement(east, north, bend);
+  maker.piece(east, {0, 0, 0, 0, 0});
+  maker.piece(north, {0, 58, 8, M_PI / 2, 0});
+  maker.piece(turn, {0, 50, 0, 0, 1 / 8.0});
+  const TrafficNetwork network = maker.network();
+  Traffic traffic(network);
+  Car car;
+  const auto heading_at = [&](int link, double metres, float length) {
+    car.place = {link, metres};
+    car.length = length;
+    const int index = traffic.add(car);
+    const LinkFrame frame = body_frame(traffic, index);
+    traffic.remove(index);
+    return frame.heading;
+  };
+  EXPECT_NEAR(heading_at(east, 30, 5), 0, 1e-12);
+  EXPECT_NEAR(heading_at(north, 20, 5), M_PI / 2, 1e-12);
+  // A chord of an arc turns by half of what its front does.
+  EXPECT_NEAR(heading_at(turn, 8, 5), (8 + 3) / 8.0 / 2, 1e-9);
+  // The rear of a bus is on the street to the east yet, or behind the whole bend.
+  EXPECT_NEAR(heading_at(turn, 4, 10), std::atan2(8 - 8 * std::cos(0.5), 6 + 8 * std::sin(0.5)),
+              1e-9);
+  EXPECT_NEAR(heading_at(north, 2, static_cast<float>(bend + 5)), std::atan2(10, 11), 1e-6);
+  // It stands straight on where nothing is known behind.
+  EXPECT_NEAR(heading_at(east, 2, 12), 0, 1e-12);
+}
+
 TEST(Beside, GoesThereAndBack) {
   NetworkMaker maker;
   const int right = maker.lane(100), left = maker.lane(90), towards = maker.lane(100);

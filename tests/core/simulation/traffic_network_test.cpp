@@ -85,6 +85,17 @@ TEST(TrafficNetwork, TurnIsAnArcThatNobodyTakesFasterThanItsRadiusAllows) {
   EXPECT_NEAR(network.links[1].speed, std::sqrt(0.7 * 9.81 / middle.curvature), 1e-3);
 }
 
+// A kink between lanes that touch turns by next to nothing, on a micrometre.
+TEST(TrafficNetwork, NobodyBrakesWhereLanesTouch) {
+  for (const double turn : {1e-9, 1e-6, 1e-4}) {
+    TrafficSource source = corner();
+    source.links[0].line = {{50, 0}, {50 + 40 * std::cos(turn), 40 * std::sin(turn)}};
+    source.edges[1].line = {{50, 0, 12}, {50 + 40 * std::cos(turn), 40 * std::sin(turn), 12}};
+    source.links[1].line = {{50, 0}, {50 + 1e-7 * std::cos(0.8), 1e-7 * std::sin(0.8)}};
+    EXPECT_FLOAT_EQ(traffic_network(source).links[1].speed, 14) << turn;
+  }
+}
+
 TEST(TrafficNetwork, LanesThatTouchBendTowardsEachOther) {
   TrafficSource source = corner();
   source.links[0].line = {{50, 0}, {50 + 40 * std::cos(0.3), 40 * std::sin(0.3)}};

@@ -1,5 +1,5 @@
 -- argument run: its name
--- argument method: idm, lwr or arz
+-- argument method: idm, lwr, arz or a function
 -- argument duration: seconds
 -- argument step: seconds
 -- argument demand: object of flow or entries, and turns

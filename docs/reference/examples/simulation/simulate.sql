@@ -1,4 +1,4 @@
--- argument method: idm, lwr or arz
+-- argument method: idm, lwr, arz or a function
 -- argument duration: seconds
 -- argument step: seconds
 -- argument demand: object of flow or entries, and turns

@@ -1,0 +1,115 @@
+#include "simulation/following_law.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "streetgen/error.hpp"
+
+extern "C" {
+#include <access/htup_details.h>
+#include <catalog/pg_type.h>
+#include <utils/array.h>
+#include <utils/lsyscache.h>
+#include <utils/regproc.h>
+#include <utils/typcache.h>
+}
+
+namespace streetgen::pg {
+
+SqlLaw* take_law(Oid function) {
+  if (!OidIsValid(function)) return nullptr;
+  auto* law = static_cast<SqlLaw*>(palloc0(sizeof(SqlLaw)));
+  fmgr_info(function, &law->function);
+  Oid* arguments = nullptr;
+  int count = 0;
+  get_func_signature(function, &arguments, &count);
+  law->row = lookup_rowtype_tupdesc_copy(get_element_type(arguments[0]), -1);
+  law->one_call = AllocSetContextCreate(CurrentMemoryContext, "streetgen law",
+                                        ALLOCSET_DEFAULT_SIZES);
+  law->name = format_procedure(function);
+  return law;
+}
+
+namespace {
+
+Datum row_of(const SqlLaw* law, const Following& car) {
+  Datum values[] = {Float8GetDatum(car.speed), Float8GetDatum(car.desired_speed),
+                    Float8GetDatum(car.gap), Float8GetDatum(car.leader_speed),
+                    Float8GetDatum(car.leader_acceleration)};
+  bool nulls[5] = {false};
+  return HeapTupleGetDatum(heap_form_tuple(law->row, values, nulls));
+}
+
+void ask(SqlLaw* law, const Following* cars, int count, double* answers) {
+  auto* rows = static_cast<Datum*>(palloc(sizeof(Datum) * (count + 1)));
+  for (int i = 0; i < count; ++i) rows[i] = row_of(law, cars[i]);
+  LOCAL_FCINFO(call, 1);
+  InitFunctionCallInfoData(*call, &law->function, 1, InvalidOid, nullptr, nullptr);
+  call->args[0].value = PointerGetDatum(
+      construct_array(rows, count, law->row->tdtypeid, -1, false, TYPALIGN_DOUBLE));
+  call->args[0].isnull = false;
+  const Datum result = FunctionCallInvoke(call);
+  if (call->isnull)
+    ereport(ERROR, (errcode(ERRCODE_NULL_VALUE_NOT_ALLOWED), errmsg("it gives NULL"),
+                    errhint("Give an array of accelerations, one for each car.")));
+  Datum* given = nullptr;
+  bool* nulls = nullptr;
+  int given_count = 0;
+  deconstruct_array(DatumGetArrayTypeP(result), FLOAT8OID, 8, true, TYPALIGN_DOUBLE, &given,
+                    &nulls, &given_count);
+  if (given_count != count)
+    ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
+                    errmsg("it gives %d accelerations for %d cars", given_count, count),
+                    errhint("Give one for each car, in their order.")));
+  for (int i = 0; i < count; ++i) {
+    answers[i] = nulls[i] ? NAN : DatumGetFloat8(given[i]);
+    if (!std::isfinite(answers[i]))
+      ereport(ERROR, (errcode(ERRCODE_INVALID_PARAMETER_VALUE),
+                      errmsg("it gives %s for a car at %g m/s with a gap of %g m",
+                             nulls[i] ? "NULL" : "a number that is not finite", cars[i].speed,
+                             cars[i].gap),
+                      errhint("Give a finite acceleration, m/s2, for each car.")));
+  }
+}
+
+// What the function raises stays in `raised`: no longjmp leaves this frame.
+bool asked(SqlLaw* law, const Following* cars, int count, double* answers) noexcept {
+  const MemoryContext before = CurrentMemoryContext;
+  PG_TRY();
+  {
+    MemoryContextReset(law->one_call);
+    MemoryContextSwitchTo(law->one_call);
+    ask(law, cars, count, answers);
+  }
+  PG_CATCH();
+  {
+    MemoryContextSwitchTo(before);
+    law->raised = CopyErrorData();
+    FlushErrorState();
+  }
+  PG_END_TRY();
+  MemoryContextSwitchTo(before);
+  return law->raised == nullptr;
+}
+
+}  // namespace
+
+FollowingLaw law_of(SqlLaw* law) {
+  if (law == nullptr) return {};
+  return [law](const std::vector<Following>& cars, std::vector<double>& answers) {
+    answers.resize(cars.size());
+    if (cars.empty()) return;
+    if (!asked(law, cars.data(), static_cast<int>(cars.size()), answers.data()))
+      throw Error(ErrorKind::invalid_input, law->name);
+  };
+}
+
+void report_law(const SqlLaw* law) {
+  if (law == nullptr || law->raised == nullptr) return;
+  const ErrorData* raised = law->raised;
+  ereport(ERROR, (errcode(raised->sqlerrcode), errmsg("%s: %s", law->name, raised->message),
+                  raised->detail != nullptr ? errdetail_internal("%s", raised->detail) : 0,
+                  raised->hint != nullptr ? errhint("%s", raised->hint) : 0));
+}
+
+}  // namespace streetgen::pg
