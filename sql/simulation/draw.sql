@@ -74,8 +74,9 @@ BEGIN
         RETURN QUERY SELECT 'car', c.kind, g.level, ST_SetSRID(streetgen._standing_car(ST_MakePoint(f.x, f.y),
                 degrees(f.heading), c.length, c.width), ST_SRID(box)), f.car_id
             -- Of many cars all links cost less than those near them.
-            FROM streetgen._car_frames(streetgen._network_of_links(model, CASE WHEN cardinality(cars) < 100 THEN
-                    ARRAY(SELECT DISTINCT u.link_id FROM unnest(cars) u) END), cars) f
+            FROM streetgen._car_frames(CASE WHEN cardinality(cars) < 100 THEN streetgen._network_of_lanes(model,
+                    streetgen._lanes_near_links(model, ARRAY(SELECT DISTINCT u.link_id FROM unnest(cars) u)))
+                    ELSE streetgen._network_of_links(model) END, cars) f
                 JOIN car c USING (car_id) JOIN unnest(cars) u USING (car_id)
                 JOIN streetgen._link_grounds(model) g USING (link_id);
     END IF;
