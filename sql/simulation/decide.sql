@@ -50,10 +50,10 @@ BEGIN
         NEW.along_axis := CASE WHEN nearest.both_ways THEN coalesce(NEW.along_axis, true) ELSE nearest.along_axis END;
     END IF;
     IF TG_OP = 'INSERT' THEN
-        INSERT INTO car AS c (axis_id, abscissa, lane_position, along_axis, speed, length, width, kind, route)
-            VALUES (NEW.axis_id, NEW.abscissa, NEW.lane_position, NEW.along_axis, coalesce(NEW.speed, 0),
-                coalesce(NEW.length, 5), coalesce(NEW.width, 1.8), coalesce(NEW.kind, 'car'), NEW.route)
-            RETURNING c.car_id INTO NEW.car_id;
+        INSERT INTO car (car_id, axis_id, abscissa, lane_position, along_axis, speed, length, width, kind, route)
+            VALUES (coalesce(NEW.car_id, nextval(pg_get_serial_sequence('car', 'car_id'))), NEW.axis_id, NEW.abscissa,
+                NEW.lane_position, NEW.along_axis, coalesce(NEW.speed, 0), coalesce(NEW.length, 5),
+                coalesce(NEW.width, 1.8), coalesce(NEW.kind, 'car'), NEW.route) RETURNING car.car_id INTO NEW.car_id;
     ELSIF NEW.geom IS DISTINCT FROM OLD.geom THEN
         UPDATE car c SET (axis_id, abscissa, lane_position, along_axis, onto_axis, onto_position, onto_along, beyond,
                 speed, length, width, kind, route) = (NEW.axis_id, NEW.abscissa, NEW.lane_position, NEW.along_axis,

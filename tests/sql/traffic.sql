@@ -112,6 +112,8 @@ UPDATE town.car_editing SET geom = 'SRID=2154;POINT(650203 6860100)', speed = 20
 SELECT 'a car that is dragged is on the nearest lane', (axis_id, lane_position, along_axis, speed) = (4, 2, true, 20) AND abs(abscissa - 100) < 0.01 AND ST_DWithin(p.geom, 'SRID=2154;POINT(650203 6860100)'::geometry, 1.5) FROM town.car JOIN town.car_place p USING (car_id) WHERE car_id = 1;
 INSERT INTO town.car_editing (geom) VALUES ('SRID=2154;POINT(650100 6860005)');
 SELECT 'a new point is a new car', (axis_id, lane_position, along_axis, length, kind) = (1, 1, false, 5, 'car') AND abs(abscissa - 100) < 0.01 FROM town.car WHERE car_id NOT IN (1, 2, 3);
+INSERT INTO town.car_editing (car_id, geom) VALUES (50, 'SRID=2154;POINT(650120 6860005)');
+SELECT 'under the key that it is given', test.state($q$INSERT INTO town.car_editing (car_id, geom) VALUES (1, 'SRID=2154;POINT(650100 6860005)')$q$) = '23505' AND EXISTS (SELECT FROM town.car WHERE car_id = 50 AND abs(abscissa - 120) < 0.01);
 DELETE FROM town.car_editing WHERE car_id NOT IN (1, 2, 3);
 SELECT 'which goes as it came', count(*) = 3 FROM town.car;
 SELECT 'far from lanes no car is', test.said($q$UPDATE town.car_editing SET geom = 'SRID=2154;POINT(650000 6870000)' WHERE car_id = 1$q$) = 'car 1 has no lane within 20 m' AND test.state($q$UPDATE town.car_editing SET geom = NULL WHERE car_id = 1$q$) = '22023';
