@@ -10,7 +10,8 @@
 // stand behind all of them.  A red behind a lane that is too short to wait on is passed by who has
 // waited for a cycle.  Who was let in first goes first; others wait before the shared stretch.  So
 // nobody meets another there.  A lane for both directions is let to those of one direction.  Who
-// waited long turns elsewhere, if it has no route.  People who cross stop nobody.
+// finds no room for `patience` seconds turns where there is some, if it has no route.  Nobody
+// changes by choice to a lane from which no way leads out.  People who cross stop nobody.
 //
 // A step moves all cars from the state at its start: speeds change by the acceleration there, and
 // places by the mean of both speeds.  No car goes farther than what was free.  The same seed gives

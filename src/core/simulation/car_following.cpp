@@ -59,6 +59,7 @@ void read_links(CarRun& run) {
   run.last_left.resize(size);
   run.passed.assign(size, 0);
   run.share = turn_shares(network, {});
+  run.leads_out = links_that_lead_out(network);
   for (int i = 0; i < size; ++i) {
     const Link& link = network.links[i];
     if (!(link.length > 0) || !(link.speed > 0) || !std::isfinite(link.length) ||

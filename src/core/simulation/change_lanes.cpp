@@ -100,8 +100,9 @@ class LaneChoice {
     WayPlace ahead = driver_.at;
     const bool blocked = go_on(run_, driver_, ahead) == must_change;
     if (driver_.route < 0) {
-      target.must = blocked;
-      return !run_.merges[b.link] || run_.merges[driver_.at.link];
+      const bool here = run_.leads_out[driver_.at.link], there = run_.leads_out[b.link];
+      target.must = blocked || (there && !here);
+      return (there || !here) && (!run_.merges[b.link] || run_.merges[driver_.at.link]);
     }
     const auto& route = run_.cars.routes[driver_.route];
     if (driver_.at.on_route < 0) {

@@ -35,6 +35,7 @@ struct Driver {
   double way = 0;     // metres driven
   double asked = -1;  // since when it waits to be let in; -1: it does not
   double changed = -no_end;  // when it changed lanes
+  double chose = -no_end;    // when it chose anew where to turn
   std::int32_t route = -1;
   std::uint32_t let_in = 0;  // it may go on up to the link with so many before it
   // The lanes where it waited to be let in: at first, and at last.  There it may be stopped yet.
@@ -108,6 +109,7 @@ struct CarRun {
   std::vector<char> guarded;    // a movement into which cars are let in
   std::vector<char> crossed;    // others need its ground
   std::vector<char> merges;     // it ends beside a lane that goes on
+  std::vector<char> leads_out;  // who never changes lanes comes to an end by it
   std::vector<float> clear_at;  // metres of the front from which on nobody needs its ground
   std::vector<std::vector<GroundClaim>> claims;
   std::vector<Arrival> arrivals;

@@ -194,6 +194,20 @@ void claim(CarRun& run, int car, int link, double to_start) {
   driver.claims.push_back(link);
 }
 
+namespace {
+
+// Who waits for long turns elsewhere, so that no circle of full lanes stays: who finds no room
+// wherever some is, in one step or another.  Where it was let in it goes.
+void choose_anew(const CarRun& run, Driver& driver) {
+  if (driver.asked < 0 || driver.let_in > driver.at.passed) return;
+  const double since = driver.no_room ? driver.asked : std::max(driver.asked, driver.chose);
+  if (run.time - since <= (driver.no_room ? 1 : 6) * run.rules.patience) return;
+  ++driver.turned;
+  driver.chose = run.time;
+}
+
+}  // namespace
+
 void let_in_cars(CarRun& run) {
   std::sort(run.requests.begin(), run.requests.end(),
             [&](const LetInRequest& a, const LetInRequest& b) {
@@ -221,11 +235,7 @@ void let_in_cars(CarRun& run) {
       }
     } else {
       if (driver.asked < 0 && driver.speed < 1) driver.asked = run.time;
-      // Who waits for long turns elsewhere, so that no circle of full lanes stays.  Where it was
-      // let in it goes.
-      if (driver.asked >= 0 && driver.let_in <= driver.at.passed &&
-          run.time - driver.asked > 6 * run.rules.patience * (1 + driver.turned))
-        ++driver.turned;
+      choose_anew(run, driver);
     }
   }
 }

@@ -406,5 +406,52 @@ TEST(CarFollowing, RefusesBadInput) {
   for (int i = 0; i < 10; ++i) cars.step(0.1);
 }
 
+// The inner lane of a ring has no way out; its outer one has.
+TEST(CarFollowing, LeavesALaneFromWhichNoWayLeadsOut) {
+  NetworkMaker maker;
+  const int inner = maker.lane(100), outer = maker.lane(100), exit = maker.lane(50);
+  maker.movement(inner, inner, 10);
+  maker.movement(outer, exit, 10);
+  maker.beside(inner, {outer, false, true, false, 0, 100, 0, 100});
+  maker.beside(outer, {inner, true, true, false, 0, 100, 0, 100});
+  const TrafficNetwork network = maker.network();
+  CarFollowing cars(network, {});
+  for (const int lane : {inner, outer}) {
+    Car car;
+    car.car_id = lane;
+    car.place = {lane, 20};
+    cars.add(car);
+  }
+  for (int i = 0; i < 600; ++i) cars.step(0.1);
+  EXPECT_EQ(cars.left(), 2);
+}
+
+// Nine of ten turn where the lane is full before a red; who waits there goes where room is.
+TEST(CarFollowing, WhoFindsNoRoomTurnsWhereThereIsSome) {
+  NetworkMaker maker;
+  const int from = maker.lane(60), full = maker.lane(12), beyond = maker.lane(50),
+            free = maker.lane(50), across = maker.lane(50), end = maker.lane(50);
+  const int to_full = maker.movement(from, full, 8), to_free = maker.movement(from, free, 8);
+  const int crossing = maker.movement(across, end, 8), red = maker.movement(full, beyond, 8);
+  maker.conflict(to_full, 0, 8, crossing, 0, 8);
+  maker.conflict(to_free, 0, 8, crossing, 0, 8);
+  maker.signal(red, 0, {{0, Aspect::red}});
+  maker.plans.push_back({1, 60, 0});
+  const TrafficNetwork network = maker.network();
+  CarFollowing cars(network, {});
+  cars.set_turns({{from, to_full, 9}, {from, to_free, 1}});
+  Car car;
+  car.place = {full, 10};
+  cars.add(car);
+  for (int i = 1; i <= 3; ++i) {
+    car.car_id = i;
+    car.place = {from, 15.0 * i};
+    cars.add(car);
+  }
+  for (int i = 0; i < 1800; ++i) cars.step(0.1);
+  EXPECT_EQ(cars.left(), 3);
+  EXPECT_EQ(cars.traffic().count(), 1);
+}
+
 }  // namespace car_following_test
 }  // namespace streetgen
