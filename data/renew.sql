@@ -23,7 +23,7 @@ BEGIN
                     'roundabout_block',
                     'sidewalk_block', 'block_interior', 'footway_surface', 'rail_crossing', 'lane_track',
                     'track_bed', 'rail', 'track_strip', 'area_surface', 'bus_stop_box', 'crossover',
-                    'side_strip', 'car_place', 'walker_place', 'link', 'walk_node',
+                    'side_strip', 'car_place', 'event_place', 'walker_place', 'link', 'walk_node',
                     'walk_link', 'underpass', 'fit_change', 'observation_unused', 'axis_editing']) AS v
             UNION SELECT c.relname FROM pg_class c JOIN pg_trigger t ON t.tgrelid = c.oid JOIN pg_proc f ON f.oid = t.tgfoid
                 WHERE c.relnamespace = quote_ident(known.name)::regnamespace AND c.relkind = 'v' AND c.relname LIKE '%\_editing' AND f.proname LIKE '\_edit%') w

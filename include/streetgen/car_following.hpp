@@ -27,6 +27,7 @@
 
 #include "streetgen/traffic.hpp"
 #include "streetgen/traffic_demand.hpp"
+#include "streetgen/traffic_event.hpp"
 
 namespace streetgen {
 
@@ -92,6 +93,9 @@ class CarFollowing {
   // link.
   void set_entries(const std::vector<TrafficEntry>& entries);
   void set_turns(const std::vector<TurnShare>& turns);
+  // Refused: a place off its link, numbers that are not finite or below 0, a deceleration of 0, a
+  // car that pulls out on a movement or on a lane for both directions.
+  void set_events(const std::vector<TrafficEvent>& events);
 
   // The index of the new car.  Refused: what Traffic::add refuses, a speed below 0, a place on
   // another car.
@@ -103,6 +107,8 @@ class CarFollowing {
   // Cars as they stand now; indices stay while they are on the network.
   const Traffic& traffic() const;
   double acceleration(int car) const;  // of the last step
+
+  const std::vector<FiredEvent>& fired() const;  // so far, in their order
 
   double time() const;
   std::int64_t waiting() const;         // cars that find no room to enter

@@ -12,6 +12,7 @@
 #include "streetgen/cell_flow.hpp"
 #include "streetgen/traffic.hpp"
 #include "streetgen/traffic_demand.hpp"
+#include "streetgen/traffic_event.hpp"
 
 namespace streetgen {
 
@@ -23,6 +24,7 @@ struct SimulationDemand {
   std::vector<TrafficEntry> entries;
   std::vector<TurnShare> turns;
   std::vector<std::vector<std::int32_t>> routes;  // cars alone follow them
+  std::vector<TrafficEvent> events;               // of cars; a flow has none
 };
 
 struct SimulationOptions {
@@ -61,6 +63,7 @@ struct SimulationResult {
   double waiting = 0;          // found no room to enter until the end
   double there = 0;            // on the network at the end
   std::vector<double> passed;  // by link: cars that came to it
+  std::vector<FiredEvent> fired;
 };
 
 // Gets the state at the start, then each `output` seconds, and at the end.

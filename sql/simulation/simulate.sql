@@ -2,12 +2,13 @@
 
 CREATE OR REPLACE FUNCTION streetgen._simulate(network bytea, cars streetgen.traffic_car[], entries bigint[],
     flows float8[], turn_links bigint[], turn_next bigint[], turn_shares float8[], method text, duration float8,
-    step float8, output float8, seed bigint, law oid)
+    step float8, output float8, seed bigint, law oid,
+    events streetgen.traffic_event[])
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link bigint, metres float8, length float8, width float8,
         kind text, speed float8, density float8, x float8, y float8, height float8, heading float8)
     LANGUAGE c STABLE STRICT PARALLEL UNSAFE COST 100000 ROWS 10000 AS 'MODULE_PATHNAME', 'streetgen_simulate';
 COMMENT ON FUNCTION streetgen._simulate(bytea, streetgen.traffic_car[], bigint[], float8[], bigint[], bigint[],
-    float8[], text, float8, float8, float8, bigint, oid) IS
+    float8[], text, float8, float8, float8, bigint, oid, streetgen.traffic_event[]) IS
     'What streetgen.simulate gives, on a network: x and y of the front of a car or the middle of a cell, heading in '
     'radians (of a car from its rear to its front), length of a car or a cell. Cars enter at links by flows (an hour) '
     'and turn by shares. law: of cars that follow, in place of that of idm; 0: none.';
@@ -129,6 +130,19 @@ COMMENT ON FUNCTION streetgen._following_law(text) IS
     'The function of SQL that a method names, or 0 for the methods that there are. No such function: 22023; one that '
     'the role may not run: 42501.';
 
+CREATE OR REPLACE FUNCTION streetgen._demand_arrays(model name, demand jsonb, OUT entries bigint[],
+    OUT flows float8[], OUT turn_links bigint[], OUT turn_next bigint[], OUT turn_shares float8[])
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    SELECT coalesce(array_agg(e.link), '{}'), coalesce(array_agg(e.flow), '{}') INTO entries, flows
+        FROM streetgen._demand_entries(model, demand) e;
+    SELECT coalesce(array_agg(u.link), '{}'), coalesce(array_agg(u.next), '{}'), coalesce(array_agg(u.share), '{}')
+        INTO turn_links, turn_next, turn_shares FROM streetgen._demand_turns(model, demand) u;
+END $$;
+COMMENT ON FUNCTION streetgen._demand_arrays(name, jsonb) IS 'Where cars enter, and how they turn, as arrays.';
+
 CREATE OR REPLACE FUNCTION streetgen._simulate_demand(model name, method text, duration float8, step float8,
     demand jsonb, seed bigint, options jsonb)
     RETURNS TABLE(t float8, car_id bigint, cell_id bigint, link_id bigint, metres float8, speed float8,
@@ -139,8 +153,7 @@ CREATE OR REPLACE FUNCTION streetgen._simulate_demand(model name, method text, d
 DECLARE
     own_srid integer;
     law oid;
-    entering record;
-    turning record;
+    demanded record;
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_reader(model), streetgen._check_given('method', method, 'duration', duration::text,
@@ -150,10 +163,7 @@ BEGIN
         streetgen._known_keys(options, 'options', '{output}');
     law := streetgen._following_law(method);
     own_srid := (SELECT m.srid FROM streetgen.model m WHERE m.name = model);
-    SELECT coalesce(array_agg(e.link), '{}') AS links, coalesce(array_agg(e.flow), '{}') AS flows
-        FROM streetgen._demand_entries(model, demand) e INTO entering;
-    SELECT coalesce(array_agg(u.link), '{}') AS links, coalesce(array_agg(u.next), '{}') AS next,
-        coalesce(array_agg(u.share), '{}') AS shares FROM streetgen._demand_turns(model, demand) u INTO turning;
+    demanded := streetgen._demand_arrays(model, demand);
     RETURN QUERY SELECT s.t, s.car_id, s.cell_id, s.link, s.metres, s.speed, s.density, CASE
             WHEN s.car_id IS NULL AND k.length IS NULL THEN k.geom
             WHEN s.car_id IS NULL THEN ST_LineSubstring(k.geom, greatest(0, (s.metres - s.length / 2) / k.length),
@@ -162,8 +172,9 @@ BEGIN
             ELSE ST_SetSRID(ST_MakePoint(s.x, s.y, s.height), own_srid) END,
             degrees(s.heading), s.length, s.width, s.kind
         FROM streetgen._simulate(streetgen._network_of_links(model), streetgen._cars_on_links(model),
-            entering.links, entering.flows, turning.links, turning.next, turning.shares, CASE law WHEN 0
-                THEN method ELSE 'idm' END, duration, step, coalesce((options ->> 'output')::float8, 1), seed, law) s
+            demanded.entries, demanded.flows, demanded.turn_links, demanded.turn_next, demanded.turn_shares,
+            CASE law WHEN 0 THEN method ELSE 'idm' END, duration, step, coalesce((options ->> 'output')::float8, 1),
+            seed, law, CASE WHEN method IN ('lwr', 'arz') THEN '{}' ELSE streetgen._events_on_links(model) END) s
             LEFT JOIN (SELECT l.link_id, l.geom, nullif(l.length, 0) AS length FROM link l
                 WHERE method IN ('lwr', 'arz')) k ON k.link_id = s.link;
 END $$;
@@ -183,7 +194,8 @@ COMMENT ON FUNCTION streetgen.simulate(name, text, float8, float8, jsonb, bigint
     'change lanes; lwr or arz: a flow through cells of some 10 m; a function of yours, named with its schema, of '
     'streetgen.following[]: as idm, but each car accelerates as it says, float8[] in m/s2, a number for each row. '
     'duration and step: seconds; a step of cars is at '
-    'most 1 s, one of a flow as the error says. The cars of table car stand on the streets at the start. demand: flow '
+    'most 1 s, one of a flow as the error says. The cars of table car stand on the streets at the start. Each event of '
+    'table traffic_event fires once (fired_events says when). demand: flow '
     '(cars an hour on each lane that begins where no movement leads; without it as axis.flow says), or entries (a list '
     'of link and flow); turns (even, straight, or a list of link, next and share: '
     'those of a link share its cars among them, as one to the other). options: output (seconds between '

@@ -82,3 +82,17 @@ FROM (SELECT m.comes_from AS source, m.link_id AS target, l.seconds AS cost
     UNION ALL SELECT a.link_id, b.link_id, 5::float8 FROM lane_adjacency j JOIN open a ON a.lane_id = j.lane_a
         JOIN open b ON (b.lane_id, b.along_axis) = (j.lane_b, a.along_axis)
     WHERE j.change = 'allowed' AND j.end_abscissa > j.start_abscissa) w
+
+--{event_place
+CREATE OR REPLACE VIEW event_place WITH (security_invoker = true) AS
+SELECT DISTINCT ON (v.traffic_event_id) v.traffic_event_id, k.link_id, p.metres,
+    ST_LineInterpolatePoint(k.geom, least(1, p.metres / nullif(k.length, 0))) AS geom
+FROM traffic_event v JOIN edge e ON e.axis_id = v.axis_id AND v.abscissa BETWEEN e.start_abscissa AND e.end_abscissa
+    JOIN lane l USING (edge_id) JOIN lane_extent x USING (lane_id)
+    JOIN link k ON k.lane_id = l.lane_id AND k.along_axis = v.along_axis
+    CROSS JOIN LATERAL streetgen._lane_measures(ST_Force2D(e.geom)::bytea, l.geom::bytea, x.widest,
+        x.start_abscissa - e.start_abscissa, x.end_abscissa - e.start_abscissa) m
+    CROSS JOIN LATERAL (SELECT streetgen._measure_at(m.on_axis, m.on_lane, v.abscissa - e.start_abscissa) AS at) a
+    CROSS JOIN LATERAL (SELECT CASE WHEN v.along_axis THEN a.at ELSE k.length - a.at END AS metres) p
+WHERE l.lane_position = v.lane_position AND v.abscissa BETWEEN x.start_abscissa AND x.end_abscissa
+ORDER BY v.traffic_event_id, e.start_abscissa DESC

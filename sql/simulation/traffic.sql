@@ -33,9 +33,10 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.create_traffic(name) IS
     'Adds the tables of traffic to a model: car and walker, with who is on its streets, actor_rule, with who '
-    'place_actors places there, and simulated, with what simulations kept; and views car_place, car_editing and '
-    'walker_place. Editors may write all but simulated. A model without subject interconnection, or one with traffic: '
-    '55000; not the owner of the model: 42501; an unknown model: 3F000.';
+    'place_actors places there, traffic_event, with what happens in simulations, and simulated, with what these kept; '
+    'and views car_place, car_editing, event_place and walker_place. Editors may write all but simulated. A model '
+    'without subject interconnection, or one with traffic: 55000; not the owner of the model: 42501; an unknown '
+    'model: 3F000.';
 
 CREATE OR REPLACE FUNCTION streetgen.drop_traffic(model name) RETURNS void
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -45,7 +46,7 @@ BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._require_traffic(model);
     EXECUTE (SELECT 'DROP VIEW IF EXISTS ' || string_agg(concat(quote_ident(model), '.', view), ', ')
-        FROM unnest('{car_editing,car_place,walker_place}'::name[]) view);
+        FROM unnest('{car_editing,car_place,event_place,walker_place}'::name[]) view);
     EXECUTE (SELECT 'DROP TABLE ' || string_agg(concat(quote_ident(model), '.', relation), ', ')
         FROM streetgen.template WHERE room = ANY (streetgen._traffic_rooms()));
 END $$;
@@ -55,5 +56,5 @@ COMMENT ON FUNCTION streetgen.drop_traffic(name) IS
 
 CREATE OR REPLACE FUNCTION streetgen._simulation_edited() RETURNS TABLE(relation name)
     LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 1 SET search_path = pg_catalog
-    AS $$ VALUES ('car'::name) $$;
+    AS $$ VALUES ('car'::name), ('traffic_event') $$;
 COMMENT ON FUNCTION streetgen._simulation_edited() IS 'The tables of traffic that an editor may write.';

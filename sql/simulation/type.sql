@@ -89,3 +89,17 @@ COMMENT ON COLUMN streetgen.following.gap IS
     'from its front to the rear of who is ahead, or to where it must stand, metres; infinite where nobody is';
 COMMENT ON COLUMN streetgen.following.leader_speed IS 'of who is ahead, m/s';
 COMMENT ON COLUMN streetgen.following.leader_acceleration IS 'of who is ahead, m/s2';
+
+CREATE TYPE streetgen.traffic_event AS (event_id bigint, kind text, trigger text, link_id bigint, metres float8,
+    at float8, car_id bigint, speed float8, deceleration float8, duration float8);
+COMMENT ON TYPE streetgen.traffic_event IS 'What is to happen in a simulation.';
+COMMENT ON COLUMN streetgen.traffic_event.event_id IS 'its key';
+COMMENT ON COLUMN streetgen.traffic_event.kind IS 'brake, breakdown, overtake, pull_out or cross';
+COMMENT ON COLUMN streetgen.traffic_event.trigger IS 'time, place or gap';
+COMMENT ON COLUMN streetgen.traffic_event.link_id IS 'the link of its place';
+COMMENT ON COLUMN streetgen.traffic_event.metres IS 'along the link';
+COMMENT ON COLUMN streetgen.traffic_event.at IS 'seconds of a time, metres of a gap';
+COMMENT ON COLUMN streetgen.traffic_event.car_id IS 'whose it is; -1: of whichever comes first';
+COMMENT ON COLUMN streetgen.traffic_event.speed IS 'km/h';
+COMMENT ON COLUMN streetgen.traffic_event.deceleration IS 'm/s2';
+COMMENT ON COLUMN streetgen.traffic_event.duration IS 'seconds';

@@ -51,6 +51,12 @@ BEGIN
         COMMENT ON COLUMN car_place.link_id IS 'the link';
         COMMENT ON COLUMN car_place.metres IS 'along the link, in the direction of its traffic';
         COMMENT ON COLUMN car_place.geom IS 'POINT on the line of the link';
+        EXECUTE streetgen._part('event_place');
+        COMMENT ON VIEW event_place IS 'Where the place of each event is; one on no lane has no row';
+        COMMENT ON COLUMN event_place.traffic_event_id IS 'the event';
+        COMMENT ON COLUMN event_place.link_id IS 'the link';
+        COMMENT ON COLUMN event_place.metres IS 'along the link, in the direction of its traffic';
+        COMMENT ON COLUMN event_place.geom IS 'POINT on the line of the link';
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._make_simulation_views(name) IS
@@ -58,7 +64,7 @@ COMMENT ON FUNCTION streetgen._make_simulation_views(name) IS
     'again.';
 
 CREATE OR REPLACE FUNCTION streetgen._simulation_view() RETURNS TABLE(name name, subject text)
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 6 SET search_path = pg_catalog
-    AS $$ SELECT view, subject FROM unnest('{car_editing,car_place,link}'::name[]) view,
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE ROWS 8 SET search_path = pg_catalog
+    AS $$ SELECT view, subject FROM unnest('{car_editing,car_place,event_place,link}'::name[]) view,
         unnest('{interconnection,junction}'::text[]) subject $$;
 COMMENT ON FUNCTION streetgen._simulation_view() IS 'Views of the room, and the subjects whose tables they read.';

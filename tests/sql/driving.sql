@@ -86,3 +86,34 @@ SELECT 'so is a free zone that is none', test.state($q$SELECT * FROM streetgen.p
 DROP TABLE town.actor_rule, town.walker CASCADE;
 DO $$ BEGIN PERFORM streetgen.adopt_model('town'); END $$;
 SELECT 'a model with traffic that came before scenes gets their tables', sum(placed) > 10 FROM streetgen.place_actors('town');
+
+-- Events.
+DELETE FROM town.car;
+INSERT INTO town.car (car_id, axis_id, abscissa, lane_position, along_axis, speed) VALUES (1, 1, 20, 4, true, 50);
+INSERT INTO town.traffic_event (traffic_event_id, kind, trigger, at, axis_id, abscissa, lane_position, along_axis, car_id, speed, duration) VALUES
+  (1, 'brake', 'time', 2, 1, 100, 4, true, 1, 20, 3), (2, 'brake', 'place', 0, 1, 120, 4, true, NULL, 10, 2), (3, 'cross', 'gap', 40, 1, 170, 4, true, NULL, 0, 15), (4, 'brake', 'place', 0, 3, 100, 2, true, 1, 10, 2), (5, 'pull_out', 'time', 30, 3, 100, 2, true, NULL, 0, 1);
+SELECT 'an event is on the link of its lane', count(*) = 5 AND bool_and(ST_DWithin(p.geom, k.geom, 0.01)) AND bool_and(ST_Distance(p.geom, ST_SetSRID(CASE v.axis_id WHEN 1 THEN ST_MakePoint(650000 + v.abscissa, 6859994.75) ELSE ST_MakePoint(650201.75, 6859900) END, 2154)) < 0.05)
+  FROM town.event_place p JOIN town.traffic_event v USING (traffic_event_id) JOIN town.link k USING (link_id);
+CREATE TEMPORARY TABLE fired AS SELECT * FROM streetgen.fired_events('town', 45, 0.1);
+CREATE TEMPORARY TABLE scene AS SELECT s.*, ST_X(s.geom) - 650000 AS x FROM streetgen.simulate('town', 'idm', 45, 0.1, options => '{"output": 0}') s;
+SELECT 'each fires once, but for one whose trigger does not come', array_agg(traffic_event_id ORDER BY traffic_event_id) = '{1,2,3,5}' FROM fired;
+SELECT 'by time in the step of that time', t BETWEEN 2 AND 2.1 AND car_id = 1 FROM fired WHERE traffic_event_id = 1;
+SELECT 'by place in the step after the car passes', f.t BETWEEN p.t - 0.01 AND p.t + 0.11 FROM fired f, (SELECT min(t) AS t FROM scene WHERE car_id = 1 AND x >= 120) p WHERE traffic_event_id = 2;
+SELECT 'by gap in the step after the car is so near', f.t BETWEEN p.t - 0.01 AND p.t + 0.11 FROM fired f, (SELECT min(t) AS t FROM scene WHERE car_id = 1 AND x >= 130) p WHERE traffic_event_id = 3;
+SELECT 'the simulation obeys: the car brakes, and waits for who crosses', min(speed) FILTER (WHERE s.t BETWEEN 2.5 AND 5) < 40 AND min(speed) FILTER (WHERE x > 160) < 0.5 AND max(x) FILTER (WHERE s.t < f.t + 15) <= 169.1 AND max(x) > 190 FROM scene s, (SELECT t FROM fired WHERE traffic_event_id = 3) f WHERE car_id = 1;
+SELECT 'a car pulls out where and when it is to', min(s.t) - 30 < 0.21 AND min(ST_Distance(s.geom, p.geom)) < 0.1 FROM scene s, town.event_place p WHERE p.traffic_event_id = 5 AND s.car_id <> 1;
+SELECT 'a flow knows no events', count(*) > 0 FROM streetgen.simulate('town', 'lwr', 5, 0.1);
+-- At a hundred places of all lanes, by each trigger: once, within a step.
+DELETE FROM town.traffic_event;
+DELETE FROM town.actor_rule;
+INSERT INTO town.actor_rule (kind, density) VALUES ('car', 20);
+DO $$ BEGIN PERFORM streetgen.place_actors('town', 3); END $$;
+INSERT INTO town.traffic_event (kind, trigger, at, axis_id, abscissa, lane_position, along_axis, duration)
+  SELECT (ARRAY['brake', 'breakdown', 'overtake', 'pull_out', 'cross'])[1 + i % 5], (ARRAY['time', 'place', 'gap'])[1 + i % 3], CASE i % 3 WHEN 0 THEN i / 4.0 ELSE 20 END, l.axis_id, 20 + 12.3 * (i % 13), l.lane_position, l.along_axis, 0.5
+  FROM generate_series(1, 100) i, LATERAL (SELECT e.axis_id, l.lane_position, l.along_axis FROM town.lane l JOIN town.edge e USING (edge_id) ORDER BY e.axis_id, l.lane_position OFFSET i % 10 LIMIT 1) l;
+CREATE TEMPORARY TABLE many AS SELECT * FROM streetgen.fired_events('town', 60, 0.1, '{"flow": 400}');
+SELECT 'of a hundred events most fire, and none twice', count(*) > 80 AND count(DISTINCT traffic_event_id) = count(*) FROM many;
+SELECT 'those by time for nobody in particular in the step of that time', count(f.t) >= 5 AND bool_and(f.t - v.at BETWEEN -1e-6 AND 0.1 + 1e-6) FROM town.traffic_event v LEFT JOIN many f USING (traffic_event_id) WHERE v.trigger = 'time' AND v.kind = 'cross';
+SELECT 'who brings an event by place is within a step behind it', count(*) > 10 AND bool_and(f.metres - p.metres BETWEEN 0 AND 1.5) FROM many f JOIN town.traffic_event v USING (traffic_event_id) JOIN town.event_place p USING (traffic_event_id) WHERE v.trigger = 'place' AND v.kind <> 'pull_out' AND f.link = p.link_id;
+SELECT 'the same seed fires the same', NOT EXISTS (TABLE many EXCEPT SELECT * FROM streetgen.fired_events('town', 60, 0.1, '{"flow": 400}'));
+SELECT 'an event that is none is refused', test.state($q$UPDATE town.traffic_event SET kind = 'fly'$q$) = '23514' AND test.state($q$UPDATE town.traffic_event SET at = 'NaN'$q$) = '23514' AND test.state($q$UPDATE town.traffic_event SET deceleration = 0$q$) = '23514' AND test.state($q$SELECT * FROM streetgen.fired_events('town', NULL)$q$) = '22004';

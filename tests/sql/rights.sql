@@ -74,7 +74,7 @@ RESET ROLE;
 REVOKE USAGE ON SCHEMA town FROM rights_nobody;
 SET ROLE rights_reader;
 CREATE TEMPORARY TABLE by_reader AS SELECT * FROM pg_temp.states();
-SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity cells check_model driving_side export_cityjson export_dxf export_gltf export_lanelet2 export_layer export_opendrive export_opensidewalks export_symuvia export_tiles hill_shade leaders learn_classes link_conflicts progress road_mesh roundabout_candidates setting sheet simulate subject summary svg walk_links' FROM by_reader WHERE state = 'none';
+SELECT 'a reader calls what reads', string_agg(name, ' ' ORDER BY name) = 'activity cells check_model driving_side export_cityjson export_dxf export_gltf export_lanelet2 export_layer export_opendrive export_opensidewalks export_symuvia export_tiles fired_events hill_shade leaders learn_classes link_conflicts progress road_mesh roundabout_candidates setting sheet simulate subject summary svg walk_links' FROM by_reader WHERE state = 'none';
 SELECT 'what computes or changes settings is for the owner', '{create_design,design,drop_design,drop_model,finish_clusters,generate,generate_cluster,import_osm,plan_clusters,set,switch_subject}' <@ array_agg(name) FROM by_reader WHERE state = '42501';
 GRANT SELECT ON by_reader TO rights_editor;
 SET ROLE rights_editor;

@@ -9,8 +9,10 @@
 #include "simulation/driver.hpp"
 #include "simulation/driver_sight.hpp"
 #include "simulation/enter_cars.hpp"
+#include "simulation/event_obeyed.hpp"
 #include "simulation/let_in_cars.hpp"
 #include "simulation/link_end.hpp"
+#include "simulation/traffic_events.hpp"
 #include "streetgen/error.hpp"
 
 namespace streetgen {
@@ -81,6 +83,7 @@ void read_links(CarRun& run) {
 // Goes on by metres, onto the links of its way; the car leaves at the end.
 void drive(CarRun& run, int car, double metres) {
   Driver& driver = run.drivers[car];
+  note_passing(run, car, driver.at.link, driver.metres, driver.metres + metres);
   driver.metres += metres;
   driver.way += metres;
   double length = run.link(driver.at.link).length;
@@ -110,6 +113,7 @@ void drive(CarRun& run, int car, double metres) {
     run.occupied[driver.at.link] -= run.room_of(driver);
     driver.at = next;
     driver.metres = most;
+    note_passing(run, car, to, 0, most);
     occupy(run, driver);
     length = run.link(to).length;
     run.cars.move(car, {to, std::min(driver.metres, length)});
@@ -183,6 +187,13 @@ void CarFollowing::set_turns(const std::vector<TurnShare>& turns) {
   run_->share = turn_shares(*run_->network, turns);
 }
 
+void CarFollowing::set_events(const std::vector<TrafficEvent>& events) {
+  check_events(*run_->network, events);
+  read_events(*run_, events);
+}
+
+const std::vector<FiredEvent>& CarFollowing::fired() const { return run_->fired; }
+
 int CarFollowing::add(const Car& car) {
   if (!(car.speed >= 0))
     refuse_driving("car " + std::to_string(car.car_id) + " drives at " + text_of(car.speed));
@@ -209,6 +220,7 @@ void CarFollowing::step(double seconds) {
     refuse_driving("step " + text_of(seconds) + " s is not above 0 and at most 1 s");
   ++run.steps;
   enter_cars(run, seconds);
+  fire_events(run);
   run.requests.clear();
   std::vector<Sight>& sights = run.sights;
   sights.resize(run.drivers.size());
@@ -218,6 +230,7 @@ void CarFollowing::step(double seconds) {
     const int car = static_cast<int>(i);
     sights[i] = Sight();
     look_ahead(run, run.drivers[i], car, run.cars.ahead(car), sights[i]);
+    sights[i].desired_speed += faster_by(run, run.drivers[i]);
     if (sights[i].request.car >= 0) see_arrival(run, sights[i].request, run.drivers[i]);
     if (sights[i].asks) run.requests.push_back(sights[i].request);
     ask_law(run, run.drivers[i], sights[i], run.rows);
@@ -227,7 +240,7 @@ void CarFollowing::step(double seconds) {
   for (std::size_t i = 0; i < run.drivers.size(); ++i) {
     Driver& driver = run.drivers[i];
     if (!driver.here) continue;
-    driver.acceleration = take_answer(run, sights[i], answers);
+    driver.acceleration = obeyed(run, driver, take_answer(run, sights[i], answers), seconds);
     if (sights[i].revoked) take_back(run, static_cast<int>(i));
   }
   let_in_cars(run);

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "simulation/driver_sight.hpp"
-#include "simulation/links_before.hpp"
+#include "simulation/event_obeyed.hpp"
+#include "simulation/follower.hpp"
 
 namespace streetgen {
 
@@ -12,34 +13,6 @@ namespace {
 
 constexpr double follower_reach = 80;  // metres back from where a car changes to
 constexpr double least_room = 0.5;     // metres to who is ahead and behind
-
-struct Follower {
-  int car = -1;
-  double gap = no_end;  // from its front to the rear of who changes
-};
-
-// The nearest car that comes to a link from those before it.
-Follower follower_before(const CarRun& run, int link, double way_back) {
-  Follower found;
-  see_links_before(*run.network, link, way_back, follower_reach,
-                   [&](int before, int next, double way) {
-                     const int car = run.cars.foremost(before);
-                     if (car < 0) return true;
-                     const Driver& driver = run.drivers[car];
-                     WayPlace at = driver.at;
-                     if (go_on(run, driver, at) != next) return false;
-                     const double gap = way + run.link(before).length - driver.metres;
-                     if (gap < found.gap) found = {car, gap};
-                     return false;
-                   });
-  return found;
-}
-
-Follower follower_of(const CarRun& run, int link, double metres, double length) {
-  const int car = run.cars.last_before(link, metres);
-  if (car < 0) return follower_before(run, link, metres - length);
-  return {car, metres - length - run.drivers[car].metres};
-}
 
 double acceleration_behind(const CarRun& run, const Driver& follower, double gap,
                            const Driver& leader) {
@@ -99,9 +72,10 @@ class LaneChoice {
     if (target.metres < driver_.length) return false;
     WayPlace ahead = driver_.at;
     const bool blocked = go_on(run_, driver_, ahead) == must_change;
+    target.must = !blocked && b.left != run_.network->left_hand && overtakes(run_, driver_);
     if (driver_.route < 0) {
       const bool here = run_.leads_out[driver_.at.link], there = run_.leads_out[b.link];
-      target.must = blocked || (there && !here);
+      target.must = target.must || blocked || (there && !here);
       return (there || !here) && (!run_.merges[b.link] || run_.merges[driver_.at.link]);
     }
     const auto& route = run_.cars.routes[driver_.route];
@@ -140,7 +114,7 @@ class LaneChoice {
     Sight sight;
     look_ahead(run_, there, car_, ahead, sight);
     if (sight.free < least_room && !target.must) return -no_end;
-    const Follower behind = follower_of(run_, link, target.metres, driver_.length);
+    const Follower behind = follower_of(run_, link, target.metres, driver_.length, follower_reach);
     if (behind.car == car_ || behind.gap < least_room) return -no_end;
     const double own = acceleration_of(run_, there, sight);
     if (own < -rules.safe_braking && driver_.speed > 1) return -no_end;

@@ -37,6 +37,7 @@ struct Driver {
   double changed = -no_end;  // when it changed lanes
   double chose = -no_end;    // when it chose anew where to turn
   std::int32_t route = -1;
+  std::int32_t event = -1;  // that it obeys
   std::uint32_t let_in = 0;  // it may go on up to the link with so many before it
   // The lanes where it waited to be let in: at first, and at last.  There it may be stopped yet.
   std::uint32_t let_in_from = 0, last_let_in_from = 0;
@@ -95,6 +96,17 @@ struct LastLeft {
   double way = 0;  // of the car when its front was at the end
 };
 
+// An event, and what became of it.
+struct EventRun {
+  TrafficEvent event;
+  int car = -1;                  // that it is for, by index
+  int passed = -1;               // who passed its place
+  std::int64_t passed_id = -1;   // its key, as another car may come by that index
+  double fired = -1;             // when; -1: not yet
+  std::vector<LinkPlace> across; // of who crosses: its places on all lanes there
+  bool fires() const { return fired >= 0; }
+};
+
 struct CarRun {
   CarRun(const TrafficNetwork& net, const DrivingRules& r, std::uint64_t s)
       : network(&net), rules(r), seed(s), cars(net) {}
@@ -124,6 +136,9 @@ struct CarRun {
     std::int64_t waiting = 0, drawn = 0;
   };
   std::vector<Entry> entries;
+  std::vector<EventRun> events;
+  std::vector<char> eventful;  // by link: an event has its place there; empty: there are none
+  std::vector<FiredEvent> fired;
   std::vector<LetInRequest> requests;
   std::vector<Sight> sights;  // by car
   std::vector<Following> rows;

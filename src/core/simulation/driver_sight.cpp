@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/event_obeyed.hpp"
 #include "simulation/signal_aspect.hpp"
 
 namespace streetgen {
@@ -91,12 +92,14 @@ void look_ahead(const CarRun& run, const Driver& driver, int itself, int ahead, 
       driver.speed * driver.speed / (2 * run.rules.driver.braking) + driver.speed;
   sight.desired_speed = run.link(at.link).speed;
   if (!driver.claims.empty()) see_claims(run, driver, sight);
+  double walker = no_end;  // metres to somebody who crosses
   while (to_start < run.rules.horizon) {
     const Link& link = run.link(at.link);
     const double to_end = to_start + link.length, to_stop = to_start + link.stop;
     const int other =
         at.link == driver.at.link && to_start <= 0 ? ahead : run.cars.rearmost(at.link);
     if (other == itself) break;  // the way is a ring
+    walker = std::min(walker, to_walker(run, driver, at.link, to_start));
     bool blocked = false;
     if (other >= 0) {
       const Driver& leader = run.drivers[other];
@@ -138,6 +141,7 @@ void look_ahead(const CarRun& run, const Driver& driver, int itself, int ahead, 
     to_start = to_end;
     at = next;
   }
+  sight.stop = std::min(sight.stop, walker);
   sight.free = std::max(0., std::min({sight.free, sight.gap, sight.stop}));
 }
 

@@ -74,6 +74,8 @@ int put_car(CarRun& run, const Car& car) {
   driver.route = car.route;
   driver.kind = car.kind;
   driver.here = true;
+  for (EventRun& e : run.events)
+    if (e.event.car_id == car.car_id) e.car = index;
   if (car.route >= 0) {
     const auto& route = run.cars.routes[car.route];
     const auto place = std::find(route.begin(), route.end(), car.place.link);

@@ -69,6 +69,7 @@ SimulationResult simulate_cars(const TrafficNetwork& network, const SimulationDe
   cars.set_routes(demand.routes);
   cars.set_turns(demand.turns);
   cars.set_entries(demand.entries);
+  cars.set_events(demand.events);
   for (const Car& car : demand.cars) cars.add(car);
   require_apart(cars.traffic());
   SimulationState state;
@@ -92,6 +93,7 @@ SimulationResult simulate_cars(const TrafficNetwork& network, const SimulationDe
   result.left = static_cast<double>(cars.left());
   result.waiting = static_cast<double>(cars.waiting());
   result.there = cars.traffic().count();
+  result.fired = cars.fired();
   for (int link = 0; link < network.size(); ++link)
     result.passed.push_back(static_cast<double>(cars.passed(link)));
   return result;
@@ -125,6 +127,7 @@ void put_cars(CellFlow& flow, const TrafficNetwork& network, const std::vector<C
 SimulationResult simulate_flow(const TrafficNetwork& network, const SimulationDemand& demand,
                                const SimulationOptions& options,
                                const SimulationListener& listener) {
+  if (!demand.events.empty()) refuse_simulation("a flow through cells has no events");
   FlowRules rules = options.flow;
   rules.model = options.method == SimulationMethod::lwr ? FlowModel::lwr : FlowModel::arz;
   CellFlow flow(network, rules);

@@ -1,4 +1,4 @@
-// streetgen._simulate: traffic on a network, step by step.
+// streetgen._simulate and _fired_events: traffic on a network, step by step.
 #include "streetgen/simulation.hpp"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "frame/geometry_result.hpp"
 #include "frame/progress.hpp"
 #include "simulation/car_rows.hpp"
+#include "simulation/event_rows.hpp"
 #include "simulation/following_law.hpp"
 #include "simulation/network_bytes.hpp"
 #include "value/given_rows.hpp"
@@ -128,6 +129,19 @@ std::vector<StateRow> rows_of(const TrafficNetwork& network, const SimulationDem
   return rows;
 }
 
+struct FiredRow {
+  FiredEvent fired;
+  std::int64_t link_id;
+};
+
+std::vector<FiredRow> fired_rows(const TrafficNetwork& network, const SimulationDemand& demand,
+                                 const SimulationOptions& options) {
+  std::vector<FiredRow> rows;
+  for (const FiredEvent& fired : simulate(network, demand, options, {}).fired)
+    rows.push_back({fired, network.links[fired.place.link].link_id});
+  return rows;
+}
+
 }  // namespace
 }  // namespace streetgen::pg
 
@@ -142,14 +156,16 @@ STREETGEN_FUNCTION(streetgen_simulate) {
   const double output = PG_GETARG_FLOAT8(10);
   const std::int64_t seed = PG_GETARG_INT64(11);
   SqlLaw* law = take_law(PG_GETARG_OID(12));
+  const EventRows events = take_events(fcinfo, 13);
   auto* slot = make_slot<std::vector<StateRow>>(CurrentMemoryContext);
   begin_progress("traffic");
   const Outcome outcome = compute([&] {
     const TrafficNetwork network = read_network(bytes);
+    SimulationDemand demand = demand_of(call, network);
+    demand.events = read_events(events, network);
     SimulationOptions options = options_of(method, duration, step, output, seed);
     options.driving.law = law_of(law);
-    slot->value =
-        new std::vector<StateRow>(rows_of(network, demand_of(call, network), options));
+    slot->value = new std::vector<StateRow>(rows_of(network, demand, options));
   });
   end_progress();
   report_law(law);
@@ -175,6 +191,36 @@ STREETGEN_FUNCTION(streetgen_simulate) {
     nulls[1] = nulls[6] = nulls[7] = !car;
     nulls[2] = nulls[9] = car;
     nulls[12] = row.flat;
+    tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
+  });
+  PG_RETURN_NULL();
+}
+
+STREETGEN_FUNCTION(streetgen_fired_events) {
+  using namespace streetgen;
+  using namespace streetgen::pg;
+  InitMaterializedSRF(fcinfo, 0);
+  const std::string_view bytes = take_bytes(fcinfo, 0);
+  const DemandCall call = take_demand(fcinfo);
+  const EventRows events = take_events(fcinfo, 7);
+  const double duration = PG_GETARG_FLOAT8(8), step = PG_GETARG_FLOAT8(9);
+  const std::int64_t seed = PG_GETARG_INT64(10);
+  auto* slot = make_slot<std::vector<FiredRow>>(CurrentMemoryContext);
+  begin_progress("traffic");
+  const Outcome outcome = compute([&] {
+    const TrafficNetwork network = read_network(bytes);
+    SimulationDemand demand = demand_of(call, network);
+    demand.events = read_events(events, network);
+    slot->value = new std::vector<FiredRow>(
+        fired_rows(network, demand, options_of("idm", duration, step, 0, seed)));
+  });
+  end_progress();
+  report(outcome);
+  put_rows(fcinfo, *slot->value, [](const FiredRow& row, ReturnSetInfo* result) {
+    Datum values[] = {Int64GetDatum(row.fired.event_id), Float8GetDatum(row.fired.time),
+                      Int64GetDatum(row.fired.car_id), Int64GetDatum(row.link_id),
+                      Float8GetDatum(row.fired.place.metres)};
+    bool nulls[] = {false, false, row.fired.car_id < 0, false, false};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
   PG_RETURN_NULL();
