@@ -99,14 +99,19 @@ build_targets() {
   ) 9>"$build/release.lock"
 }
 
-# Asks cmake only where a source is later than the last build that ended: a command would wait a second for its answer.
+# Asks cmake only where a source is later than the last build that ended, or the build is of another kind: a command would wait a second for its answer.
 build_extension() {
-  local stamp=$stage/.built
-  [ ! -e "$stamp" ] || [ -n "$(cd "$root" && find CMakeLists.txt data/renew.sql include sql src -newer "$stamp" -print -quit)" ] || return 0
+  local stamp=$stage/.built kind last=
+  kind="$(pg_config --version)${STREETGEN_LINKED:+, linked}"
+  [ ! -e "$stamp" ] || last=$(cat "$stamp")
+  [ "$last" != "$kind" ] || [ -n "$(cd "$root" && find CMakeLists.txt data/renew.sql include sql src -newer "$stamp" -print -quit)" ] || return 0
+  # What cmake found for another server, or another kind, holds no longer.
+  [ "$last" = "$kind" ] || [ -z "$last" ] || rm -rf "$build/release"
   mkdir -p "$stage"
-  touch "$stamp.$BASHPID"
-  build_targets streetgen install_script
-  DESTDIR=$stage flock "$build/release.lock" cmake --install "$build/release" >/dev/null
+  echo "$kind" >"$stamp.$BASHPID"
+  # Where the caller asks for its status, bash goes on after a command that fails.
+  build_targets streetgen install_script && DESTDIR=$stage flock "$build/release.lock" cmake --install "$build/release" >/dev/null ||
+    { rm -f "$stamp.$BASHPID"; return 1; }
   mv "$stamp.$BASHPID" "$stamp"
 }
 

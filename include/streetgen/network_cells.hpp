@@ -32,7 +32,8 @@ struct NetworkCells {
   std::vector<CellBeside> left, right;  // by cell
 };
 
-// Asks for a cancel.  Refused (invalid_input): a size that is not from 0.1 to 10,000 m.
+// Asks for a cancel.  Refused (invalid_input): a size that is not from 0.1 to 10,000 m, or of which more than ten
+// million would be.
 NetworkCells cells_of(const TrafficNetwork& network, double size);
 
 }  // namespace streetgen

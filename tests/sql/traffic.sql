@@ -199,6 +199,8 @@ CREATE ROLE traffic_reader ROLE CURRENT_USER;
 DO $$ BEGIN PERFORM streetgen.grant('town', 'traffic_reader', 'reader'); END $$;
 SET ROLE traffic_reader;
 SELECT 'a law that one may not run is refused', state = '42501' AND hint LIKE 'GRANT EXECUTE%' FROM test.refusal($q$SELECT count(*) FROM streetgen.simulate('town', 'public.slow', 1)$q$);
+SELECT 'and where it is run: ' || law, state = expected FROM (VALUES ('''public.slow''::regproc', '42501'), ('''pg_catalog.pi''::regproc', '22023'), ('''pg_catalog.array_to_string(anyarray,text)''::regprocedure', '22023'), ('4294967290', '42883')) v(law, expected),
+    test.refusal(format($q$SELECT count(*) FROM streetgen._simulate(streetgen._network_of_links('town'), '{}', '{}', '{}', '{}', '{}', '{}', 'idm', 1, 0.1, 1, 1, %s, '{}')$q$, law));
 RESET ROLE;
 DROP OWNED BY traffic_reader;
 DROP ROLE traffic_reader;

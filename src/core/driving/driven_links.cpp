@@ -157,6 +157,7 @@ std::vector<DrivenPlace> driven_links(const TrafficNetwork& network, const LinkP
     after = static_cast<std::size_t>(&own - all[i].data());
   }
   for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (i % 256 == 0) poll_cancel();
     const LinkPlace& from = driven[i - 1].near.located.place;
     const int to = driven[i].near.located.place.link;
     const double move = straight_line(samples[i - 1], samples[i]);

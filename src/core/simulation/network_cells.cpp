@@ -1,6 +1,7 @@
 #include "streetgen/network_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
@@ -10,6 +11,7 @@ namespace streetgen {
 namespace {
 
 constexpr double smallest_cell = 0.1, largest_cell = 10000;
+constexpr int most_cells = 10000000;
 
 CellBeside cell_beside(const TrafficNetwork& network, const NetworkCells& cells,
                        const NetworkCell& cell, bool left) {
@@ -30,9 +32,17 @@ int cell_count(double length, double size) {
 
 NetworkCells cells_of(const TrafficNetwork& network, double size) {
   if (!(size >= smallest_cell && size <= largest_cell))
+    throw Error(ErrorKind::invalid_input, "size " + text_of(size) + " m of cells is not from " +
+                                              text_of(smallest_cell) + " to " +
+                                              text_of(largest_cell));
+  double metres = 0;
+  for (const Link& link : network.links) metres += link.length;
+  if (network.size() + metres / size > most_cells)
     throw Error(ErrorKind::invalid_input,
-                "size " + text_of(size) + " m of cells is not from " + text_of(smallest_cell) +
-                    " to " + text_of(largest_cell));
+                "cells of " + text_of(size) + " m are more than " + std::to_string(most_cells) +
+                    " on " + text_of(std::round(metres / 1000)) + " km of links; " +
+                    text_of(std::ceil(10 * metres / (most_cells - network.size())) / 10) +
+                    " m fit");
   NetworkCells made;
   for (int link = 0; link < network.size(); ++link) {
     poll_cancel();

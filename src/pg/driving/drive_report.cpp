@@ -44,14 +44,17 @@ std::vector<DriveSample> samples_of(const LogCall& call) {
   for (int i = 0; i < call.actors.count; ++i) {
     const auto number = [&](const ValueArray& values) { return DatumGetFloat8(values.values[i]); };
     DriveSample sample;
-    sample.actor = DatumGetInt32(call.actors.values[i]);
+    const std::string which = " at sample " + std::to_string(i + 1);
+    sample.actor =
+        static_cast<int>(in_range(DatumGetInt32(call.actors.values[i]), 0, call.actors.count - 1,
+                                  "the number of the actor" + which));
     sample.time = number(call.times);
     sample.x = number(call.x);
     sample.y = number(call.y);
     sample.height = number(call.heights);
     sample.speed = number(call.speeds) * kmh;
-    sample.length = static_cast<float>(in_range(number(call.lengths), 0.5, longest_car,
-                                                "the length at sample " + std::to_string(i + 1)));
+    sample.length =
+        static_cast<float>(in_range(number(call.lengths), 0.5, longest_car, "the length" + which));
     samples.push_back(sample);
   }
   return samples;
@@ -76,10 +79,14 @@ double thousandths(double value) { return std::round(value * 1000) / 1000 + 0.0;
 
 const char* finding_word(DriveFinding finding) {
   switch (finding) {
-    case DriveFinding::no_time: return "no_time";
-    case DriveFinding::no_place: return "no_place";
-    case DriveFinding::twice: return "twice";
-    default: return "off_road";
+    case DriveFinding::no_time:
+      return "no_time";
+    case DriveFinding::no_place:
+      return "no_place";
+    case DriveFinding::twice:
+      return "twice";
+    default:
+      return "off_road";
   }
 }
 
@@ -98,18 +105,17 @@ STREETGEN_FUNCTION(streetgen_drive_report) {
   put_rows(fcinfo, *slot->value, [](const ReportRow& row, ReturnSetInfo* result) {
     const DrivenSample& d = row.driven;
     const bool nowhere = d.located.place.link < 0, alone = d.leader < 0;
-    Datum values[] = {Int64GetDatum(row.link_id),
-                      Float8GetDatum(d.located.place.metres),
-                      Float8GetDatum(d.located.offset + 0.0),
-                      BoolGetDatum(d.against),
-                      Float8GetDatum(d.speed / kmh),
-                      Float8GetDatum(thousandths(d.over_limit / kmh)),
-                      Int32GetDatum(d.leader),
-                      Float8GetDatum(d.gap),
-                      Float8GetDatum(d.time_to_collision),
-                      d.finding == DriveFinding::none
-                          ? Datum{}
-                          : CStringGetTextDatum(finding_word(d.finding))};
+    Datum values[] = {
+        Int64GetDatum(row.link_id),
+        Float8GetDatum(d.located.place.metres),
+        Float8GetDatum(d.located.offset + 0.0),
+        BoolGetDatum(d.against),
+        Float8GetDatum(d.speed / kmh),
+        Float8GetDatum(thousandths(d.over_limit / kmh)),
+        Int32GetDatum(d.leader),
+        Float8GetDatum(d.gap),
+        Float8GetDatum(d.time_to_collision),
+        d.finding == DriveFinding::none ? Datum{} : CStringGetTextDatum(finding_word(d.finding))};
     bool nulls[] = {nowhere,
                     nowhere,
                     nowhere,

@@ -1,13 +1,17 @@
 #include "simulation/following_law.hpp"
 
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "streetgen/error.hpp"
 
 extern "C" {
 #include <access/htup_details.h>
+#include <catalog/pg_proc.h>
 #include <catalog/pg_type.h>
+#include <miscadmin.h>
+#include <utils/acl.h>
 #include <utils/array.h>
 #include <utils/lsyscache.h>
 #include <utils/regproc.h>
@@ -16,16 +20,55 @@ extern "C" {
 
 namespace streetgen::pg {
 
+namespace {
+
+bool is_following(Oid type) {
+  const Oid relation = OidIsValid(type) ? get_typ_typrelid(type) : InvalidOid;
+  if (!OidIsValid(relation)) return false;
+  const char* schema = get_namespace_name(get_rel_namespace(relation));
+  return schema != nullptr && std::strcmp(schema, "streetgen") == 0 &&
+         std::strcmp(get_rel_name(relation), "following") == 0;
+}
+
+bool may_run(Oid function) {
+#if PG_VERSION_NUM >= 160000
+  return object_aclcheck(ProcedureRelationId, function, GetUserId(), ACL_EXECUTE) == ACLCHECK_OK;
+#else
+  return pg_proc_aclcheck(function, GetUserId(), ACL_EXECUTE) == ACLCHECK_OK;
+#endif
+}
+
+// Everybody may call streetgen._simulate with any oid.
+void require_law(Oid function) {
+  if (get_func_name(function) == nullptr)
+    ereport(ERROR,
+            (errcode(ERRCODE_UNDEFINED_FUNCTION), errmsg("there is no function %u", function)));
+  Oid* arguments = nullptr;
+  int count = 0;
+  const Oid result = get_func_signature(function, &arguments, &count);
+  if (result != FLOAT8ARRAYOID || count != 1 || !is_following(get_element_type(arguments[0])) ||
+      get_func_retset(function) || get_func_prokind(function) != PROKIND_FUNCTION)
+    ereport(ERROR, (errcode(ERRCODE_INVALID_PARAMETER_VALUE),
+                    errmsg("%s is no function of streetgen.following[] that gives float8[]",
+                           format_procedure(function)),
+                    errhint("streetgen.simulate takes its name.")));
+  if (!may_run(function))
+    aclcheck_error(ACLCHECK_NO_PRIV, OBJECT_FUNCTION, get_func_name(function));
+}
+
+}  // namespace
+
 SqlLaw* take_law(Oid function) {
   if (!OidIsValid(function)) return nullptr;
+  require_law(function);
   auto* law = static_cast<SqlLaw*>(palloc0(sizeof(SqlLaw)));
   fmgr_info(function, &law->function);
   Oid* arguments = nullptr;
   int count = 0;
   get_func_signature(function, &arguments, &count);
   law->row = lookup_rowtype_tupdesc_copy(get_element_type(arguments[0]), -1);
-  law->one_call = AllocSetContextCreate(CurrentMemoryContext, "streetgen law",
-                                        ALLOCSET_DEFAULT_SIZES);
+  law->one_call =
+      AllocSetContextCreate(CurrentMemoryContext, "streetgen law", ALLOCSET_DEFAULT_SIZES);
   law->name = format_procedure(function);
   return law;
 }
@@ -45,8 +88,8 @@ void ask(SqlLaw* law, const Following* cars, int count, double* answers) {
   for (int i = 0; i < count; ++i) rows[i] = row_of(law, cars[i]);
   LOCAL_FCINFO(call, 1);
   InitFunctionCallInfoData(*call, &law->function, 1, InvalidOid, nullptr, nullptr);
-  call->args[0].value = PointerGetDatum(
-      construct_array(rows, count, law->row->tdtypeid, -1, false, TYPALIGN_DOUBLE));
+  call->args[0].value =
+      PointerGetDatum(construct_array(rows, count, law->row->tdtypeid, -1, false, TYPALIGN_DOUBLE));
   call->args[0].isnull = false;
   const Datum result = FunctionCallInvoke(call);
   if (call->isnull)
@@ -55,8 +98,8 @@ void ask(SqlLaw* law, const Following* cars, int count, double* answers) {
   Datum* given = nullptr;
   bool* nulls = nullptr;
   int given_count = 0;
-  deconstruct_array(DatumGetArrayTypeP(result), FLOAT8OID, 8, true, TYPALIGN_DOUBLE, &given,
-                    &nulls, &given_count);
+  deconstruct_array(DatumGetArrayTypeP(result), FLOAT8OID, 8, true, TYPALIGN_DOUBLE, &given, &nulls,
+                    &given_count);
   if (given_count != count)
     ereport(ERROR, (errcode(ERRCODE_ARRAY_SUBSCRIPT_ERROR),
                     errmsg("it gives %d accelerations for %d cars", given_count, count),

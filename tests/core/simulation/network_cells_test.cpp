@@ -42,5 +42,12 @@ TEST(NetworkCells, RefuseASizeThatIsNone) {
   for (const double size : {0., -1., 1e9}) EXPECT_THROW(cells_of(maker.network(), size), Error);
 }
 
+TEST(NetworkCells, RefuseMoreThanAMachineHolds) {
+  NetworkMaker maker;
+  maker.lane(1500000);
+  EXPECT_THROW(cells_of(maker.network(), 0.1), Error);
+  EXPECT_EQ(cells_of(maker.network(), 100).cells.size(), 15000u);
+}
+
 }  // namespace simulation_test
 }  // namespace streetgen
