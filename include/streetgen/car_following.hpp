@@ -94,7 +94,8 @@ class CarFollowing {
   void set_entries(const std::vector<TrafficEntry>& entries);
   void set_turns(const std::vector<TurnShare>& turns);
   // Refused: a place off its link, numbers that are not finite or below 0, a deceleration of 0, a
-  // car that pulls out on a movement or on a lane for both directions.
+  // car that pulls out on a movement, on a lane for both directions, or less than its length and
+  // half a metre after the start of a lane.
   void set_events(const std::vector<TrafficEvent>& events);
 
   // The index of the new car.  Refused: what Traffic::add refuses, a speed below 0, a place on

@@ -40,8 +40,10 @@ struct DrivenSample {
   bool against = false;  // it drives against the traffic of the lane
   double speed = not_logged;
   double over_limit = not_logged;  // its speed less that which is allowed on the lanes there
-  // The next one ahead on its way, of those logged in the second before; -1: none.  The gap is
-  // from rear to front; the leader has gone on at its speed since its own sample.
+  // The next one ahead on its way, of those logged in the second before; -1: none.  Who drives
+  // against the traffic looks along its own link alone.  The gap is from rear to front, and from
+  // front to front of two that drive towards each other.  The leader has gone on at its speed since
+  // its own sample.
   std::int32_t leader = -1;
   double gap = not_logged;
   double time_to_collision = not_logged;  // of both at these speeds; where they come nearer

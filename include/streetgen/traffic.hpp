@@ -314,6 +314,9 @@ class Traffic {
   // The nearest car of a link with its front at metres or beyond, and the nearest one before.
   int first_from(int link, double metres) const;
   int last_before(int link, double metres) const;
+  // Metres along a link to the rearmost car whose front has left it; below 0: it covers the whole
+  // link; infinite: there is none.
+  double rear_on(int link) const;
   // The links on which a car stands, from that of its front on.
   std::vector<std::int32_t> links_under(int car) const;
 

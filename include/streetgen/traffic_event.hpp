@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "streetgen/traffic.hpp"
 
@@ -32,18 +33,18 @@ struct TrafficEvent {
   EventKind kind = EventKind::brake;
   EventTrigger trigger = EventTrigger::time;
   LinkPlace place;
-  double at = 0;             // seconds, or metres of the gap
-  std::int64_t car_id = -1;  // -1: whichever comes first
-  double speed = 0;          // that a car brakes to, or by which one that overtakes is faster
-  double deceleration = 5;   // of brake and breakdown
-  double duration = 10;      // how long it lasts; infinite: to the end
+  double at = 0;                       // seconds, or metres of the gap
+  std::optional<std::int64_t> car_id;  // none: whichever comes first
+  double speed = 0;                    // that a car brakes to, or by which one that overtakes is faster
+  double deceleration = 5;             // of brake and breakdown
+  double duration = 10;                // how long it lasts; infinite: to the end
 };
 
 struct FiredEvent {
   std::int64_t event_id = 0;
-  double time = 0;           // at the start of the step in which it acts
-  std::int64_t car_id = -1;  // the car that it acts on or that brought it; -1: none
-  LinkPlace place;           // of that car, or the place of the event
+  double time = 0;                     // at the start of the step in which it acts
+  std::optional<std::int64_t> car_id;  // the car that it acts on or that brought it
+  LinkPlace place;                     // of that car, or the place of the event
 };
 
 }  // namespace streetgen

@@ -124,6 +124,19 @@ END $$;
 COMMENT ON FUNCTION streetgen._ruled_walkers(name, bigint) IS
     'The people that rules place along the sidewalks of a model; none of a model without these.';
 
+CREATE OR REPLACE FUNCTION streetgen._idle_actor_rules(model name) RETURNS SETOF bigint
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 10 SET search_path = pg_catalog, public
+    AS $$
+BEGIN
+    PERFORM streetgen._use_model(model);
+    RETURN QUERY SELECT r.actor_rule_id FROM actor_rule r
+        WHERE r.class IS NOT NULL AND NOT EXISTS (SELECT FROM axis a WHERE a.kind = r.class)
+            OR r.lane_kind IS NOT NULL AND NOT EXISTS (SELECT FROM lane l WHERE l.kind = r.lane_kind)
+        ORDER BY r.actor_rule_id;
+END $$;
+COMMENT ON FUNCTION streetgen._idle_actor_rules(name) IS
+    'The rules that name a class of streets, or a kind of lanes, of which a model has none.';
+
 CREATE OR REPLACE FUNCTION streetgen.place_actors(model name, seed bigint DEFAULT 1, start geometry DEFAULT NULL,
     free float8 DEFAULT 50) RETURNS TABLE(kind text, placed bigint)
     LANGUAGE plpgsql VOLATILE PARALLEL UNSAFE ROWS 5 SET search_path = pg_catalog, public
@@ -141,8 +154,21 @@ BEGIN
     END IF;
     free_ground := (SELECT ST_Buffer(streetgen._transformed('start', ST_Force2D(start), m.srid), free)
         FROM streetgen.model m WHERE m.name = model);
-    -- Keys begin anew, so that the same seed gives the same rows.
-    TRUNCATE car, walker RESTART IDENTITY;
+    IF ST_GeometryType(start) <> 'ST_Point' OR ST_IsEmpty(start) THEN
+        RAISE EXCEPTION 'start is %, expected a point', left(ST_AsText(start), 60) USING ERRCODE = '22023',
+            HINT = 'NULL: there is none.';
+    END IF;
+    IF EXISTS (SELECT FROM streetgen._idle_actor_rules(model)) THEN
+        RAISE WARNING 'rows % of table actor_rule fit no street',
+            (SELECT string_agg(r::text, ', ' ORDER BY r) FROM streetgen._idle_actor_rules(model) r)
+            USING HINT = 'A class is a kind of table axis, a lane_kind one of table lane.';
+    END IF;
+    -- Actors are placed by one call at a time. Keys begin anew, so that the same seed gives the same rows.
+    LOCK TABLE car, walker IN SHARE ROW EXCLUSIVE MODE;
+    DELETE FROM car;
+    DELETE FROM walker;
+    ALTER SEQUENCE car_car_id_seq RESTART;
+    ALTER SEQUENCE walker_walker_id_seq RESTART;
     INSERT INTO car (axis_id, abscissa, lane_position, along_axis, speed, length, width, kind)
         SELECT * FROM streetgen._ruled_cars(model, seed, free_ground);
     INSERT INTO walker (axis_id, abscissa, side, along, speed) SELECT * FROM streetgen._ruled_walkers(model, seed);
@@ -154,9 +180,9 @@ END $$;
 COMMENT ON FUNCTION streetgen.place_actors(name, bigint, geometry, float8) IS
     'Places actors on the streets of a model as table actor_rule says, in place of those in tables car and walker, and '
     'gives how many these are. Each car drives as fast as its rule says, and at most so that it need not brake for the '
-    'next one (2 m, 1.6 s, and what both speeds differ), or at the end of its lane. Lanes for both directions '
-    'stay empty, and each keeps to lanes where it may drive. People are on the sidewalks of a model with subject '
-    'sidewalk. start: a point, such as the place of the driver of a simulator; nobody is placed nearer than free '
-    'metres to it. The same seed places the same actors. A free out of 0 to 1,000 km: 22023; NULL for seed or free: '
-    '22004; a model without traffic or without subject interconnection: 55000; not the owner of the model: 42501; an '
-    'unknown model: 3F000. Campos, section 3.4.';
+    'next one (2 m, 1.6 s, and what both speeds differ), or at the end of its lane. Lanes for both directions stay '
+    'empty, and each keeps to lanes where it may drive. People are on the sidewalks of a model with subject sidewalk. '
+    'start: a point, such as the place of the driver of a simulator; nobody is placed nearer than free metres to it. '
+    'The same seed places the same actors. A free out of 0 to 1,000 km, a start that is no point: 22023; NULL for seed '
+    'or free: 22004; a model without traffic or without subject interconnection: 55000; not the owner of the model: '
+    '42501; an unknown model: 3F000. Campos, section 3.4.';

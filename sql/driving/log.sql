@@ -50,11 +50,12 @@ BEGIN
     held := concat('log.', quote_ident(held));
     held := concat('CASE WHEN GeometryType(', held, ') = ''POINT'' AND NOT ST_IsEmpty(', held, ') THEN ', held,
         ' END');
-    RETURN concat('ST_', upper(name), '(ST_Transform(', held, ', ', srid, '))');
+    RETURN format('ST_%s(ST_Transform(CASE WHEN ST_SRID(%2$s) = 0 THEN ST_SetSRID(%2$s, %3$s) ELSE %2$s END, %3$s))',
+        upper(name), held, srid);
 END $$;
 COMMENT ON FUNCTION streetgen._log_coordinate(regclass, jsonb, text, integer) IS
-    'SQL of x, y or z of a log: a number, or that of the point that the mapping names as geom. A geom that is no '
-    'geometry, or beside x, y or z: 22023.';
+    'SQL of x, y or z of a log: a number, or that of the point that the mapping names as geom, one without SRID in '
+    'that of the model. A geom that is no geometry, or beside x, y or z: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._log_query(model name, samples regclass, mapping jsonb) RETURNS text
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog

@@ -61,14 +61,15 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.drive_report(name, regclass, jsonb) IS
     'A row for each sample of a log of drives, such as one of a driving simulator, in the order of time and actor. '
-    'mapping names the columns of the log: time (seconds, or a timestamp), x and y, z, or geom (POINT) in place of '
-    'these, actor (who drives; none: one alone), speed (km/h; none: from the places) and length (m; none: 5). Without '
-    'it a column has the name itself. A place is that of the front of a car. link and metres: the lane or movement '
-    'there, found for all samples of an actor together; lane_offset: metres to the left of its middle; against: does '
-    'it drive against the traffic of the lane? over_limit: km/h above the speed that is allowed. leader: the next '
-    'actor on its way, of those logged in the second before; gap: metres from bumper to bumper; time_to_collision: '
-    'seconds, where both come nearer. finding: NULL, off_road (over 2 m beyond each lane), no_place or no_time (none, '
-    'NaN), or twice (an actor has two samples of one time; one counts). The order of rows of the log does not count. '
-    'A missing column: 42703; one of no numbers, a mapping that is none, a length out of 0.5 to 100 m: 22023; NULL: '
-    '22004; a model without subject interconnection: 55000; an unknown model: 3F000; not a reader of the model: 42501. '
-    'Campos, section 3.4; Newson and Krumm 2009.';
+    'mapping names the columns of the log: time (seconds, or a timestamp), x and y, z, or geom (POINT, without SRID in '
+    'that of the model) in place of these, actor (who drives; none: one alone), speed (km/h; none: from the places) '
+    'and length (m; none: 5). Without it a column has the name itself. A place is that of the front of a car. link and '
+    'metres: the lane or movement there, found for all samples of an actor together; lane_offset: metres to the left '
+    'of its middle; against: does it drive against the traffic of the lane? over_limit: km/h above the speed that is '
+    'allowed. leader: the next actor on its way, of those logged in the second before, of one that drives against the '
+    'traffic on its link alone; gap: metres from bumper to bumper; time_to_collision: seconds, where both come nearer. '
+    'finding: NULL, off_road (over 2 m beyond each lane), no_place or no_time (none, NaN), or twice (an actor has two '
+    'samples of one time; one counts). The order of rows of the log does not count. A missing column: 42703; one of no '
+    'numbers, a mapping that is none, a length out of 0.5 to 100 m: 22023; NULL: 22004; a model without subject '
+    'interconnection: 55000; an unknown model: 3F000; not a reader of the model: 42501. Campos, section 3.4; Newson '
+    'and Krumm 2009.';

@@ -17,16 +17,17 @@ BEGIN
             HINT = 'NULL gives a row for each street by its name.';
     END IF;
     RETURN QUERY WITH driven AS MATERIALIZED (
-        SELECT r.*, coalesce(k.lane_id, k.lane_in) AS lane_id,
-            lead(r.t) OVER w - r.t AS until_next, lag(r.link) OVER w AS link_before
+        SELECT r.*, coalesce(k.lane_id, k.lane_in) AS lane_id, lead(r.t) OVER w - r.t AS until_next,
+            CASE WHEN k.kind = 'lane' THEN lag(k.lane_id) OVER w END AS lane_before
         FROM streetgen.drive_report(model, samples, mapping) r LEFT JOIN link k ON k.link_id = r.link
-        WHERE r.t < 'infinity' WINDOW w AS (PARTITION BY r.actor ORDER BY r.t)),
+        WHERE coalesce(r.finding, '') NOT IN ('no_time', 'twice') WINDOW w AS (PARTITION BY r.actor ORDER BY r.t)),
     placed AS (
         SELECT d.*, a.axis_id, a.name, e.start_abscissa + ST_LineLocatePoint(e.geom, d.geom)
                 * (e.end_abscissa - e.start_abscissa) AS abscissa,
-            -- Lanes are changed from one to another one that no movement joins with it.
-            d.link_before <> d.link AND d.link & 2 = 0 AND d.link_before & 2 = 0 AS changed
+            -- A drive on to the next edge changes no lane, nor does one to where a lane of the same number begins.
+            b.edge_id = l.edge_id AND b.lane_position <> l.lane_position AS changed
         FROM driven d LEFT JOIN lane l USING (lane_id) LEFT JOIN edge e USING (edge_id) LEFT JOIN axis a USING (axis_id)
+            LEFT JOIN lane b ON b.lane_id = d.lane_before
         WHERE names IS NULL OR a.name = ANY (names)),
     grouped AS (
         SELECT p.*, CASE WHEN stretch IS NOT NULL OR p.name IS NULL THEN p.axis_id END AS axis,
@@ -56,5 +57,6 @@ COMMENT ON FUNCTION streetgen.drive_summary(name, regclass, jsonb, float8, text[
     'metres along an axis. A street without name has axis_id; who is off the road has neither. names: these streets '
     'alone. seconds: from each sample to the next one of the actor. mean_speed and greatest_over_limit: km/h. '
     'mean_offset and offset_deviation: of metres to the left of the middle of lanes, and their standard deviation. '
-    'least_gap: metres, least_time_to_collision: seconds. lane_changes: to a lane beside, between two samples on '
-    'lanes. A stretch that is not 1 to 1,000,000 m: 22023; else as drive_report. Campos, section 3.4.';
+    'least_gap: metres, least_time_to_collision: seconds. lane_changes: to another lane of an edge, between two '
+    'samples on lanes. A sample without time, or of a time of which another one counts, is left out. A stretch that is '
+    'not 1 to 1,000,000 m: 22023; else as drive_report. Campos, section 3.4.';

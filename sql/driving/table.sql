@@ -8,7 +8,8 @@ CREATE TABLE :"model".actor_rule (
     speed_share float8 NOT NULL DEFAULT 1 CHECK (speed_share >= 0 AND speed_share <= 2),
     length float8 NOT NULL DEFAULT 5 CHECK (length BETWEEN 0.5 AND 100),
     width float8 NOT NULL DEFAULT 1.8 CHECK (width BETWEEN 0.3 AND 5),
-    CHECK (num_nonnulls(density, headway) = 1));
+    CHECK (num_nonnulls(density, headway) = 1),
+    CONSTRAINT actor_rule_lane_kind_check CHECK (kind <> 'walker' OR lane_kind IS NULL));
 INSERT INTO :"model".actor_rule (kind, density) VALUES ('car', 8), ('walker', 10);
 COMMENT ON TABLE :"model".actor_rule IS
     'How many actors streetgen.place_actors places on lanes and sidewalks: of the rules of a kind that fit, the one '
@@ -20,6 +21,8 @@ COMMENT ON CONSTRAINT actor_rule_kind_check ON :"model".actor_rule IS
     'car, bus, carpool, cycle or walker. Choose one.';
 COMMENT ON COLUMN :"model".actor_rule.class IS 'class of streets (axis.kind); NULL: all';
 COMMENT ON COLUMN :"model".actor_rule.lane_kind IS 'kind of lanes, such as general or bus; NULL: all';
+COMMENT ON CONSTRAINT actor_rule_lane_kind_check ON :"model".actor_rule IS
+    'of cars, buses, carpools and cycles. Leave it out of a walker.';
 COMMENT ON COLUMN :"model".actor_rule.density IS 'actors a kilometre of lane, or of sidewalk; NULL: headway says';
 COMMENT ON CONSTRAINT actor_rule_density_check ON :"model".actor_rule IS '0 to 1,000 a kilometre. Write fewer.';
 COMMENT ON COLUMN :"model".actor_rule.headway IS

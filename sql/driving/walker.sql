@@ -7,9 +7,10 @@ CREATE OR REPLACE FUNCTION streetgen._line_across(axis geometry, metres float8, 
             LATERAL (SELECT ST_LineInterpolatePoint(axis, f) AS p,
                 ST_LineInterpolatePoint(axis, greatest(0, f - e)) AS a,
                 ST_LineInterpolatePoint(axis, least(1, f + e)) AS b) q,
-            LATERAL (SELECT ST_Distance(a, b) AS d, CASE WHEN to_left THEN 60 ELSE -60 END AS s) n $$;
+            LATERAL (SELECT nullif(ST_Distance(a, b), 0) AS d, CASE WHEN to_left THEN 60 ELSE -60 END AS s) n $$;
 COMMENT ON FUNCTION streetgen._line_across(geometry, float8, boolean) IS
-    'A line of 60 m from a place of an axis, perpendicular to it, to the left or right.';
+    'A line of 60 m from a place of an axis, perpendicular to it, to the left or right; NULL where the axis turns '
+    'back on itself.';
 
 CREATE OR REPLACE FUNCTION streetgen._walked_part(axis geometry, metres float8, to_left boolean, surface geometry)
     RETURNS geometry

@@ -6,12 +6,13 @@ CREATE OR REPLACE FUNCTION streetgen._events_on_links(model name) RETURNS street
 DECLARE
     placed streetgen.traffic_event[];
     nowhere bigint;
+    for_nobody bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
     IF NOT streetgen._has_traffic(model) THEN
         RETURN '{}';
     END IF;
-    placed := ARRAY(SELECT (v.traffic_event_id, v.kind, v.trigger, p.link_id, p.metres, v.at, coalesce(v.car_id, -1),
+    placed := ARRAY(SELECT (v.traffic_event_id, v.kind, v.trigger, p.link_id, p.metres, v.at, v.car_id,
             v.speed, v.deceleration, coalesce(v.duration, 'infinity'))::streetgen.traffic_event
         FROM traffic_event v JOIN event_place p USING (traffic_event_id) ORDER BY v.traffic_event_id);
     nowhere := (SELECT count(*) FROM traffic_event) - cardinality(placed);
@@ -19,10 +20,17 @@ BEGIN
         RAISE WARNING '% rows of table traffic_event are on no lane, and are left out', nowhere
             USING HINT = 'View event_place has those that are.';
     END IF;
+    for_nobody := (SELECT count(*) FROM traffic_event v LEFT JOIN car c USING (car_id)
+        WHERE v.car_id IS NOT NULL AND c.car_id IS NULL);
+    IF for_nobody > 0 THEN
+        RAISE WARNING '% rows of table traffic_event are for cars that table car lacks, and do not fire', for_nobody
+            USING HINT = 'Set their car_id to NULL for whichever car comes first, or delete them.';
+    END IF;
     RETURN placed;
 END $$;
 COMMENT ON FUNCTION streetgen._events_on_links(name) IS
-    'The events of a model that are on a link, with a warning of those on none; none of a model without traffic.';
+    'The events of a model that are on a link, with a warning of those on none, and of those for no car; none of a '
+    'model without traffic.';
 
 CREATE OR REPLACE FUNCTION streetgen._fired_events(network bytea, cars streetgen.traffic_car[], entries bigint[],
     flows float8[], turn_links bigint[], turn_next bigint[], turn_shares float8[], events streetgen.traffic_event[],

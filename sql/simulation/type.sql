@@ -99,7 +99,7 @@ COMMENT ON COLUMN streetgen.traffic_event.trigger IS 'time, place or gap';
 COMMENT ON COLUMN streetgen.traffic_event.link_id IS 'the link of its place';
 COMMENT ON COLUMN streetgen.traffic_event.metres IS 'along the link';
 COMMENT ON COLUMN streetgen.traffic_event.at IS 'seconds of a time, metres of a gap';
-COMMENT ON COLUMN streetgen.traffic_event.car_id IS 'whose it is; -1: of whichever comes first';
+COMMENT ON COLUMN streetgen.traffic_event.car_id IS 'whose it is; NULL: of whichever comes first';
 COMMENT ON COLUMN streetgen.traffic_event.speed IS 'km/h';
 COMMENT ON COLUMN streetgen.traffic_event.deceleration IS 'm/s2';
 COMMENT ON COLUMN streetgen.traffic_event.duration IS 'seconds';

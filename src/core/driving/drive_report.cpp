@@ -15,7 +15,8 @@ namespace streetgen {
 
 namespace {
 
-constexpr double longest_unseen = 1;  // seconds for which an actor counts after its sample
+constexpr double longest_unseen = 1;     // seconds for which an actor counts after its sample
+constexpr float least_length = 0.01F;   // metres of an actor that are left on its link
 
 void check_samples(const std::vector<DriveSample>& samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -134,16 +135,24 @@ class LoggedTraffic {
     if (driven.located.place.link < 0) return take(last);
     const LinkPlace& at = driven.located.place;
     const double end = traffic_.network().links[at.link].length;
-    const LinkPlace place{at.link, std::clamp(at.metres, 0.0, end)};
-    if (last.car >= 0 && traffic_.car(last.car).length != s.length) take(last);
+    LinkPlace place{at.link, std::clamp(at.metres, 0.0, end)};
+    float length = s.length;
+    // The rear of who drives against the traffic is ahead, as far as the link goes.
+    if (driven.against) {
+      const double rear = std::min(end, place.metres + s.length);
+      length = std::max(least_length, static_cast<float>(rear - place.metres));
+      place.metres = rear;
+    }
+    if (last.car >= 0 && traffic_.car(last.car).length != length) take(last);
     if (last.car < 0) {
-      last.car = traffic_.add({s.actor, place, 0, s.length});
+      last.car = traffic_.add({s.actor, place, 0, length});
       actor_of_car_.resize(std::max<std::size_t>(actor_of_car_.size(), last.car + 1U));
       actor_of_car_[last.car] = s.actor;
     }
     traffic_.move(last.car, place);
     traffic_.set_route(last.car, route);
-    traffic_.set_speed(last.car, std::isfinite(driven.speed) ? driven.speed : 0);
+    const double speed = std::isfinite(driven.speed) ? driven.speed : 0;
+    traffic_.set_speed(last.car, driven.against ? -speed : speed);
   }
 
   void forget_before(double time) {
@@ -155,8 +164,9 @@ class LoggedTraffic {
 
   void find_leader(int sample, DrivenSample& driven) const {
     const Last& own = last_[samples_[sample].actor];
-    if (own.car < 0 || own.sample != sample || driven.against) return;
-    const Leader leader = traffic_.leader(own.car, LeaderRules());
+    if (own.car < 0 || own.sample != sample) return;
+    const Leader leader =
+        driven.against ? met_by(own.car) : traffic_.leader(own.car, LeaderRules());
     if (leader.kind != Leader::Kind::car) return;
     driven.leader = actor_of_car_[leader.car];
     const double since = samples_[sample].time - samples_[last_[driven.leader].sample].time;
@@ -173,6 +183,14 @@ class LoggedTraffic {
     double time;
     int actor;
   };
+  // The leader of who drives against the traffic: the next one on the link that it meets.
+  Leader met_by(int car) const {
+    const int met = traffic_.behind(car);
+    if (met < 0) return {};
+    const Car own = traffic_.car(car), other = traffic_.car(met);
+    const double gap = own.place.metres - own.length - other.place.metres;
+    return {Leader::Kind::car, met, gap, gap, -other.speed};
+  }
   void take(Last& last) {
     if (last.car >= 0) traffic_.remove(last.car);
     last.car = -1;

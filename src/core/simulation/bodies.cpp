@@ -3,6 +3,7 @@
 
 #include "simulation/path_ahead.hpp"
 #include "streetgen/traffic.hpp"
+#include "support/infinite.hpp"
 
 namespace streetgen {
 
@@ -118,6 +119,13 @@ std::vector<std::int32_t> Traffic::links_under(int car) const {
   for (int b = cars_[car].bodies; b >= 0; b = bodies_[b].next_of_car)
     links.push_back(bodies_[b].link);
   return links;
+}
+
+double Traffic::rear_on(int link) const {
+  double rear = infinite;
+  for (int b = on_links_[link].bodies; b >= 0; b = bodies_[b].next_on_link)
+    rear = std::min(rear, way_to_front(b) - cars_[bodies_[b].car].length);
+  return rear;
 }
 
 // Metres from the start of the link of a body to the front of its car.

@@ -10,6 +10,7 @@
 #include "simulation/driver_sight.hpp"
 #include "simulation/enter_cars.hpp"
 #include "simulation/event_obeyed.hpp"
+#include "simulation/event_passing.hpp"
 #include "simulation/let_in_cars.hpp"
 #include "simulation/link_end.hpp"
 #include "simulation/traffic_events.hpp"
@@ -113,7 +114,7 @@ void drive(CarRun& run, int car, double metres) {
     run.occupied[driver.at.link] -= run.room_of(driver);
     driver.at = next;
     driver.metres = most;
-    note_passing(run, car, to, 0, most);
+    note_passing(run, car, to, before_start, most);
     occupy(run, driver);
     length = run.link(to).length;
     run.cars.move(car, {to, std::min(driver.metres, length)});
@@ -188,7 +189,7 @@ void CarFollowing::set_turns(const std::vector<TurnShare>& turns) {
 }
 
 void CarFollowing::set_events(const std::vector<TrafficEvent>& events) {
-  check_events(*run_->network, events);
+  check_events(*run_, events);
   read_events(*run_, events);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simulation/driver_sight.hpp"
+#include "simulation/event_passing.hpp"
 #include "simulation/let_in_cars.hpp"
 #include "simulation/links_before.hpp"
 
@@ -51,7 +52,7 @@ bool enter(CarRun& run, const TrafficEntry& entry) {
     look_ahead(run, driver, -1, run.cars.rearmost(entry.link), ahead);
     if (acceleration_of(run, driver, ahead) < -braking) continue;
     car.speed = driver.speed;
-    put_car(run, car);
+    note_passing(run, put_car(run, car), entry.link, before_start, car.place.metres);
     ++run.next_car_id;
     ++run.entered;
     return true;

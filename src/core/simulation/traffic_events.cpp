@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulation/enter_cars.hpp"
+#include "simulation/event_passing.hpp"
 #include "simulation/follower.hpp"
 #include "streetgen/error.hpp"
 
@@ -23,7 +24,8 @@ bool acts_on_a_car(EventKind kind) { return kind != EventKind::pull_out && kind 
   throw Error(ErrorKind::invalid_input, "event " + std::to_string(event.event_id) + " " + why);
 }
 
-void check_event(const TrafficNetwork& network, const TrafficEvent& event) {
+void check_event(const TrafficNetwork& network, const DrivingRules& rules,
+                 const TrafficEvent& event) {
   const LinkPlace& place = event.place;
   if (place.link < 0 || place.link >= network.size())
     refuse_event(event, "is on link " + std::to_string(place.link) + ", which is none");
@@ -39,10 +41,11 @@ void check_event(const TrafficNetwork& network, const TrafficEvent& event) {
   if (!(event.duration >= 0)) refuse_event(event, "lasts " + text_of(event.duration) + " seconds");
   if (event.kind == EventKind::pull_out && (link.movement || link.opposite >= 0))
     refuse_event(event, "pulls out where no lane of one direction is");
-}
-
-bool is(const CarRun& run, int car, std::int64_t car_id) {
-  return car >= 0 && run.drivers[car].here && run.drivers[car].car_id == car_id;
+  const double least = rules.car_length + beside_pulling;
+  if (event.kind == EventKind::pull_out && place.metres < least)
+    refuse_event(event, "pulls out " + text_of(place.metres) +
+                            " metres after the start of its lane, expected " + text_of(least) +
+                            " or more");
 }
 
 // Metres from the front of a car to a place on its way, no farther than `reach`; below 0: none.
@@ -67,7 +70,7 @@ struct Due {
 
 Due due_by_time(const CarRun& run, const EventRun& e) {
   if (run.time < e.event.at) return {};
-  if (e.event.car_id >= 0) return {is(run, e.car, e.event.car_id), e.car};
+  if (e.event.car_id) return {is_car(run, e.car, *e.event.car_id), e.car};
   if (!acts_on_a_car(e.event.kind)) return {true, -1};
   const int car =
       follower_of(run, e.event.place.link, e.event.place.metres, 0, usual_reach).car;
@@ -76,8 +79,8 @@ Due due_by_time(const CarRun& run, const EventRun& e) {
 
 Due due_by_gap(const CarRun& run, const EventRun& e) {
   const LinkPlace& place = e.event.place;
-  if (e.event.car_id >= 0) {
-    if (!is(run, e.car, e.event.car_id)) return {};
+  if (e.event.car_id) {
+    if (!is_car(run, e.car, *e.event.car_id)) return {};
     const double way = way_to(run, e.car, place, e.event.at);
     return {way >= 0 && way <= e.event.at, e.car};
   }
@@ -91,14 +94,26 @@ Due due(const CarRun& run, const EventRun& e) {
     case EventTrigger::gap: return due_by_gap(run, e);
     default:
       // Who left the network since can bring an event, and obey none.
-      if (is(run, e.passed, e.passed_id)) return {true, e.passed};
+      if (is_car(run, e.passed, e.passed_id)) return {true, e.passed};
       return {e.passed >= 0 && !acts_on_a_car(e.event.kind), -1};
   }
 }
 
+// Whether the lane keeps its room for those that were let in, or that pass it at once.
+bool keeps_room(const CarRun& run, int link, double length) {
+  Driver pulling;
+  pulling.length = length;
+  const double reserved = run.reserved[link];
+  return !run.claims[link].empty() ||
+         (reserved > 0 &&
+          run.occupied[link] + reserved + run.room_of(pulling) > run.link(link).length);
+}
+
 // Nobody stands there, and who comes can stop behind.
 bool has_room(const CarRun& run, const LinkPlace& place, double length) {
-  if (place.metres < length + beside_pulling) return false;
+  if (keeps_room(run, place.link, length) ||
+      run.cars.rear_on(place.link) < place.metres + beside_pulling)
+    return false;
   const int ahead = run.cars.first_from(place.link, place.metres);
   if (ahead >= 0 && run.drivers[ahead].metres - run.drivers[ahead].length < place.metres + beside_pulling)
     return false;
@@ -124,7 +139,7 @@ void fire(CarRun& run, int index, int car) {
   EventRun& e = run.events[index];
   e.fired = run.time;
   e.car = car;
-  FiredEvent fired{e.event.event_id, run.time, -1, e.event.place};
+  FiredEvent fired{e.event.event_id, run.time, {}, e.event.place};
   if (car >= 0) {
     const Driver& driver = run.drivers[car];
     fired.car_id = driver.car_id;
@@ -148,8 +163,8 @@ std::vector<LinkPlace> places_across(const TrafficNetwork& network, const LinkPl
 
 }  // namespace
 
-void check_events(const TrafficNetwork& network, const std::vector<TrafficEvent>& events) {
-  for (const TrafficEvent& event : events) check_event(network, event);
+void check_events(const CarRun& run, const std::vector<TrafficEvent>& events) {
+  for (const TrafficEvent& event : events) check_event(*run.network, run.rules, event);
 }
 
 void read_events(CarRun& run, const std::vector<TrafficEvent>& events) {
@@ -161,27 +176,13 @@ void read_events(CarRun& run, const std::vector<TrafficEvent>& events) {
     EventRun e;
     e.event = event;
     for (std::size_t i = 0; i < run.drivers.size(); ++i)
-      if (event.car_id >= 0 && is(run, static_cast<int>(i), event.car_id)) e.car = static_cast<int>(i);
+      if (event.car_id && is_car(run, static_cast<int>(i), *event.car_id)) e.car = static_cast<int>(i);
     if (event.kind == EventKind::cross) e.across = places_across(*run.network, event.place);
     run.eventful[event.place.link] = 1;
     for (const LinkPlace& place : e.across) run.eventful[place.link] = 1;
     run.events.push_back(std::move(e));
   }
   for (Driver& driver : run.drivers) driver.event = -1;
-}
-
-void note_passing(CarRun& run, int car, int link, double from, double to) {
-  if (run.eventful.empty() || !run.eventful[link]) return;
-  for (EventRun& e : run.events) {
-    const LinkPlace& place = e.event.place;
-    if (e.fires() || is(run, e.passed, e.passed_id) || place.link != link ||
-        !(from < place.metres && place.metres <= to))
-      continue;
-    const std::int64_t car_id = run.drivers[car].car_id;
-    if (e.event.car_id >= 0 && e.event.car_id != car_id) continue;
-    e.passed = car;
-    e.passed_id = car_id;
-  }
 }
 
 void fire_events(CarRun& run) {

@@ -20,7 +20,7 @@ EventRows take_events(FunctionCallInfo fcinfo, int argument) {
           column(events, "link_id", INT8OID),
           column(events, "metres", FLOAT8OID),
           column(events, "at", FLOAT8OID),
-          column(events, "car_id", INT8OID),
+          column_or_null(events, "car_id", INT8OID),
           column(events, "speed", FLOAT8OID),
           column(events, "deceleration", FLOAT8OID),
           column(events, "duration", FLOAT8OID)};
@@ -46,7 +46,7 @@ std::vector<TrafficEvent> read_events(const EventRows& rows, const TrafficNetwor
     event.place = known_place(network, DatumGetInt64(rows.link_id.values[i]),
                               finite(number(rows.metres), "the place" + of_event));
     event.at = number(rows.at);
-    event.car_id = DatumGetInt64(rows.car_id.values[i]);
+    if (!rows.car_id.nulls[i]) event.car_id = DatumGetInt64(rows.car_id.values[i]);
     event.speed = number(rows.speed) * kmh;
     event.deceleration = number(rows.deceleration);
     event.duration = number(rows.duration);

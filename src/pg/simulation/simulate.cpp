@@ -218,9 +218,9 @@ STREETGEN_FUNCTION(streetgen_fired_events) {
   report(outcome);
   put_rows(fcinfo, *slot->value, [](const FiredRow& row, ReturnSetInfo* result) {
     Datum values[] = {Int64GetDatum(row.fired.event_id), Float8GetDatum(row.fired.time),
-                      Int64GetDatum(row.fired.car_id), Int64GetDatum(row.link_id),
+                      Int64GetDatum(row.fired.car_id.value_or(0)), Int64GetDatum(row.link_id),
                       Float8GetDatum(row.fired.place.metres)};
-    bool nulls[] = {false, false, row.fired.car_id < 0, false, false};
+    bool nulls[] = {false, false, !row.fired.car_id.has_value(), false, false};
     tuplestore_putvalues(result->setResult, result->setDesc, values, nulls);
   });
   PG_RETURN_NULL();

@@ -127,6 +127,30 @@ TEST(DriveReport, GivesGapsToWhoIsNextOnTheWay) {
   }
 }
 
+// One overtakes on the lane of who comes: both see each other, front to front.
+TEST(DriveReport, TellsWhenTwoMeetHeadOn) {
+  const Fork f = made_fork();
+  std::vector<DriveSample> samples;
+  for (int i = 0; i < 8; ++i) {
+    samples.push_back(sample_at(f.network, {f.in}, 5 + 5 * i, 0.5 * i, 0));
+    samples.push_back(sample_at(f.network, {f.in}, 98 - 4 * i, 0.5 * i + 0.1, 1));
+    samples.back().y = -0.5;
+    samples.back().length = 12;
+  }
+  const auto driven = drive_report(f.network, samples);
+  for (int i = 0; i < 8; ++i) {
+    const DrivenSample &with = driven[2 * i], &against = driven[2 * i + 1];
+    ASSERT_TRUE(against.against) << i;
+    EXPECT_EQ(against.leader, 0) << i;
+    EXPECT_NEAR(against.gap, 93 - 9 * i - 10 * 0.1, 1e-4) << i;
+    EXPECT_NEAR(against.time_to_collision, against.gap / 18, 1e-6) << i;
+    if (i == 0) continue;
+    EXPECT_EQ(with.leader, 1) << i;
+    EXPECT_NEAR(with.gap, 93 - 9 * i + 4 - 8 * 0.4, 1e-4) << i;
+    EXPECT_NEAR(with.time_to_collision, with.gap / 18, 1e-6) << i;
+  }
+}
+
 // Actors are logged at different times: who was seen in the second before counts, moved on.
 TEST(DriveReport, MovesALeaderOnSinceItsSample) {
   const Fork f = made_fork();

@@ -213,6 +213,66 @@ TEST(Event, PullsOutBeforeWhoCanStop) {
   EXPECT_EQ(cars.entered(), 1);
 }
 
+TEST(Event, IsForItsCarAlone) {
+  const Road road = made_road();
+  for (const std::int64_t car_id : {-7, -1, 0, 2}) {
+    CarFollowing cars(road.network, {});
+    TrafficEvent event = event_at(road, EventKind::brake, EventTrigger::place, 300);
+    event.car_id = car_id;
+    cars.set_events({event});
+    cars.add(car_at(road.right, 120, 1));
+    for (int i = 0; i < 200; ++i) cars.step(step);
+    EXPECT_TRUE(cars.fired().empty()) << "it is for car " << car_id;
+    cars.add(car_at(road.right, 20, car_id));
+    for (int i = 0; i < 250; ++i) cars.step(step);
+    ASSERT_EQ(cars.fired().size(), 1U) << car_id;
+    EXPECT_EQ(cars.fired()[0].car_id, car_id);
+  }
+}
+
+// At either end of a link, and where cars enter.
+TEST(Event, ComesAtBothEndsOfALink) {
+  const Road road = made_road();
+  const int movement = road.network.links[road.right].straight_on;
+  const int lane = road.network.links[movement].straight_on;
+  for (const LinkPlace place : {LinkPlace{road.right, 1500}, LinkPlace{movement, 0},
+                                LinkPlace{movement, 10}, LinkPlace{lane, 0}}) {
+    CarFollowing cars(road.network, {});
+    TrafficEvent event = event_at(road, EventKind::brake, EventTrigger::place, 0);
+    event.place = place;
+    cars.set_events({event});
+    cars.add(car_at(road.right, 1450, 1));
+    for (int i = 0; i < 100; ++i) cars.step(step);
+    EXPECT_EQ(cars.fired().size(), 1U) << place.link << " " << place.metres;
+  }
+  for (const double metres : {0., 2., 5.}) {
+    CarFollowing cars(road.network, {});
+    cars.set_entries({{road.right, 0.2}});
+    cars.set_events({event_at(road, EventKind::brake, EventTrigger::place, metres)});
+    for (int i = 0; i < 100; ++i) cars.step(step);
+    EXPECT_EQ(cars.fired().size(), 1U) << metres;
+  }
+}
+
+// The rear of a long vehicle is on the lane yet whose front has left it.
+TEST(Event, PullsOutBehindALongVehicle) {
+  const Road road = made_road();
+  const int movement = road.network.links[road.right].straight_on;
+  CarFollowing cars(road.network, {});
+  TrafficEvent stop = event_at(road, EventKind::breakdown, EventTrigger::time, 0);
+  stop.car_id = 1;
+  stop.duration = 20;
+  cars.set_events({stop, event_at(road, EventKind::pull_out, EventTrigger::time, 1490, 1)});
+  Car bus = car_at(movement, 4, 1, 0);
+  bus.length = 30;
+  cars.add(bus);
+  for (int i = 0; i < 190; ++i) cars.step(step);
+  EXPECT_EQ(cars.fired().size(), 1U) << "the bus stands there";
+  for (int i = 0; i < 200; ++i) cars.step(step);
+  ASSERT_EQ(cars.fired().size(), 2U) << "then it goes on";
+  EXPECT_GT(cars.fired()[1].time, 20);
+}
+
 TEST(Event, RefusesWhatCannotHappen) {
   const Road road = made_road();
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -233,6 +293,10 @@ TEST(Event, RefusesWhatCannotHappen) {
   refused([](TrafficEvent& e) {
     e.kind = EventKind::pull_out;
     e.place = {3, 5};
+  });
+  refused([](TrafficEvent& e) {
+    e.kind = EventKind::pull_out;
+    e.place.metres = 5.4;
   });
   SimulationDemand demand;
   demand.events = {good};
