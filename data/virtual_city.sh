@@ -93,7 +93,7 @@ two_towns() {
   local others=() seed=1 srid=2154 corner=650000,6860000 options='{}' model=two_towns replace= files=() driving_side=right seconds=60 interchange
   take_invented "$@"
   want '' ${others[@]+"${others[@]}"}
-  [[ $seconds =~ ^[0-9]{1,4}$ ]] || fail "--seconds \"$seconds\" is no number of seconds up to 9999"
+  [[ $seconds =~ ^(0|[1-9][0-9]{0,3})$ ]] || fail "--seconds \"$seconds\" is no number of seconds up to 9999"
   make_invented "streetgen.create_two_towns('$model', :'srid', :'x', :'y', :'seed', jsonb_build_object('driving_side', $(quoted "$driving_side")) || :'options')"
   interchange="(SELECT ST_Expand(ST_Extent(geom)::geometry, 40) FROM $model.axis WHERE kind = 'motorway_link' AND starts_with(name, 'Weston '))"
   finish "$model" streets NULL interchange street "$interchange"

@@ -38,8 +38,8 @@ BEGIN
         WINDOW w AS (ORDER BY m.t);
 END $$;
 COMMENT ON FUNCTION streetgen._moments(name, text) IS
-    'The times of a run that was kept, numbered, each with its part of the whole and that of the next one, and how '
-    'long the whole is.';
+    'The times of a run that was kept, in order. n: its number from 1. key and next_key: this time and the next one '
+    'as parts of the whole, 0 to 1. seconds: how long the whole is.';
 
 CREATE OR REPLACE FUNCTION streetgen._animated_cars(model name, box geometry, run text, pace float8)
     RETURNS SETOF streetgen.animated_shape
@@ -72,9 +72,9 @@ BEGIN
         FROM state WINDOW w AS (PARTITION BY car_id ORDER BY n)),
     place AS (
         SELECT p.car_id, p.kind, p.level, p.part, p.length, p.width, p.seconds, u.key, u.x, u.y, u.turned, p.next_key
-        FROM part p, LATERAL (SELECT p.key, p.x, p.y, p.turned WHERE NOT p.stands
-            UNION ALL SELECT p.next_key, p.next[1], p.next[2], p.next[3] WHERE p.next IS NOT NULL
-                AND p.n = (SELECT max(o.n) FROM part o WHERE (o.car_id, o.level, o.part) = (p.car_id, p.level, p.part)))
+        FROM (SELECT *, lead(n) OVER (PARTITION BY car_id, level, part ORDER BY n) IS NULL AS ends FROM part) p,
+            LATERAL (SELECT p.key, p.x, p.y, p.turned WHERE NOT p.stands
+                UNION ALL SELECT p.next_key, p.next[1], p.next[2], p.next[3] WHERE p.ends AND p.next IS NOT NULL)
             u(key, x, y, turned)),
     whole AS (
         SELECT car_id, kind, level, length, width, seconds, array_agg(key ORDER BY key) AS keys,

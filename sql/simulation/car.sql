@@ -25,6 +25,7 @@ CREATE OR REPLACE FUNCTION streetgen._cars_on_links(model name) RETURNS streetge
 DECLARE
     placed streetgen.traffic_car[];
     nowhere bigint;
+    astray bigint;
 BEGIN
     PERFORM streetgen._use_model(model);
     IF NOT streetgen._has_traffic(model) THEN
@@ -39,11 +40,16 @@ BEGIN
         RAISE WARNING '% cars of table car stand on no lane, and are left out', nowhere
             USING HINT = 'View car_place has those that do.';
     END IF;
+    astray := (SELECT count(*) FROM unnest(placed) p WHERE p.link_id <> ALL (p.route) AND p.route <> '{}');
+    IF astray > 0 THEN
+        RAISE WARNING '% cars of table car stand on no link of their routes, and go straight on', astray
+            USING HINT = 'Function check_model names them.';
+    END IF;
     RETURN placed;
 END $$;
 COMMENT ON FUNCTION streetgen._cars_on_links(name) IS
-    'The cars of a model that stand on a link, with a warning of those that stand on none; none of a model without '
-    'traffic.';
+    'The cars of a model that stand on a link; none of a model without traffic. Warnings count those that stand on '
+    'none, and those that stand off their routes.';
 
 CREATE OR REPLACE FUNCTION streetgen._cars_on_lanes(model name, lanes bigint[]) RETURNS streetgen.traffic_car[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
@@ -95,8 +101,8 @@ BEGIN
     RETURN placed;
 END $$;
 COMMENT ON FUNCTION streetgen.place_cars(name, float8, bigint) IS
-    'Places standing cars on the lanes of a model in place of those in table car, as many a kilometre of lane as '
-    'density says, equally far from each other, and gives how many these are. A part of a car that is left over comes '
+    'Places standing cars on the lanes of a model in place of those in table car, and gives how many these are. '
+    'density: cars a kilometre of lane, equally far from each other. A part of a car that is left over comes '
     'by a chance: the same seed places the same cars. Lanes for both directions, and those that not all may drive on, '
     'stay empty. A density that is not 0 to 140: 22023; NULL: 22004; a model without traffic or without subject '
     'interconnection: 55000; not the owner of the model: 42501; an unknown model: 3F000.';

@@ -23,6 +23,9 @@ BEGIN
     UNION ALL SELECT 'warning', 'car whose route has links that are gone', 'car', c.car_id, count(*), p.geom
         FROM car c CROSS JOIN LATERAL unnest(c.route) r(link) LEFT JOIN car_place p USING (car_id)
         WHERE r.link NOT IN (SELECT unnest(links)) GROUP BY c.car_id, p.geom
+    UNION ALL SELECT 'warning', 'car that is not on its route', 'car', c.car_id, 0, p.geom
+        FROM car c JOIN car_place p USING (car_id) WHERE p.link_id <> ALL (c.route) AND c.route <> '{}'
+            AND NOT EXISTS (SELECT FROM unnest(c.route) r WHERE r NOT IN (SELECT unnest(links)))
     UNION ALL SELECT 'warning', 'event without its lane', 'traffic_event', v.traffic_event_id, 0, NULL
         FROM traffic_event v LEFT JOIN event_place p USING (traffic_event_id) WHERE p.traffic_event_id IS NULL
     UNION ALL SELECT 'warning', 'event without its car', 'traffic_event', v.traffic_event_id, v.car_id, p.geom
@@ -40,6 +43,9 @@ INSERT INTO streetgen.check_rule (rule, meaning, hint) VALUES
         'drag the car to a lane in car_editing, or delete it'),
     ('car whose route has links that are gone', 'streets along its route are others since: traffic refuses it',
         'ask `route` for another way, or set its route to NULL'),
+    ('car that is not on its route',
+        'it was dragged or moved to a link that its route does not have: it goes straight on',
+        'ask `route` for a way from there, set its route to NULL, or drag the car back'),
     ('event without its lane', 'the street has no such lane there: it never happens',
         'move it to a lane that is there, or delete it'),
     ('event without its car', 'table car has no such car: it never happens; measure is the key',

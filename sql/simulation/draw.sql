@@ -48,17 +48,26 @@ CREATE OR REPLACE FUNCTION streetgen._require_run(model name, run text) RETURNS 
     LANGUAGE plpgsql STABLE PARALLEL UNSAFE SET search_path = pg_catalog, public
     AS $$
 #variable_conflict use_column
+DECLARE
+    kept record;
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_traffic(model);
-    IF NOT EXISTS (SELECT FROM simulated s WHERE s.run = _require_run.run) THEN
+    -- One build kept the whole run.
+    SELECT s.car_id, s.heading INTO kept FROM simulated s WHERE s.run = _require_run.run LIMIT 1;
+    IF NOT FOUND THEN
         RAISE EXCEPTION 'model "%" kept no run "%"', model, run USING ERRCODE = '22023',
             HINT = coalesce((SELECT 'It has ' || string_agg(DISTINCT quote_literal(s.run), ', ') || '.'
                 FROM simulated s), format('SELECT streetgen.keep_simulation(%L, %L) keeps one.', model, run));
+    ELSIF kept.car_id IS NOT NULL AND kept.heading IS NULL THEN
+        RAISE EXCEPTION 'run "%" of model "%" does not tell how its cars stand', run, model USING ERRCODE = '22023',
+            DETAIL = 'An older build kept it.',
+            HINT = format('SELECT streetgen.keep_simulation(%L, %L) keeps it anew.', model, run);
     END IF;
 END $$;
 COMMENT ON FUNCTION streetgen._require_run(name, text) IS
-    'Raises 22023 for a run that a model did not keep, and 55000 where it has no traffic.';
+    'Raises 22023 for a run that a model did not keep, or that an older build kept without the heading of its cars, '
+    'and 55000 where it has no traffic.';
 
 CREATE OR REPLACE FUNCTION streetgen._shapes_of_cars(model name, box geometry) RETURNS SETOF streetgen.shape
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE ROWS 1000 SET search_path = pg_catalog, public

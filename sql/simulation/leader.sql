@@ -25,7 +25,8 @@ COMMENT ON FUNCTION streetgen.leaders(name, float8, float8) IS
     'leader to the front of the car. speed: km/h, below 0 where it comes towards. A virtual car stands where nobody '
     'is before it: stationary at the end of a lane, at red, and before the place where a route goes on beside; '
     'moving at the speed limit at horizon metres (setting virtual_car). Setting merging_leader tells whether who '
-    'comes from another path into the same lane counts. A car on no lane is warned of, and has no row. A model '
+    'comes from another path into the same lane counts. A car on no lane is warned of, and has no row. One that stands '
+    'off its route is warned of, and goes straight on. A model '
     'without traffic or subject interconnection: 55000; a route with a gap, NaN, a horizon below 0 or beyond 1,000 '
     'km: 22023; NULL: 22004; an unknown model: 3F000; not a reader of the model: 42501. Wilkie, Sewall and Lin, '
     'section 3.1.1.';
@@ -94,6 +95,10 @@ BEGIN
         RETURN;
     END IF;
     PERFORM streetgen._require_routes(model, car_id);
+    IF place.link_id <> ALL (place.route) AND place.route <> '{}' THEN
+        RAISE WARNING 'car % stands on no link of its route, and goes straight on', car_id
+            USING HINT = 'Function route finds a way from there.';
+    END IF;
     merging := streetgen._setting_text(model, 'merging_leader');
     -- Most have somebody near before them.
     seen := least(horizon, 100);

@@ -59,7 +59,7 @@ BEGIN
 END $$;
 COMMENT ON FUNCTION streetgen.move_car(name, bigint, text) IS
     'Moves a car of table car to the lane beside it, at its place along the axis, and gives the link that it is on '
-    'then. side: left or right of who drives. Where no lane lies there, where view lane_adjacency does not allow the '
-    'change, and where another car would be less than 2 m before or behind it: 22023, also for an unknown car, one '
-    'between lanes, and another side; NULL: 22004; a model without traffic or subject interconnection: 55000; an '
-    'unknown model: 3F000; who may not write the cars of the model: 42501. Wilkie, Sewall and Lin, section 3.1.';
+    'then. side: left or right of who drives. No lane there, a change that view lane_adjacency does not allow, another '
+    'car less than 2 m before or behind: 22023. So are an unknown car, one between lanes, and another side; NULL: '
+    '22004; a model without traffic or subject interconnection: 55000; an unknown model: 3F000; who may not write the '
+    'cars of the model: 42501. Wilkie, Sewall and Lin, section 3.1.';

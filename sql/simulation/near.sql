@@ -42,7 +42,8 @@ BEGIN
         UNION ALL SELECT k.link_id FROM link k WHERE k.kind = 'movement' AND k.lane_in = ANY (lanes));
 END $$;
 COMMENT ON FUNCTION streetgen._links_there(name, bigint[]) IS
-    'Those of some links that a model has, among others.';
+    'The links of a model on the lanes of some links and on the movements from these: of the links given, those that '
+    'are there are among them.';
 
 CREATE OR REPLACE FUNCTION streetgen._lanes_near_links(model name, links bigint[]) RETURNS bigint[]
     LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public

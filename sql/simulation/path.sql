@@ -5,8 +5,8 @@ CREATE OR REPLACE FUNCTION streetgen._free_path(network bytea, link bigint, metr
     RETURNS TABLE(link_id bigint, starts float8)
     LANGUAGE c IMMUTABLE STRICT PARALLEL SAFE COST 1000 AS 'MODULE_PATHNAME', 'streetgen_free_path';
 COMMENT ON FUNCTION streetgen._free_path(bytea, bigint, float8, float8, bigint[]) IS
-    'The links ahead of a place, those of a route where it is on one, then and else straight on, and how far ahead '
-    'each begins, metres. Of the route counts the part about the link that the network has. An unknown link, a place '
+    'The links ahead of a place, and how far ahead each begins, metres. A route that has the link comes first, as '
+    'far as the network has its links without a break; then and else they go straight on. An unknown link, a place '
     'off it, a gap in the route, a horizon below 0 or beyond 1,000 km: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen._straight_ahead(model name, lane bigint, horizon float8) RETURNS bigint[]
@@ -113,9 +113,9 @@ CREATE OR REPLACE FUNCTION streetgen.free_path(model name, link bigint, metres f
     LANGUAGE sql STABLE PARALLEL UNSAFE ROWS 20 SET search_path = pg_catalog
     AS $$ SELECT * FROM streetgen._free_path_of($1, $2, $3, $4, $5) $$;
 COMMENT ON FUNCTION streetgen.free_path(name, bigint, float8, float8, bigint[]) IS
-    'The links ahead of a place of a link, as far as horizon metres: those of a route where the link is on it, then '
-    'and else straight on at each junction, by the movement that turns least, of equal ones by that of the smallest '
-    'key. The path ends where the route goes on beside: who follows it changes lanes before. The first one is link; '
+    'The links ahead of a place of a link, as far as horizon metres. A route that has the link comes first; then and '
+    'else they go straight on. Straight on is the movement that turns least, of equal ones that of the smallest key. '
+    'The path ends where the route goes on beside: who follows it changes lanes before. The first one is link; '
     'starts: how far ahead each begins, metres, below 0 of the first. An unknown link, a place off it, a route with a '
     'gap, NaN, a horizon below 0 or beyond 1,000 km: 22023; NULL: 22004; a model without subject interconnection: '
     '55000; an unknown model: 3F000; not a reader of the model: 42501. Wilkie, Sewall and Lin, section 3.1.1.';

@@ -9,8 +9,8 @@ CREATE OR REPLACE FUNCTION streetgen._simulate(network bytea, cars streetgen.tra
     LANGUAGE c STABLE STRICT PARALLEL UNSAFE COST 100000 ROWS 10000 AS 'MODULE_PATHNAME', 'streetgen_simulate';
 COMMENT ON FUNCTION streetgen._simulate(bytea, streetgen.traffic_car[], bigint[], float8[], bigint[], bigint[],
     float8[], text, float8, float8, float8, bigint, oid, streetgen.traffic_event[]) IS
-    'What streetgen.simulate gives, on a network: x and y of the front of a car or the middle of a cell, heading in '
-    'radians (of a car from its rear to its front), length of a car or a cell. Cars enter at links by flows (an hour) '
+    'What streetgen.simulate gives, on a network. x and y: of the front of a car or the middle of a cell. heading: '
+    'radians, of a car from its rear to its front. length: of a car or a cell. Cars enter at links by flows (an hour) '
     'and turn by shares. law: of cars that follow, in place of that of idm; 0: none.';
 
 CREATE OR REPLACE FUNCTION streetgen._known_keys(given jsonb, name text, known text[]) RETURNS void
@@ -227,7 +227,7 @@ BEGIN
     RETURN kept;
 END $$;
 COMMENT ON FUNCTION streetgen.keep_simulation(name, text, text, float8, float8, jsonb, bigint, jsonb) IS
-    'Writes the rows of streetgen.simulate into table simulated as a run of that name, in place of an older one, and '
-    'gives how many these are. streetgen.svg, streetgen.animated_svg and a GIS draw them by their time. '
+    'Writes the rows of streetgen.simulate into table simulated, and gives how many these are. run: its name; an '
+    'older run of that name goes. streetgen.svg, streetgen.animated_svg and a GIS draw them by their time. '
     'A model without traffic: 55000; not the owner of the '
     'model: 42501; else as simulate.';

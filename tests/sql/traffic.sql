@@ -110,6 +110,15 @@ SELECT 'also of nobody, and to no side', test.said($q$SELECT streetgen.move_car(
 -- Cars that are dragged, and those whose lane goes.
 UPDATE town.car_editing SET geom = 'SRID=2154;POINT(650203 6860100)', speed = 20 WHERE car_id = 1;
 SELECT 'a car that is dragged is on the nearest lane', (axis_id, lane_position, along_axis, speed) = (4, 2, true, 20) AND abs(abscissa - 100) < 0.01 AND ST_DWithin(p.geom, 'SRID=2154;POINT(650203 6860100)'::geometry, 1.5) FROM town.car JOIN town.car_place p USING (car_id) WHERE car_id = 1;
+UPDATE town.car SET route = ARRAY[pg_temp.lane_link(1, 4, true)] WHERE car_id = 1;
+SELECT 'a car off its route is found', array_agg(concat(id, ' ', rule)) = '{1 car that is not on its route}' FROM streetgen.check_model('town') WHERE relation = 'car';
+\setenv PGDATABASE :DBNAME
+\setenv PGOPTIONS '-c client_min_messages=warning'
+\! test "$(psql -qXAt -c "SELECT FROM streetgen.leaders('town')" -c "SELECT FROM streetgen.get_leader('town', 1)" 2>&1 | grep -oE '1 cars of table car stand on no link of their routes|car 1 stands on no link of its route' | wc -l)" = 2 && holds=t || holds=f; printf 'and leaders and get_leader warn of it\t%s\n' $holds
+UPDATE town.car SET route = ARRAY[link_id] FROM town.car_place p WHERE p.car_id = 1 AND car.car_id = 1;
+SELECT 'one that stands on its route is not', NOT EXISTS (SELECT FROM streetgen.check_model('town') WHERE relation = 'car');
+\! test -z "$(psql -qXAt -c "SELECT FROM streetgen.get_leader('town', 1)" -c "SELECT FROM streetgen.leaders('town')" 2>&1 | grep WARNING)" && holds=t || holds=f; printf 'nor warned of\t%s\n' $holds
+UPDATE town.car SET route = '{}' WHERE car_id = 1;
 INSERT INTO town.car_editing (geom) VALUES ('SRID=2154;POINT(650100 6860005)');
 SELECT 'a new point is a new car', (axis_id, lane_position, along_axis, length, kind) = (1, 1, false, 5, 'car') AND abs(abscissa - 100) < 0.01 FROM town.car WHERE car_id NOT IN (1, 2, 3);
 INSERT INTO town.car_editing (car_id, geom) VALUES (50, 'SRID=2154;POINT(650120 6860005)');
@@ -167,6 +176,9 @@ SELECT 'a picture that moves is XML with every car of the run', xml_is_well_form
 SELECT 'its times grow from 0 to 1, a place for each', count(*) > 20 AND bool_and(times[1] = 0 AND times[cardinality(times)] = 1 AND times = ARRAY(SELECT DISTINCT t FROM unnest(times) t ORDER BY t) AND cardinality(times) = cardinality(string_to_array(m[1], ';')))
   FROM moving, regexp_matches(svg, 'type="translate"[^>]* values="([^"]*)" keyTimes="([^"]*)"', 'g') m, LATERAL (SELECT string_to_array(m[2], ';')::float8[] AS times) k;
 SELECT 'no car spins between two states', bool_and(abs(b::float8 - a::float8) < 120) FROM moving, regexp_matches(svg, 'type="rotate"[^>]* values="([^"]*)"', 'g') m, LATERAL (SELECT v AS a, lead(v) OVER (ORDER BY n) AS b FROM string_to_table(m[1], ';') WITH ORDINALITY s(v, n)) p;
+UPDATE town.simulated SET (heading, length, width, kind) = (NULL, NULL, NULL, NULL);
+SELECT 'a run of cars without heading, of an older build, is refused with the call that keeps it anew', count(*) = 2 AND bool_and(state = '22023' AND hint LIKE '%keep_simulation(''town'', ''driven'')%') FROM (VALUES ($q$svg('town', run => 'driven', at => 10)$q$), ($q$animated_svg('town', 'driven')$q$)) v(call), test.refusal('SELECT streetgen.' || call);
+SELECT 'one of cells is drawn', streetgen.svg('town', run => 'flow', at => 5) LIKE '%class="density free"%';
 
 -- Cells.
 CREATE TEMPORARY TABLE cell AS SELECT * FROM streetgen.cells('town');

@@ -94,7 +94,7 @@ COMMENT ON FUNCTION streetgen.svg(name, geometry, integer, boolean, text, float8
     'construction, how it was computed. '
     'scale: drawn as for 1:scale, where a pixel is 0.28 mm; NULL: as extent and width say. run: a simulation that was '
     'kept, whose cars or densities are drawn as they are at seconds at; NULL: the cars of table car. A theme, width or '
-    'scale that is none, an empty extent, a run that was not kept: 22023.';
+    'scale that is none, an empty extent, a run that was not kept, or that an older build kept of cars: 22023.';
 
 CREATE OR REPLACE FUNCTION streetgen.animated_svg(model name, run text, extent geometry DEFAULT NULL,
     width integer DEFAULT NULL, theme text DEFAULT 'street', scale float8 DEFAULT NULL, pace float8 DEFAULT 1)
@@ -119,5 +119,5 @@ COMMENT ON FUNCTION streetgen.animated_svg(name, text, geometry, integer, text, 
     'A picture (SVG) that moves: a run that streetgen.keep_simulation kept, pace times as fast, again and again; a '
     'browser shows it. What does not move is drawn as streetgen.svg does. Cars move straight between the states that '
     'were kept, so that an output of 0.5 s or less shows turns. A theme, width, scale or pace that is none, an empty '
-    'extent, a run that was not kept: 22023; a model without traffic: 55000; NULL: 22004; an unknown model: 3F000; not '
-    'a reader of the model: 42501.';
+    'extent, a run that was not kept, or that an older build kept of cars: 22023; a model without traffic: 55000; '
+    'NULL: 22004; an unknown model: 3F000; not a reader of the model: 42501.';
