@@ -24,6 +24,7 @@ CREATE OR REPLACE FUNCTION streetgen._edit_car() RETURNS trigger
 DECLARE
     subject text;
     nearest record;
+    made bigint;
 BEGIN
     PERFORM streetgen._require_its_build(TG_TABLE_SCHEMA), streetgen._use_model(TG_TABLE_SCHEMA);
     IF TG_OP = 'DELETE' THEN
@@ -50,10 +51,13 @@ BEGIN
         NEW.along_axis := CASE WHEN nearest.both_ways THEN coalesce(NEW.along_axis, true) ELSE nearest.along_axis END;
     END IF;
     IF TG_OP = 'INSERT' THEN
-        INSERT INTO car (car_id, axis_id, abscissa, lane_position, along_axis, speed, length, width, kind, route)
-            VALUES (coalesce(NEW.car_id, nextval(pg_get_serial_sequence('car', 'car_id'))), NEW.axis_id, NEW.abscissa,
-                NEW.lane_position, NEW.along_axis, coalesce(NEW.speed, 0), coalesce(NEW.length, 5),
-                coalesce(NEW.width, 1.8), coalesce(NEW.kind, 'car'), NEW.route) RETURNING car.car_id INTO NEW.car_id;
+        INSERT INTO car (axis_id, abscissa, lane_position, along_axis, speed, length, width, kind, route)
+            VALUES (NEW.axis_id, NEW.abscissa, NEW.lane_position, NEW.along_axis, coalesce(NEW.speed, 0),
+                coalesce(NEW.length, 5), coalesce(NEW.width, 1.8), coalesce(NEW.kind, 'car'), NEW.route)
+            RETURNING car.car_id INTO made;
+        -- The column numbers itself, as an editor may not read its sequence.
+        UPDATE car c SET car_id = NEW.car_id WHERE c.car_id = made AND NEW.car_id <> made;
+        NEW.car_id := coalesce(NEW.car_id, made);
     ELSIF NEW.geom IS DISTINCT FROM OLD.geom THEN
         UPDATE car c SET (axis_id, abscissa, lane_position, along_axis, onto_axis, onto_position, onto_along, beyond,
                 speed, length, width, kind, route) = (NEW.axis_id, NEW.abscissa, NEW.lane_position, NEW.along_axis,

@@ -57,7 +57,7 @@ BEGIN
             JOIN lane l ON l.lane_id = m.lane_in
         WHERE b.way <= merging)
         SELECT lane FROM behind);
-    RETURN streetgen._lanes_near_links(model, ARRAY(SELECT 4 * lane FROM unnest(lanes) lane));
+    RETURN streetgen._lanes_near_turns(model, ARRAY(SELECT 4 * lane FROM unnest(lanes) lane));
 END $$;
 COMMENT ON FUNCTION streetgen._lanes_about_path(name, bigint[], float8, float8) IS
     'The lanes of a path of links and those about it from which a car may stand on it or come to it: longest metres '

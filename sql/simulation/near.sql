@@ -60,6 +60,22 @@ END $$;
 COMMENT ON FUNCTION streetgen._lanes_near_links(name, bigint[]) IS
     'The lanes of some links, and the lanes that movements join with these: what their courses depend on.';
 
+CREATE OR REPLACE FUNCTION streetgen._lanes_near_turns(model name, links bigint[]) RETURNS bigint[]
+    LANGUAGE plpgsql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
+    SET plan_cache_mode = force_generic_plan
+    AS $$
+DECLARE
+    lanes bigint[] := streetgen._lanes_of_links(model, links);
+BEGIN
+    FOR ring IN 1 .. 3 LOOP
+        lanes := streetgen._lanes_near_links(model, ARRAY(SELECT 4 * lane FROM unnest(lanes) lane));
+    END LOOP;
+    RETURN lanes;
+END $$;
+COMMENT ON FUNCTION streetgen._lanes_near_turns(name, bigint[]) IS
+    'The lanes of some links and those within three movements: what tells which way leads straight on where two turn '
+    'nearly the same, since courses of short lanes depend on those beyond.';
+
 CREATE OR REPLACE FUNCTION streetgen._network_near_links(model name, links bigint[]) RETURNS bytea
     LANGUAGE sql STABLE STRICT PARALLEL UNSAFE SET search_path = pg_catalog, public
     SET plan_cache_mode = force_generic_plan

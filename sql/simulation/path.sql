@@ -71,8 +71,8 @@ BEGIN
     known := link || streetgen._route_ahead(model, link, horizon, route);
     LOOP
         SELECT array_agg(p.link_id ORDER BY p.ordinality), array_agg(p.starts ORDER BY p.ordinality) INTO path, begins
-            FROM streetgen._free_path(streetgen._network_near_links(model, known), link, place, horizon, route)
-                WITH ORDINALITY p;
+            FROM streetgen._free_path(streetgen._network_of_lanes(model, streetgen._lanes_near_turns(model, known)),
+                link, place, horizon, route) WITH ORDINALITY p;
         farthest := path[cardinality(path)];
         -- The network ends behind links that it does not know whole.
         EXIT WHEN farthest = ANY (known);

@@ -27,7 +27,8 @@ BEGIN
     before := streetgen._relations(model);
     PERFORM streetgen._make_tables(model, '{table}', streetgen._traffic_rooms());
     PERFORM streetgen._make_views(model), streetgen._make_simulation_edit_views(model),
-        streetgen._give_to_owner(model, before), streetgen._grant_simulation_views(model);
+        streetgen._give_to_owner(model, before), streetgen._grant_simulation_views(model),
+        streetgen._make_own_keys(model);
     PERFORM streetgen._grant_like_axes(model, ARRAY(
         SELECT oid FROM unnest(streetgen._relations(model)) oid WHERE oid <> ALL (before)));
 END $$;

@@ -42,7 +42,7 @@ bool may_run(Oid function) {
 void require_law(Oid function) {
   if (get_func_name(function) == nullptr)
     ereport(ERROR,
-            (errcode(ERRCODE_UNDEFINED_FUNCTION), errmsg("there is no function %u", function)));
+            (errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("there is no function %u", function)));
   Oid* arguments = nullptr;
   int count = 0;
   const Oid result = get_func_signature(function, &arguments, &count);
