@@ -152,12 +152,12 @@ BEGIN
         RAISE EXCEPTION 'free is %, expected 0 to 1,000,000 metres', free USING ERRCODE = '22023',
             HINT = 'No actor is placed so near to start.';
     END IF;
-    free_ground := (SELECT ST_Buffer(streetgen._transformed('start', ST_Force2D(start), m.srid), free)
-        FROM streetgen.model m WHERE m.name = model);
     IF ST_GeometryType(start) <> 'ST_Point' OR ST_IsEmpty(start) THEN
         RAISE EXCEPTION 'start is %, expected a point', left(ST_AsText(start), 60) USING ERRCODE = '22023',
             HINT = 'NULL: there is none.';
     END IF;
+    free_ground := (SELECT ST_Buffer(streetgen._transformed('start', ST_Force2D(start), m.srid), free)
+        FROM streetgen.model m WHERE m.name = model);
     IF EXISTS (SELECT FROM streetgen._idle_actor_rules(model)) THEN
         RAISE WARNING 'rows % of table actor_rule fit no street',
             (SELECT string_agg(r::text, ', ' ORDER BY r) FROM streetgen._idle_actor_rules(model) r)

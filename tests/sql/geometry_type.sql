@@ -8,6 +8,9 @@ SELECT test.make_design('hill') \g /dev/null
 SELECT setval('hill.design_node_design_node_id_seq', 100) \g /dev/null
 INSERT INTO hill.axis (geom, width) VALUES ('SRID=2154;LINESTRING Z(901000 6451000 0,901200 6451100 0)', 7);
 SELECT streetgen._switch_on('hill', '{footway}') \g /dev/null
+SELECT streetgen.create_traffic('hill') \g /dev/null
+INSERT INTO hill.car (axis_id, abscissa, lane_position, along_axis) SELECT max(axis_id), 20, 2, true FROM hill.axis;
+SELECT streetgen.keep_simulation('hill', 'left', duration => 1) \g /dev/null
 CREATE TABLE odd (kind text, geom geometry);
 INSERT INTO odd SELECT split_part(line, '(', 1) || CASE WHEN line LIKE '%EMPTY%' THEN '' ELSE ' of ' || length(line) END, ST_GeomFromEWKT('SRID=2154;' || line) FROM unnest(ARRAY[
   'POINT(901000 6451000)', 'LINESTRING(901000 6451000,901100 6451000,901200 6451100)', 'POLYGON((901000 6451000,901100 6451000,901100 6451100,901000 6451000))',
