@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "driving/reached_links.hpp"
+#include "simulation/other_storeys.hpp"
 #include "streetgen/cancel.hpp"
 #include "support/infinite.hpp"
 
@@ -51,20 +52,6 @@ std::vector<Move> moves_of(const std::vector<DriveSample>& samples) {
   return moves;
 }
 
-// Links of another storey than that of the sample do not count.
-void drop_other_storeys(const TrafficNetwork& network, double height,
-                        std::vector<NearPlace>& near) {
-  if (!std::isfinite(height)) return;
-  const auto apart = [&](const NearPlace& n) {
-    return std::abs(frame(network, n.located.place).height - height);
-  };
-  double least = infinite;
-  for (const NearPlace& n : near) least = std::min(least, apart(n));
-  near.erase(std::remove_if(near.begin(), near.end(),
-                            [&](const NearPlace& n) { return apart(n) > least + storey; }),
-             near.end());
-}
-
 Candidates candidates_of(const TrafficNetwork& network, const LinkPlaces& places,
                          const DriveSample& sample, const Move& move, double reach) {
   std::vector<NearPlace> near = places.near(sample.x, sample.y, reach);
@@ -74,7 +61,7 @@ Candidates candidates_of(const TrafficNetwork& network, const LinkPlaces& places
                               return n.distance > link.width / 2 + beside_lane;
                             }),
              near.end());
-  drop_other_storeys(network, sample.height, near);
+  if (std::isfinite(sample.height)) drop_other_storeys(network, sample.height, near);
   Candidates found;
   for (const NearPlace& n : near) {
     Candidate candidate;
@@ -97,7 +84,7 @@ double straight_line(const DriveSample& a, const DriveSample& b) {
 
 double way_allowed(double move) { return way_a_move * move + way_beyond_move; }
 
-// Of a change from one link to a place that was reached by a row.
+// The cost of a change from one link to a place that was reached by a row.
 double change_cost_of(const ReachedLink& row, const Candidate& from, const Candidate& to,
                       double most) {
   if (row.from < 0) {

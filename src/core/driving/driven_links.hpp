@@ -17,7 +17,7 @@ struct DrivenPlace {
   std::vector<std::int32_t> way;
 };
 
-// Of the samples of one actor by their times, all finite, no two of one time.
+// A row for each sample of one actor, by their times, all finite, no two of one time.
 std::vector<DrivenPlace> driven_links(const TrafficNetwork& network, const LinkPlaces& places,
                                       const std::vector<DriveSample>& samples);
 

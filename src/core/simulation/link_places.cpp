@@ -4,6 +4,7 @@
 
 #include "geometry/box_index.hpp"
 #include "simulation/link_course.hpp"
+#include "simulation/other_storeys.hpp"
 #include "streetgen/cancel.hpp"
 #include "streetgen/error.hpp"
 #include "streetgen/traffic.hpp"
@@ -65,9 +66,6 @@ struct LinkPlaces::Index {
     return network->pieces.of(part.link)[part.piece];
   }
   std::vector<NearPlace> near(double x, double y, double reach) const;
-  double height_of(const NearPlace& near) const {
-    return frame(*network, near.located.place).height;
-  }
   bool holds(const NearPlace& near) const {
     return near.distance <= network->links[near.located.place.link].width / 2;
   }
@@ -150,16 +148,7 @@ LocatedPlace LinkPlaces::locate(double x, double y, double reach, std::optional<
     near.erase(std::remove_if(near.begin(), near.end(),
                               [&](const NearPlace& n) { return !index_->holds(n); }),
                near.end());
-    if (height) {
-      double least = infinite;
-      for (const NearPlace& n : near)
-        least = std::min(least, std::abs(index_->height_of(n) - *height));
-      near.erase(std::remove_if(near.begin(), near.end(),
-                                [&](const NearPlace& n) {
-                                  return std::abs(index_->height_of(n) - *height) > least + storey;
-                                }),
-                 near.end());
-    }
+    if (height) drop_other_storeys(*index_->network, *height, near);
     if (heading)
       for (NearPlace& n : near)
         n.distance += metres_a_radian * std::abs(std::remainder(n.heading - *heading, 2 * M_PI));
