@@ -1,5 +1,4 @@
-// What a log of drives tells of a network: on which lane each sample is, and how near the car
-// ahead.  Campos, section 3.4: reports of driving simulators.
+// A log of drives on a network: on which lane each sample is, and how near the car ahead.  Campos, section 3.4: reports of driving simulators.
 //
 // A log has samples of actors, each of a time and a place.  The lanes of an actor are found for all
 // of its samples together: the links that lie near them and follow each other, by the least sum of
@@ -19,7 +18,7 @@ namespace streetgen {
 constexpr double not_logged = std::numeric_limits<double>::quiet_NaN();
 
 struct DriveSample {
-  std::int32_t actor = 0;  // 0 or more
+  std::int32_t actor = 0;  // 0 or more, below the number of samples
   double time = 0, x = 0, y = 0;
   double height = not_logged;
   double speed = not_logged;  // else that between the samples before and after
@@ -54,7 +53,7 @@ constexpr double beside_lane = 2;
 
 // A row for each sample, in their order.  The order of samples counts where two have one actor and
 // time: the second one is left out.  Signals hide nobody, as a log has a clock of its own.  Refused
-// (invalid_input): an actor below 0, a length that is not positive or beyond `longest_car`.
+// (invalid_input): an actor that is none of these numbers, a length that is not positive or beyond `longest_car`.
 std::vector<DrivenSample> drive_report(const TrafficNetwork& network,
                                        const std::vector<DriveSample>& samples);
 

@@ -21,9 +21,10 @@ constexpr float least_length = 0.01F;   // metres of an actor that are left on i
 void check_samples(const std::vector<DriveSample>& samples) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const DriveSample& s = samples[i];
-    if (s.actor < 0)
+    if (s.actor < 0 || static_cast<std::size_t>(s.actor) >= samples.size())
       throw Error(ErrorKind::invalid_input,
-                  "sample " + std::to_string(i) + " is of actor " + std::to_string(s.actor));
+                  "sample " + std::to_string(i) + " is of actor " + std::to_string(s.actor) +
+                      ", expected 0 to " + std::to_string(samples.size() - 1));
     if (!(s.length > 0 && s.length <= longest_car))
       throw Error(ErrorKind::invalid_input,
                   "sample " + std::to_string(i) + " has a length of " + text_of(s.length) +

@@ -44,17 +44,14 @@ std::vector<DriveSample> samples_of(const LogCall& call) {
   for (int i = 0; i < call.actors.count; ++i) {
     const auto number = [&](const ValueArray& values) { return DatumGetFloat8(values.values[i]); };
     DriveSample sample;
-    const std::string which = " at sample " + std::to_string(i + 1);
-    sample.actor =
-        static_cast<int>(in_range(DatumGetInt32(call.actors.values[i]), 0, call.actors.count - 1,
-                                  "the number of the actor" + which));
+    sample.actor = DatumGetInt32(call.actors.values[i]);
     sample.time = number(call.times);
     sample.x = number(call.x);
     sample.y = number(call.y);
     sample.height = number(call.heights);
     sample.speed = number(call.speeds) * kmh;
-    sample.length =
-        static_cast<float>(in_range(number(call.lengths), 0.5, longest_car, "the length" + which));
+    sample.length = static_cast<float>(in_range(number(call.lengths), 0.5, longest_car,
+                                                "the length at sample " + std::to_string(i + 1)));
     samples.push_back(sample);
   }
   return samples;

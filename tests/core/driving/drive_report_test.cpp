@@ -185,8 +185,10 @@ TEST(DriveReport, TellsWhatItCannotPlace) {
     EXPECT_EQ(driven[i].located.place.link, found[i] == DriveFinding::none ? f.in : -1) << i;
   }
   EXPECT_TRUE(drive_report(f.network, {}).empty());
-  samples[0].actor = -1;
-  EXPECT_THROW(drive_report(f.network, samples), Error);
+  for (const int actor : {-1, 7, std::numeric_limits<int>::max()}) {
+    samples[0].actor = actor;
+    EXPECT_THROW(drive_report(f.network, samples), Error) << actor;
+  }
   samples[0].actor = 0;
   samples[0].length = 0;
   EXPECT_THROW(drive_report(f.network, samples), Error);
