@@ -1,4 +1,4 @@
-// streetgen._cells: the links of a network in equal cells.
+// streetgen._network_cells: the links of a network in equal cells.
 #include <string>
 #include <vector>
 

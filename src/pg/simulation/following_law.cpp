@@ -38,35 +38,34 @@ bool may_run(Oid function) {
 #endif
 }
 
-// Everybody may call streetgen._simulate with any oid.
-void require_law(Oid function) {
+// Its row type. Everybody may call streetgen._simulate with any oid.
+Oid checked_law(Oid function) {
   if (get_func_name(function) == nullptr)
-    ereport(ERROR,
-            (errcode(ERRCODE_INVALID_PARAMETER_VALUE), errmsg("there is no function %u", function)));
+    ereport(ERROR, (errcode(ERRCODE_INVALID_PARAMETER_VALUE),
+                    errmsg("there is no function %u", function)));
   Oid* arguments = nullptr;
   int count = 0;
   const Oid result = get_func_signature(function, &arguments, &count);
-  if (result != FLOAT8ARRAYOID || count != 1 || !is_following(get_element_type(arguments[0])) ||
-      get_func_retset(function) || get_func_prokind(function) != PROKIND_FUNCTION)
+  const Oid row = count == 1 ? get_element_type(arguments[0]) : InvalidOid;
+  if (result != FLOAT8ARRAYOID || !is_following(row) || get_func_retset(function) ||
+      get_func_prokind(function) != PROKIND_FUNCTION)
     ereport(ERROR, (errcode(ERRCODE_INVALID_PARAMETER_VALUE),
                     errmsg("%s is no function of streetgen.following[] that gives float8[]",
                            format_procedure(function)),
                     errhint("streetgen.simulate takes its name.")));
   if (!may_run(function))
     aclcheck_error(ACLCHECK_NO_PRIV, OBJECT_FUNCTION, get_func_name(function));
+  return row;
 }
 
 }  // namespace
 
 SqlLaw* take_law(Oid function) {
   if (!OidIsValid(function)) return nullptr;
-  require_law(function);
+  const Oid row = checked_law(function);
   auto* law = static_cast<SqlLaw*>(palloc0(sizeof(SqlLaw)));
   fmgr_info(function, &law->function);
-  Oid* arguments = nullptr;
-  int count = 0;
-  get_func_signature(function, &arguments, &count);
-  law->row = lookup_rowtype_tupdesc_copy(get_element_type(arguments[0]), -1);
+  law->row = lookup_rowtype_tupdesc_copy(row, -1);
   law->one_call =
       AllocSetContextCreate(CurrentMemoryContext, "streetgen law", ALLOCSET_DEFAULT_SIZES);
   law->name = format_procedure(function);
@@ -115,7 +114,7 @@ void ask(SqlLaw* law, const Following* cars, int count, double* answers) {
   }
 }
 
-// What the function raises stays in `raised`: no longjmp leaves this frame.
+// An error of the function stays in `raised`: no longjmp leaves this frame.
 bool asked(SqlLaw* law, const Following* cars, int count, double* answers) noexcept {
   const MemoryContext before = CurrentMemoryContext;
   PG_TRY();
