@@ -144,6 +144,7 @@ CREATE OR REPLACE FUNCTION streetgen.place_actors(model name, seed bigint DEFAUL
 #variable_conflict use_column
 DECLARE
     free_ground geometry;
+    idle bigint[];
 BEGIN
     PERFORM streetgen._use_model(model);
     PERFORM streetgen._require_owner(model), streetgen._check_given('seed', seed::text, 'free', free::text),
@@ -158,9 +159,9 @@ BEGIN
     END IF;
     free_ground := (SELECT ST_Buffer(streetgen._transformed('start', ST_Force2D(start), m.srid), free)
         FROM streetgen.model m WHERE m.name = model);
-    IF EXISTS (SELECT FROM streetgen._idle_actor_rules(model)) THEN
-        RAISE WARNING 'rows % of table actor_rule fit no street',
-            (SELECT string_agg(r::text, ', ' ORDER BY r) FROM streetgen._idle_actor_rules(model) r)
+    idle := ARRAY(SELECT streetgen._idle_actor_rules(model));
+    IF idle <> '{}' THEN
+        RAISE WARNING 'rows % of table actor_rule fit no street', array_to_string(idle, ', ')
             USING HINT = 'A class is a kind of table axis, a lane_kind one of table lane.';
     END IF;
     -- Actors are placed by one call at a time. Keys begin anew, so that the same seed gives the same rows.

@@ -1,4 +1,4 @@
--- What a log of drives tells.
+-- A log of drives, sample by sample.
 
 CREATE OR REPLACE FUNCTION streetgen._drive_report(network bytea, actors integer[], times float8[], x float8[],
     y float8[], heights float8[], speeds float8[], lengths float8[])

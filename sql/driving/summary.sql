@@ -1,4 +1,4 @@
--- What a log of drives tells of each street.
+-- A log of drives, street by street.
 
 CREATE OR REPLACE FUNCTION streetgen._summarized_drive(model name, samples regclass, mapping jsonb, stretch float8,
     names text[])

@@ -1,4 +1,4 @@
--- Where people on foot are.
+-- People on foot: their places.
 
 CREATE OR REPLACE FUNCTION streetgen._line_across(axis geometry, metres float8, to_left boolean) RETURNS geometry
     LANGUAGE sql IMMUTABLE STRICT PARALLEL SAFE SET search_path = pg_catalog, public

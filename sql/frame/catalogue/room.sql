@@ -1,10 +1,14 @@
 -- Rooms give to the lists of the frame by functions that are found by their names: the settings of lanes come from
 -- streetgen._lane_setting(), the checks from streetgen._check_lane(model).
 
+CREATE OR REPLACE FUNCTION streetgen._traffic_rooms() RETURNS text[]
+    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog RETURN '{simulation,driving}'::text[];
+COMMENT ON FUNCTION streetgen._traffic_rooms() IS 'The rooms whose tables a model with traffic has.';
+
 CREATE OR REPLACE FUNCTION streetgen._rooms() RETURNS text[]
     LANGUAGE sql STABLE PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT '{frame,axis}'::text[] || array_agg(s.subject ORDER BY s.place)
-        || '{cross_section,design,source,format,simulation,driving}'::text[] FROM streetgen._subject() s $$;
+        || '{cross_section,design,source,format}'::text[] || streetgen._traffic_rooms() FROM streetgen._subject() s $$;
 COMMENT ON FUNCTION streetgen._rooms() IS
     'The rooms that give something to lists of the frame, in their order: the frame itself, axes, all subjects, '
     'cross-sections, designs, sources, formats, simulation and driving.';
@@ -41,10 +45,6 @@ CREATE OR REPLACE FUNCTION streetgen._has_design(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog
     AS $$ SELECT to_regclass(format('%I.design_link', model)) IS NOT NULL $$;
 COMMENT ON FUNCTION streetgen._has_design(name) IS 'Does a model have the tables of a design?';
-
-CREATE OR REPLACE FUNCTION streetgen._traffic_rooms() RETURNS text[]
-    LANGUAGE sql IMMUTABLE PARALLEL SAFE SET search_path = pg_catalog RETURN '{simulation,driving}'::text[];
-COMMENT ON FUNCTION streetgen._traffic_rooms() IS 'The rooms whose tables a model with traffic has.';
 
 CREATE OR REPLACE FUNCTION streetgen._has_traffic(model name) RETURNS boolean
     LANGUAGE sql STABLE STRICT PARALLEL SAFE SET search_path = pg_catalog

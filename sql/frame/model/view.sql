@@ -15,7 +15,8 @@ CREATE OR REPLACE FUNCTION streetgen._make_views(model name) RETURNS void
     AS $$
 BEGIN
     PERFORM streetgen._call_rooms('_make_%s_views', model,
-        '{frame,axis}'::text[] || streetgen._subjects(model) || '{cross_section,source,simulation,driving}'::text[]);
+        '{frame,axis}'::text[] || streetgen._subjects(model) || '{cross_section,source}'::text[]
+            || streetgen._traffic_rooms());
 END $$;
 COMMENT ON FUNCTION streetgen._make_views(name) IS
     'Makes the views of a model, again and again: those of the frame, of axes, of its subjects, of '
