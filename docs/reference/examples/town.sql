@@ -9,5 +9,6 @@ INSERT INTO town.axis (geom, width, name) VALUES
 SELECT streetgen.create_model('walked', srid => 2154, subjects => '{footway}');
 INSERT INTO walked.axis (geom, width, radius, name, importance) SELECT geom, width, radius, name, 4 FROM town.axis;
 -- A log of two who drive there.
-CREATE TABLE drive_log AS SELECT i AS time, 650020 + 12.0 * i AS x, 6859998.0 AS y, 'driver' AS actor FROM generate_series(0, 8) i
+CREATE TABLE drive_log AS SELECT i AS time, 650020 + 12.0 * i AS x, 6859998.0 AS y, 'driver' AS actor
+    FROM generate_series(0, 8) i
     UNION ALL SELECT i, 650050 + 10.0 * i, 6859998.5, 'van' FROM generate_series(0, 8) i;

@@ -3,4 +3,5 @@
 -- argument horizon: how far ahead, metres
 -- argument route: links that are followed where link is one of them
 -- see leaders, route
-SELECT ordinality, round(starts) AS starts FROM streetgen.free_path('town', (SELECT min(link_id) FROM town.link WHERE kind = 'lane'), 3, 200);
+SELECT ordinality, round(starts) AS starts
+FROM streetgen.free_path('town', (SELECT min(link_id) FROM town.link WHERE kind = 'lane'), 3, 200);

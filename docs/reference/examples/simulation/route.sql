@@ -3,5 +3,6 @@
 -- argument kind: who drives: car, bus, carpool or cycle
 -- see free_path, leaders
 CREATE EXTENSION IF NOT EXISTS pgrouting;
-SELECT ordinality, round(seconds) AS seconds FROM streetgen.route('town', (SELECT min(comes_from) FROM town.link), (SELECT max(leads_to) FROM town.link
+SELECT ordinality, round(seconds) AS seconds
+FROM streetgen.route('town', (SELECT min(comes_from) FROM town.link), (SELECT max(leads_to) FROM town.link
     WHERE comes_from = (SELECT min(comes_from) FROM town.link)));
