@@ -9,7 +9,7 @@
 
 namespace streetgen {
 
-// How many cells a link has: as many as come nearest to a size, at least one.
+// The number of cells of a link: as many as come nearest to a size, at least one.
 int cell_count(double length, double size);
 
 struct NetworkCell {
@@ -32,8 +32,8 @@ struct NetworkCells {
   std::vector<CellBeside> left, right;  // by cell
 };
 
-// Asks for a cancel.  Refused (invalid_input): a size that is not from 0.1 to 10,000 m, or of which more than ten
-// million would be.
+// Asks for a cancel.  Refused (invalid_input): a size that is not from 0.1 to 10,000 m, or of which
+// more than ten million would be.
 NetworkCells cells_of(const TrafficNetwork& network, double size);
 
 }  // namespace streetgen

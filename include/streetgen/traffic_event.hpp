@@ -1,5 +1,5 @@
-// What happens to the traffic of a simulation by order: a driver brakes, overtakes or breaks down,
-// a car pulls out from the kerb, somebody crosses.  Campos, section 3.4: events of driving
+// Events of a simulation, which happen by order: a driver brakes, overtakes or breaks down, a car
+// pulls out from the kerb, somebody crosses.  Campos, section 3.4: events of driving
 // simulators.
 //
 // An event fires once, in the step after its trigger came, and for one car: its own, else the first

@@ -104,7 +104,7 @@ struct EventRun {
   std::int64_t passed_id = -1;   // its key, as another car may come by that index
   double fired = -1;             // when; -1: not yet
   std::vector<LinkPlace> across; // of who crosses: its places on all lanes there
-  bool fires() const { return fired >= 0; }
+  bool has_fired() const { return fired >= 0; }
 };
 
 struct CarRun {

@@ -23,7 +23,7 @@ double to_walker(const CarRun& run, const Driver& driver, int link, double to_st
   double nearest = no_end;
   if (run.eventful.empty() || !run.eventful[link]) return nearest;
   for (const EventRun& e : run.events) {
-    if (e.across.empty() || !e.fires() || run.time >= until(e)) continue;
+    if (e.across.empty() || !e.has_fired() || run.time >= until(e)) continue;
     for (const LinkPlace& place : e.across) {
       const double way = to_start + place.metres - before_walker;
       if (place.link == link && way > 0 &&

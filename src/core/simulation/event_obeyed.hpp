@@ -1,4 +1,4 @@
-// What drivers do by events that fired.
+// Drivers obey events that fired.
 #pragma once
 
 #include "simulation/driver.hpp"
@@ -10,7 +10,7 @@ namespace streetgen {
 double to_walker(const CarRun& run, const Driver& driver, int link, double to_start);
 // The acceleration of a driver who obeys an event, in place of that by the law.
 double obeyed(const CarRun& run, const Driver& driver, double acceleration, double step);
-// How much faster than allowed a driver drives.
+// Metres a second by which a driver is faster than allowed.
 double faster_by(const CarRun& run, const Driver& driver);
 // Whether a driver still has to change lanes to pass.
 bool overtakes(const CarRun& run, const Driver& driver);

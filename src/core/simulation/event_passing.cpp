@@ -10,7 +10,7 @@ void note_passing(CarRun& run, int car, int link, double from, double to) {
   if (run.eventful.empty() || !run.eventful[link]) return;
   for (EventRun& e : run.events) {
     const LinkPlace& place = e.event.place;
-    if (e.fires() || is_car(run, e.passed, e.passed_id) || place.link != link ||
+    if (e.has_fired() || is_car(run, e.passed, e.passed_id) || place.link != link ||
         !(from < place.metres && place.metres <= to))
       continue;
     const std::int64_t car_id = run.drivers[car].car_id;

@@ -19,8 +19,8 @@ inline bool leaves_at_end(const TrafficNetwork& network, int link) {
   return network.next.of(link).empty() && !merges_beside(network, link);
 }
 
-// Of each link whether one comes from it to an end without a change of lanes: not from the inner
-// lane of a roundabout, where all ways go round.
+// By link: whether one comes from it to an end without a change of lanes. From the inner lane of a
+// roundabout nobody does, as all ways go round.
 inline std::vector<char> links_that_lead_out(const TrafficNetwork& network) {
   std::vector<char> leads(network.size(), 0);
   std::vector<std::int32_t> reached;

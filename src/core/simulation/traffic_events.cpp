@@ -188,7 +188,7 @@ void read_events(CarRun& run, const std::vector<TrafficEvent>& events) {
 void fire_events(CarRun& run) {
   for (std::size_t i = 0; i < run.events.size(); ++i) {
     const EventRun& e = run.events[i];
-    if (e.fires()) continue;
+    if (e.has_fired()) continue;
     const Due found = due(run, e);
     if (!found.now || (e.event.kind == EventKind::pull_out &&
                        !has_room(run, e.event.place, run.rules.car_length)))
